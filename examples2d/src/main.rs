@@ -1,0 +1,2 @@
+//! Runs the 2D gallery.
+fn main() {}

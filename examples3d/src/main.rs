@@ -1,0 +1,2 @@
+//! Runs the 3D gallery.
+fn main() {}

@@ -1,0 +1,216 @@
+//! A generational arena: what a handle is.
+//!
+//! Slots are reused, last freed first; each reuse raises the slot's generation, so that a handle to
+//! what stood there before no longer finds anything. Iteration is in slot order: it depends on the
+//! order of insertions and removals alone, never on addresses.
+
+/// Where an element of an [`Arena`] stands, and which of the slot's successive tenants it is.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Index {
+    index: u32,
+    generation: u32,
+}
+
+impl Default for Index {
+    fn default() -> Self {
+        Self::INVALID
+    }
+}
+
+impl Index {
+    /// An index that no arena ever hands out.
+    pub const INVALID: Self = Self { index: u32::MAX, generation: u32::MAX };
+
+    /// Puts an index together again from [`Self::into_raw_parts`].
+    pub const fn from_raw_parts(index: u32, generation: u32) -> Self {
+        Self { index, generation }
+    }
+
+    /// The slot and its generation.
+    pub const fn into_raw_parts(self) -> (u32, u32) {
+        (self.index, self.generation)
+    }
+
+    /// The slot alone.
+    pub const fn slot(self) -> usize {
+        self.index as usize
+    }
+}
+
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+enum Slot<T> {
+    Free { next: Option<u32>, generation: u32 },
+    Taken { generation: u32, value: T },
+}
+
+/// A list with holes, whose elements are found by generational [`Index`].
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Arena<T> {
+    slots: Vec<Slot<T>>,
+    first_free: Option<u32>,
+    len: usize,
+}
+
+impl<T> Default for Arena<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T> Arena<T> {
+    /// An empty arena.
+    pub const fn new() -> Self {
+        Self { slots: Vec::new(), first_free: None, len: 0 }
+    }
+
+    /// An empty arena with room for `capacity` elements.
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self { slots: Vec::with_capacity(capacity), first_free: None, len: 0 }
+    }
+
+    /// Number of elements.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Is there no element?
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Number of slots, taken or free: every slot number is below it.
+    pub fn slot_count(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Adds an element and says where it stands.
+    ///
+    /// # Panics
+    /// At 2³² - 1 elements, more than memory holds.
+    pub fn insert(&mut self, value: T) -> Index {
+        self.len += 1;
+        if let Some(index) = self.first_free {
+            let slot = &mut self.slots[index as usize];
+            let Slot::Free { next, generation } = *slot else {
+                unreachable!("the free list leads to taken slot {index}")
+            };
+            self.first_free = next;
+            *slot = Slot::Taken { generation, value };
+            return Index { index, generation };
+        }
+        let index = u32::try_from(self.slots.len()).expect("an arena holds at most 2^32 - 1 slots");
+        assert_ne!(index, u32::MAX, "an arena holds at most 2^32 - 1 slots");
+        self.slots.push(Slot::Taken { generation: 0, value });
+        Index { index, generation: 0 }
+    }
+
+    /// Takes an element out; `None` if the index is stale or foreign.
+    pub fn remove(&mut self, index: Index) -> Option<T> {
+        let slot = self.slots.get_mut(index.slot())?;
+        match slot {
+            Slot::Taken { generation, .. } if *generation == index.generation => {}
+            _ => return None,
+        }
+        // u32::MAX is the generation of the invalid index: skip it when the counter wraps.
+        let generation = match index.generation.wrapping_add(1) {
+            u32::MAX => 0,
+            next => next,
+        };
+        let free = Slot::Free { next: self.first_free, generation };
+        self.first_free = Some(index.index);
+        self.len -= 1;
+        match core::mem::replace(slot, free) {
+            Slot::Taken { value, .. } => Some(value),
+            Slot::Free { .. } => None,
+        }
+    }
+
+    /// Does the index lead to an element?
+    pub fn contains(&self, index: Index) -> bool {
+        self.get(index).is_some()
+    }
+
+    /// The element at an index; `None` if the index is stale or foreign.
+    #[inline]
+    pub fn get(&self, index: Index) -> Option<&T> {
+        match self.slots.get(index.slot()) {
+            Some(Slot::Taken { generation, value }) if *generation == index.generation => {
+                Some(value)
+            }
+            _ => None,
+        }
+    }
+
+    /// The element at an index; `None` if the index is stale or foreign.
+    #[inline]
+    pub fn get_mut(&mut self, index: Index) -> Option<&mut T> {
+        match self.slots.get_mut(index.slot()) {
+            Some(Slot::Taken { generation, value }) if *generation == index.generation => {
+                Some(value)
+            }
+            _ => None,
+        }
+    }
+
+    /// Two elements at once; `None` for each stale index, and for the second one if both are the same.
+    pub fn get2_mut(&mut self, a: Index, b: Index) -> (Option<&mut T>, Option<&mut T>) {
+        if a.index == b.index {
+            return if self.contains(a) { (self.get_mut(a), None) } else { (None, self.get_mut(b)) };
+        }
+        let of = |slot: &'_ mut Slot<T>, index: Index| match slot {
+            Slot::Taken { generation, value } if *generation == index.generation => {
+                Some(value as *mut T)
+            }
+            _ => None,
+        };
+        let pa = self.slots.get_mut(a.slot()).and_then(|slot| of(slot, a));
+        let pb = self.slots.get_mut(b.slot()).and_then(|slot| of(slot, b));
+        // SAFETY: the slots differ, so the two references do not overlap, and both borrow `self`.
+        unsafe { (pa.map(|p| &mut *p), pb.map(|p| &mut *p)) }
+    }
+
+    /// Whatever stands in a slot now, with its index.
+    #[inline]
+    pub fn at_slot(&self, slot: u32) -> Option<(Index, &T)> {
+        match self.slots.get(slot as usize) {
+            Some(Slot::Taken { generation, value }) => {
+                Some((Index { index: slot, generation: *generation }, value))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whatever stands in a slot now, with its index.
+    #[inline]
+    pub fn at_slot_mut(&mut self, slot: u32) -> Option<(Index, &mut T)> {
+        match self.slots.get_mut(slot as usize) {
+            Some(Slot::Taken { generation, value }) => {
+                Some((Index { index: slot, generation: *generation }, value))
+            }
+            _ => None,
+        }
+    }
+
+    /// All elements in slot order.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (Index, &T)> {
+        self.slots.iter().enumerate().filter_map(|(index, slot)| match slot {
+            Slot::Taken { generation, value } => {
+                Some((Index { index: index as u32, generation: *generation }, value))
+            }
+            Slot::Free { .. } => None,
+        })
+    }
+
+    /// All elements in slot order.
+    pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = (Index, &mut T)> {
+        self.slots.iter_mut().enumerate().filter_map(|(index, slot)| match slot {
+            Slot::Taken { generation, value } => {
+                Some((Index { index: index as u32, generation: *generation }, value))
+            }
+            Slot::Free { .. } => None,
+        })
+    }
+}

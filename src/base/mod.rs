@@ -1,0 +1,5 @@
+//! # Base — tools that know no physics
+//!
+//! Knows nobody: nothing here may import another room.
+
+pub mod arena;

@@ -1,0 +1,99 @@
+//! Vectors, rotations and poses in 2D, and the few formulas whose shape depends on the dimension.
+
+pub use parry::math::{
+    AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
+};
+
+/// A position in space. The same type as [`Vector`].
+pub type Point = Vector;
+/// A rigid motion. The same type as [`Pose`].
+pub type Isometry = Pose;
+/// Number of rotational degrees of freedom.
+pub const ANG_DIM: usize = 1;
+/// Number of degrees of freedom of a free rigid body.
+pub const SPATIAL_DIM: usize = 3;
+/// Most points that one contact manifold carries.
+pub const MAX_MANIFOLD_POINTS: usize = 2;
+
+/// Velocity `ω × r` of a point at `r` from the axis of a rotation at `ω` (rad/s).
+#[inline]
+pub fn cross(w: AngVector, r: Vector) -> Vector {
+    Vector::new(-w * r.y, w * r.x)
+}
+
+/// Moment `r × f` of a force applied at `r`.
+#[inline]
+pub fn torque(r: Vector, f: Vector) -> AngVector {
+    r.x * f.y - r.y * f.x
+}
+
+/// The angular velocity or rotation that does nothing.
+pub const ANG_ZERO: AngVector = 0.0;
+
+/// Squared length of an angular vector.
+#[inline]
+pub fn ang_length_squared(w: AngVector) -> Real {
+    w * w
+}
+
+/// Dot product of two angular vectors.
+#[inline]
+pub fn ang_dot(a: AngVector, b: AngVector) -> Real {
+    a * b
+}
+
+/// Are all components of the angular vector finite?
+#[inline]
+pub fn ang_is_finite(w: AngVector) -> bool {
+    w.is_finite()
+}
+
+/// The rotation by `angle` radians, counter-clockwise.
+#[inline]
+pub fn rotation_from_angle(angle: AngVector) -> Rotation {
+    Rotation::new(angle)
+}
+
+/// The angle of a rotation (radians, in `-π..=π`).
+#[inline]
+pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
+    rotation.angle()
+}
+
+/// Rotates `rotation` by the small angle `angle` (radians), to first order in the angle and
+/// renormalised: `q ← normalize(q + i·angle·q)`.
+///
+/// The error per call is of third order in the angle; the exponential map would cost a sine and a
+/// cosine, whose last bits differ between machines.
+#[inline]
+pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
+    Rotation::from_cos_sin_unchecked(
+        rotation.re - angle * rotation.im,
+        rotation.im + angle * rotation.re,
+    )
+    .normalize()
+}
+
+/// The unit vector that completes the unit vector `n` to a basis: `n` turned by -90°.
+#[inline]
+pub fn tangents(n: Vector) -> [Vector; DIM - 1] {
+    [Vector::new(n.y, -n.x)]
+}
+
+/// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
+#[inline]
+pub fn mul_inertia(inv_inertia: &AngularInertia, torque: AngVector) -> AngVector {
+    inv_inertia * torque
+}
+
+/// The inertia of a body that no torque can turn.
+#[inline]
+pub fn zero_inertia() -> AngularInertia {
+    0.0
+}
+
+/// Is the rotation a finite one of unit length (within rounding)?
+#[inline]
+pub fn rotation_is_valid(rotation: &Rotation) -> bool {
+    rotation.is_finite() && (rotation.length_squared() - 1.0).abs() < 1.0e-2
+}

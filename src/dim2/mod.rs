@@ -1,0 +1,6 @@
+//! The vocabulary of two dimensions.
+//!
+//! `dim3/` has the same table of contents, so the difference of the two folders is the difference
+//! between the two engines.
+
+pub mod math;

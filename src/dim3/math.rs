@@ -1,0 +1,111 @@
+//! Vectors, rotations and poses in 3D, and the few formulas whose shape depends on the dimension.
+
+pub use parry::math::{
+    AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
+};
+
+/// A position in space. The same type as [`Vector`].
+pub type Point = Vector;
+/// A rigid motion. The same type as [`Pose`].
+pub type Isometry = Pose;
+/// Number of rotational degrees of freedom.
+pub const ANG_DIM: usize = 3;
+/// Number of degrees of freedom of a free rigid body.
+pub const SPATIAL_DIM: usize = 6;
+/// Most points that one contact manifold carries.
+pub const MAX_MANIFOLD_POINTS: usize = 4;
+
+/// Velocity `ω × r` of a point at `r` from the axis of a rotation at `ω` (rad/s).
+#[inline]
+pub fn cross(w: AngVector, r: Vector) -> Vector {
+    w.cross(r)
+}
+
+/// Moment `r × f` of a force applied at `r`.
+#[inline]
+pub fn torque(r: Vector, f: Vector) -> AngVector {
+    r.cross(f)
+}
+
+/// The angular velocity or rotation that does nothing.
+pub const ANG_ZERO: AngVector = AngVector::ZERO;
+
+/// Squared length of an angular vector.
+#[inline]
+pub fn ang_length_squared(w: AngVector) -> Real {
+    w.length_squared()
+}
+
+/// Dot product of two angular vectors.
+#[inline]
+pub fn ang_dot(a: AngVector, b: AngVector) -> Real {
+    a.dot(b)
+}
+
+/// Are all components of the angular vector finite?
+#[inline]
+pub fn ang_is_finite(w: AngVector) -> bool {
+    w.is_finite()
+}
+
+/// The rotation by `angle.length()` radians about the direction of `angle`.
+#[inline]
+pub fn rotation_from_angle(angle: AngVector) -> Rotation {
+    Rotation::from_scaled_axis(angle)
+}
+
+/// Angle and axis of a rotation as one vector (radians).
+#[inline]
+pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
+    rotation.to_scaled_axis()
+}
+
+/// Rotates `rotation` by the small world-space angle `angle` (radians), to first order in the angle
+/// and renormalised: `q ← normalize(q + ½ (angle, 0) q)`.
+///
+/// The error per call is of third order in the angle; the exponential map would cost a sine and a
+/// cosine, whose last bits differ between machines.
+#[inline]
+pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
+    let (q, a) = (rotation, angle * 0.5);
+    Rotation::from_xyzw(
+        q.x + (a.x * q.w + a.y * q.z - a.z * q.y),
+        q.y + (a.y * q.w + a.z * q.x - a.x * q.z),
+        q.z + (a.z * q.w + a.x * q.y - a.y * q.x),
+        q.w - (a.x * q.x + a.y * q.y + a.z * q.z),
+    )
+    .normalize()
+}
+
+/// Two unit vectors that complete the unit vector `n` to a right-handed basis `(t1, t2, n)`.
+///
+/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no branch but the sign, no
+/// cancellation near the pole.
+#[inline]
+pub fn tangents(n: Vector) -> [Vector; DIM - 1] {
+    let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    [
+        Vector::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+        Vector::new(b, sign + n.y * n.y * a, -n.y),
+    ]
+}
+
+/// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
+#[inline]
+pub fn mul_inertia(inv_inertia: &AngularInertia, torque: AngVector) -> AngVector {
+    inv_inertia.mul_vec(torque)
+}
+
+/// The inertia of a body that no torque can turn.
+#[inline]
+pub fn zero_inertia() -> AngularInertia {
+    AngularInertia::zero()
+}
+
+/// Is the rotation a finite one of unit length (within rounding)?
+#[inline]
+pub fn rotation_is_valid(rotation: &Rotation) -> bool {
+    rotation.is_finite() && (rotation.length_squared() - 1.0).abs() < 1.0e-2
+}

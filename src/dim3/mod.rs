@@ -1,0 +1,6 @@
+//! The vocabulary of three dimensions.
+//!
+//! `dim2/` has the same table of contents, so the difference of the two folders is the difference
+//! between the two engines.
+
+pub mod math;

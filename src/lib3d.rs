@@ -1,0 +1,14 @@
+//! 3D rigid-body physics.
+
+#[cfg(feature = "parry3d-f64")]
+extern crate parry3d_f64 as parry;
+
+mod dim3;
+use dim3 as dim; // the one line that decides the dimension
+
+mod base;
+mod model;
+mod step;
+#[cfg(feature = "debug-render")]
+mod debug_render;
+mod api;

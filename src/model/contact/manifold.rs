@@ -1,0 +1,197 @@
+//! The contact manifold: up to [`MAX_MANIFOLD_POINTS`] points with one normal.
+
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::model::body::RigidBodyHandle;
+use arrayvec::ArrayVec;
+use parry::shape::PackedFeatureId;
+
+bitflags::bitflags! {
+    /// What the solver does with a manifold.
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    #[derive(Copy, Clone, PartialEq, Eq, Debug, Hash)]
+    pub struct SolverFlags: u32 {
+        /// Compute impulses that keep the two bodies apart. Without it the contact is detected and
+        /// reported, but the bodies pass through each other.
+        const COMPUTE_RIGID_IMPULSES = 0b01;
+    }
+}
+
+impl Default for SolverFlags {
+    fn default() -> Self {
+        Self::COMPUTE_RIGID_IMPULSES
+    }
+}
+
+/// One contact point.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Contact {
+    /// The point on the first collider, in that collider's frame (length units).
+    pub local_p1: Vector,
+    /// The point on the second collider, in that collider's frame (length units).
+    pub local_p2: Vector,
+    /// Distance of the two points along the normal; negative when the colliders overlap.
+    pub dist: Real,
+    /// The point midway between the two surfaces, in world space, as of the last step.
+    pub point: Vector,
+    /// The feature (vertex, edge, face) of the first collider that the point lies on.
+    pub fid1: PackedFeatureId,
+    /// The feature (vertex, edge, face) of the second collider that the point lies on.
+    pub fid2: PackedFeatureId,
+    /// Impulse along the normal during the last step: the sum over its substeps (mass·velocity).
+    pub impulse: Real,
+    /// Largest normal impulse of one substep of the last step. Tells a hit from a hover.
+    pub(crate) impulse_max: Real,
+    /// Normal impulse of the last substep, with which the next step starts.
+    pub warmstart_impulse: Real,
+    /// Friction impulse at this point of the last substep, along the manifold's tangents
+    /// ([`FrictionModel::Coulomb`](crate::model::params::FrictionModel) only).
+    pub warmstart_tangent_impulse: [Real; DIM - 1],
+}
+
+impl Contact {
+    /// A new contact that carries no impulse yet.
+    pub fn new(
+        local_p1: Vector,
+        local_p2: Vector,
+        fid1: PackedFeatureId,
+        fid2: PackedFeatureId,
+        dist: Real,
+    ) -> Self {
+        Self {
+            local_p1,
+            local_p2,
+            dist,
+            point: Vector::ZERO,
+            fid1,
+            fid2,
+            impulse: 0.0,
+            impulse_max: 0.0,
+            warmstart_impulse: 0.0,
+            warmstart_tangent_impulse: [0.0; DIM - 1],
+        }
+    }
+
+    /// Takes over the impulses of an earlier contact of the same two features.
+    pub(crate) fn inherit(&mut self, earlier: &Contact) {
+        self.impulse = earlier.impulse;
+        self.impulse_max = earlier.impulse_max;
+        self.warmstart_impulse = earlier.warmstart_impulse;
+        self.warmstart_tangent_impulse = earlier.warmstart_tangent_impulse;
+    }
+}
+
+/// The points of one manifold.
+pub type ContactPoints = ArrayVec<Contact, MAX_MANIFOLD_POINTS>;
+
+/// What the solver knows of a manifold.
+///
+/// Iterating over `&ContactManifoldData` yields its [`Contact`]s.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ContactManifoldData {
+    /// Body of the first collider, if it has one.
+    pub rigid_body1: Option<RigidBodyHandle>,
+    /// Body of the second collider, if it has one.
+    pub rigid_body2: Option<RigidBodyHandle>,
+    /// What the solver does with the manifold.
+    pub solver_flags: SolverFlags,
+    /// Unit normal in world space, from the first collider to the second.
+    pub normal: Vector,
+    /// Combined friction coefficient.
+    pub friction: Real,
+    /// Combined restitution coefficient.
+    pub restitution: Real,
+    /// Velocity of the second surface relative to the first along the contact plane, in world space,
+    /// as a conveyor belt has (length/s). Set by [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
+    pub tangent_velocity: Vector,
+    /// Dominance group of the first body minus that of the second. Positive: the first body moves
+    /// the second as if it had infinite mass.
+    pub relative_dominance: i16,
+    /// Free for the user's hooks; survives as long as the manifold does.
+    pub user_data: u32,
+    /// Friction impulse of the last substep in world space, at the manifold's friction centre.
+    pub(crate) warmstart_friction: Vector,
+    /// Twist-friction impulse of the last substep about the normal (3D).
+    pub(crate) warmstart_twist: Real,
+    /// The points, all within the prediction distance.
+    pub(crate) points: ContactPoints,
+}
+
+impl Default for ContactManifoldData {
+    fn default() -> Self {
+        Self {
+            rigid_body1: None,
+            rigid_body2: None,
+            solver_flags: SolverFlags::default(),
+            normal: Vector::ZERO,
+            friction: 0.0,
+            restitution: 0.0,
+            tangent_velocity: Vector::ZERO,
+            relative_dominance: 0,
+            user_data: 0,
+            warmstart_friction: Vector::ZERO,
+            warmstart_twist: 0.0,
+            points: ContactPoints::new(),
+        }
+    }
+}
+
+impl ContactManifoldData {
+    /// Number of points that the solver handles.
+    pub fn num_active_contacts(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The points.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.points
+    }
+}
+
+impl<'a> IntoIterator for &'a ContactManifoldData {
+    type Item = &'a Contact;
+    type IntoIter = core::slice::Iter<'a, Contact>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.points.iter()
+    }
+}
+
+/// Contact points between two convex parts of two colliders, with one normal.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ContactManifold {
+    /// The normal in the frame of the first collider, pointing away from it.
+    pub local_n1: Vector,
+    /// The normal in the frame of the second collider, pointing away from it.
+    pub local_n2: Vector,
+    /// Which part of the first collider's shape (a triangle of a mesh, a child of a compound).
+    pub subshape1: u32,
+    /// Which part of the second collider's shape.
+    pub subshape2: u32,
+    /// The points, materials and impulses.
+    pub data: ContactManifoldData,
+}
+
+impl ContactManifold {
+    /// The contact points.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.data.points
+    }
+
+    /// Sum of the normal impulses of the last step.
+    pub(crate) fn impulse(&self) -> Real {
+        self.data.points.iter().map(|contact| contact.impulse).sum()
+    }
+
+    /// Distance at the deepest point; infinite if there is none.
+    pub(crate) fn deepest_dist(&self) -> Real {
+        self.data.points.iter().map(|contact| contact.dist).fold(Real::INFINITY, Real::min)
+    }
+
+    /// The point that overlaps most, or is closest if none overlaps.
+    pub fn find_deepest_contact(&self) -> Option<&Contact> {
+        self.data.points.iter().min_by(|a, b| a.dist.total_cmp(&b.dist))
+    }
+}

@@ -1,0 +1,104 @@
+//! Pairs of colliders whose boxes overlap, from the first overlap to the last.
+
+use super::manifold::ContactManifold;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::ColliderHandle;
+use smallvec::SmallVec;
+
+/// Two colliders that are close enough to touch, and their contact manifolds.
+///
+/// A pair lives as long as the colliders' enlarged boxes overlap. Its manifolds persist from step to
+/// step: they carry the impulses with which the next step starts.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ContactPair {
+    /// The first collider.
+    pub collider1: ColliderHandle,
+    /// The second collider.
+    pub collider2: ColliderHandle,
+    /// Where the two touch or nearly touch; one manifold for each pair of convex parts.
+    pub manifolds: SmallVec<[ContactManifold; 1]>,
+    /// Is any contact close enough that the solver handled it in the last step?
+    pub has_any_active_contact: bool,
+
+    /// Was the pair reported as started (and not yet as stopped)?
+    pub(crate) start_event_emitted: bool,
+    /// Pose of the second collider in the frame of the first when the manifolds were computed.
+    pub(crate) pose12: Pose,
+    /// How far (length units) the two may still move against each other before the manifolds must be
+    /// computed again. Every step takes off a bound of what the two bodies moved.
+    pub(crate) slack: Real,
+}
+
+impl Default for ContactPair {
+    fn default() -> Self {
+        Self::new(ColliderHandle::invalid(), ColliderHandle::invalid())
+    }
+}
+
+impl ContactPair {
+    /// A pair of which nothing is known yet.
+    pub(crate) fn new(collider1: ColliderHandle, collider2: ColliderHandle) -> Self {
+        Self {
+            collider1,
+            collider2,
+            manifolds: SmallVec::new(),
+            has_any_active_contact: false,
+            start_event_emitted: false,
+            pose12: Pose::IDENTITY,
+            slack: 0.0,
+        }
+    }
+
+    /// Sum of the impulses of all contacts during the last step, in world space: what the first
+    /// collider's body did to the second's along the normals (friction is not counted).
+    pub fn total_impulse(&self) -> Vector {
+        self.manifolds.iter().map(|m| m.data.normal * m.impulse()).sum()
+    }
+
+    /// Sum of the magnitudes of all normal impulses during the last step.
+    pub fn total_impulse_magnitude(&self) -> Real {
+        self.manifolds.iter().map(ContactManifold::impulse).sum()
+    }
+
+    /// The largest normal impulse of one contact during the last step, and its direction in world
+    /// space. Zero if nothing touched.
+    pub fn max_impulse(&self) -> (Real, Vector) {
+        let mut result = (0.0, Vector::ZERO);
+        for manifold in &self.manifolds {
+            for contact in &manifold.data {
+                if contact.impulse > result.0 {
+                    result = (contact.impulse, manifold.data.normal);
+                }
+            }
+        }
+        result
+    }
+
+    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the
+    /// second, the point midway between the two surfaces, and how far they overlap (negative: how
+    /// far they are apart). All in world space as of the last step. `None` if there is no contact.
+    pub fn find_deepest_contact(&self) -> Option<(Vector, Vector, Real)> {
+        let manifold = self
+            .manifolds
+            .iter()
+            .filter(|m| !m.contacts().is_empty())
+            .min_by(|a, b| a.deepest_dist().total_cmp(&b.deepest_dist()))?;
+        let contact = manifold.find_deepest_contact()?;
+        Some((manifold.data.normal, contact.point, -contact.dist))
+    }
+}
+
+/// Two colliders, at least one of them a sensor, whose boxes overlap.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct IntersectionPair {
+    /// The first collider.
+    pub collider1: ColliderHandle,
+    /// The second collider.
+    pub collider2: ColliderHandle,
+    /// Do the shapes intersect?
+    pub intersecting: bool,
+    /// Was the pair reported as started (and not yet as stopped)?
+    pub(crate) start_event_emitted: bool,
+}

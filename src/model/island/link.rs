@@ -1,0 +1,26 @@
+//! What a body knows of its place in the step's lists.
+
+/// "Not in this list."
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Where a body stands in the islands and in the solver. Kept inside the body, repaired by whoever
+/// moves list entries.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct BodyLink {
+    /// Position in the list of awake bodies, which is also the solver's body index; [`NONE`] for
+    /// fixed, sleeping and disabled bodies.
+    pub awake: u32,
+    /// The island it belongs to; [`NONE`] for all but dynamic bodies that are enabled.
+    pub island: u32,
+    /// Position in the island's list of bodies.
+    pub island_position: u32,
+    /// Colours of the constraint graph that already hold a constraint of this body, one bit each.
+    pub colors: u64,
+}
+
+impl Default for BodyLink {
+    fn default() -> Self {
+        Self { awake: NONE, island: NONE, island_position: NONE, colors: 0 }
+    }
+}

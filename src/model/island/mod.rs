@@ -1,0 +1,5 @@
+//! Islands: bodies that touch, directly or through others, and so sleep and wake as one.
+
+mod link;
+
+pub(crate) use link::{BodyLink, NONE};

@@ -1,0 +1,15 @@
+//! # Model — the nouns
+//!
+//! Plain data, sets and handles, and the traits that a user implements. No algorithm of the step
+//! lives here; stages of [`crate::step`] act on these types and never on each other.
+
+pub mod body;
+pub mod collider;
+pub mod contact;
+pub mod counters;
+pub mod event;
+pub mod hooks;
+pub mod island;
+pub mod joint;
+pub mod params;
+pub mod tree;
