@@ -1,1 +1,5 @@
-//! 
+//! Rigid bodies.
+
+mod handle;
+
+pub use handle::RigidBodyHandle;

@@ -1,1 +1,5 @@
-//! 
+//! Colliders.
+
+mod handle;
+
+pub use handle::ColliderHandle;
