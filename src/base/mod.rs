@@ -3,3 +3,4 @@
 //! Knows nobody: nothing here may import another room.
 
 pub mod arena;
+pub(crate) mod hash;

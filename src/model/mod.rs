@@ -5,6 +5,7 @@
 
 pub mod body;
 pub mod collider;
+pub(crate) mod constraint_graph;
 pub mod contact;
 pub mod counters;
 pub mod event;
@@ -12,4 +13,5 @@ pub mod hooks;
 pub mod island;
 pub mod joint;
 pub mod params;
+pub(crate) mod structure;
 pub mod tree;

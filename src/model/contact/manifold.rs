@@ -2,6 +2,7 @@
 
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::model::body::RigidBodyHandle;
+use crate::model::constraint_graph::ColorSlot;
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
@@ -30,6 +31,11 @@ pub struct Contact {
     pub local_p1: Vector,
     /// The point on the second collider, in that collider's frame (length units).
     pub local_p2: Vector,
+    /// The point on the first body in that body's frame, from its centre of mass; in world space if
+    /// the collider has no body or a fixed one, for which the solver keeps no pose.
+    pub(crate) anchor1: Vector,
+    /// The same on the second body.
+    pub(crate) anchor2: Vector,
     /// Distance of the two points along the normal; negative when the colliders overlap.
     pub dist: Real,
     /// The point midway between the two surfaces, in world space, as of the last step.
@@ -61,6 +67,8 @@ impl Contact {
         Self {
             local_p1,
             local_p2,
+            anchor1: Vector::ZERO,
+            anchor2: Vector::ZERO,
             dist,
             point: Vector::ZERO,
             fid1,
@@ -98,6 +106,8 @@ pub struct ContactManifoldData {
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
+    /// The normal in the frame of the first body (in world space if that is none or a fixed one).
+    pub(crate) body_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
     /// Combined restitution coefficient.
@@ -125,6 +135,7 @@ impl Default for ContactManifoldData {
             rigid_body2: None,
             solver_flags: SolverFlags::default(),
             normal: Vector::ZERO,
+            body_normal: Vector::ZERO,
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
@@ -172,6 +183,8 @@ pub struct ContactManifold {
     pub subshape2: u32,
     /// The points, materials and impulses.
     pub data: ContactManifoldData,
+    /// Where the constraint graph has it; `None` while the solver does not handle it.
+    pub(crate) slot: Option<ColorSlot>,
 }
 
 impl ContactManifold {

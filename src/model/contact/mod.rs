@@ -1,7 +1,11 @@
 //! Contacts: pairs of colliders that are close, and where exactly they touch.
 
 mod manifold;
+mod narrow_phase;
 mod pair;
+mod store;
 
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
+pub use narrow_phase::NarrowPhase;
 pub use pair::{ContactPair, IntersectionPair};
+pub(crate) use store::{AwakePair, PairId, PairStore};

@@ -3,6 +3,7 @@
 use super::manifold::ContactManifold;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
+use super::store::Pair;
 use smallvec::SmallVec;
 
 /// Two colliders that are close enough to touch, and their contact manifolds.
@@ -23,11 +24,10 @@ pub struct ContactPair {
 
     /// Was the pair reported as started (and not yet as stopped)?
     pub(crate) start_event_emitted: bool,
+    /// Is the pair part of the structure of the world: do its bodies share an island because of it?
+    pub(crate) attached: bool,
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
-    /// How far (length units) the two may still move against each other before the manifolds must be
-    /// computed again. Every step takes off a bound of what the two bodies moved.
-    pub(crate) slack: Real,
 }
 
 impl Default for ContactPair {
@@ -45,9 +45,14 @@ impl ContactPair {
             manifolds: SmallVec::new(),
             has_any_active_contact: false,
             start_event_emitted: false,
+            attached: false,
             pose12: Pose::IDENTITY,
-            slack: 0.0,
         }
+    }
+
+    /// Do the two touch (within the prediction distance)?
+    pub(crate) fn is_touching(&self) -> bool {
+        !self.manifolds.is_empty()
     }
 
     /// Sum of the impulses of all contacts during the last step, in world space: what the first
@@ -101,4 +106,16 @@ pub struct IntersectionPair {
     pub intersecting: bool,
     /// Was the pair reported as started (and not yet as stopped)?
     pub(crate) start_event_emitted: bool,
+}
+
+impl Pair for ContactPair {
+    fn colliders(&self) -> [ColliderHandle; 2] {
+        [self.collider1, self.collider2]
+    }
+}
+
+impl Pair for IntersectionPair {
+    fn colliders(&self) -> [ColliderHandle; 2] {
+        [self.collider1, self.collider2]
+    }
 }

@@ -15,12 +15,10 @@ pub(crate) struct BodyLink {
     pub island: u32,
     /// Position in the island's list of bodies.
     pub island_position: u32,
-    /// Colours of the constraint graph that already hold a constraint of this body, one bit each.
-    pub colors: u64,
 }
 
 impl Default for BodyLink {
     fn default() -> Self {
-        Self { awake: NONE, island: NONE, island_position: NONE, colors: 0 }
+        Self { awake: NONE, island: NONE, island_position: NONE }
     }
 }

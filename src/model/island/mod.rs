@@ -1,5 +1,8 @@
 //! Islands: bodies that touch, directly or through others, and so sleep and wake as one.
 
 mod link;
+mod manager;
 
+pub use manager::IslandManager;
 pub(crate) use link::{BodyLink, NONE};
+pub(crate) use manager::Island;

@@ -1,0 +1,83 @@
+//! The narrow phase's state: every pair of colliders whose enlarged boxes overlap.
+
+use super::pair::{ContactPair, IntersectionPair};
+use super::store::PairStore;
+use crate::model::collider::ColliderHandle;
+
+/// All contact and intersection pairs, kept from step to step.
+///
+/// A pair of solid colliders is a [`ContactPair`]; one with a sensor in it is an
+/// [`IntersectionPair`]. Both are there from the first overlap of the colliders' enlarged boxes, so a
+/// pair may well exist without touching: see [`ContactPair::has_any_active_contact`] and
+/// [`IntersectionPair::intersecting`].
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct NarrowPhase {
+    pub(crate) contacts: PairStore<ContactPair>,
+    pub(crate) intersections: PairStore<IntersectionPair>,
+}
+
+impl NarrowPhase {
+    /// Knows no pair.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// All contact pairs, as (first collider, second collider, pair), in an order that depends on the
+    /// world's history alone.
+    pub fn contact_pairs(
+        &self,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, &ContactPair)> {
+        self.contacts.iter().map(|pair| (pair.collider1, pair.collider2, pair))
+    }
+
+    /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap,
+    /// if one of them is a sensor, or if something filters the pair out.
+    pub fn contact_pair(
+        &self,
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+    ) -> Option<&ContactPair> {
+        self.contacts.find(collider1, collider2)
+    }
+
+    /// All contact pairs of one collider. Empty for a stale handle.
+    pub fn contact_pairs_with(
+        &self,
+        collider: ColliderHandle,
+    ) -> impl Iterator<Item = &ContactPair> {
+        let ids = self.contacts.ids_of(collider.into_raw_parts().0);
+        ids.iter()
+            .map(|&id| &self.contacts[id])
+            .filter(move |pair| pair.collider1 == collider || pair.collider2 == collider)
+    }
+
+    /// All pairs with a sensor, as (first collider, second collider, do they intersect?).
+    pub fn intersection_pairs(
+        &self,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
+        self.intersections.iter().map(|pair| (pair.collider1, pair.collider2, pair.intersecting))
+    }
+
+    /// Do two colliders, at least one of them a sensor, intersect? `None` if their boxes do not
+    /// overlap, if neither is a sensor, or if something filters the pair out.
+    pub fn intersection_pair(
+        &self,
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+    ) -> Option<bool> {
+        self.intersections.find(collider1, collider2).map(|pair| pair.intersecting)
+    }
+
+    /// All sensor pairs of one collider, as (first collider, second collider, do they intersect?).
+    pub fn intersection_pairs_with(
+        &self,
+        collider: ColliderHandle,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
+        let ids = self.intersections.ids_of(collider.into_raw_parts().0);
+        ids.iter()
+            .map(|&id| &self.intersections[id])
+            .filter(move |pair| pair.collider1 == collider || pair.collider2 == collider)
+            .map(|pair| (pair.collider1, pair.collider2, pair.intersecting))
+    }
+}

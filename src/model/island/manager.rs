@@ -1,0 +1,113 @@
+//! Which bodies are awake, and which islands they form.
+
+use super::link::NONE;
+use crate::dim::math::Real;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::constraint_graph::ConstraintGraph;
+
+/// Bodies that touch, directly or through other dynamic bodies.
+///
+/// Islands persist: they merge at once when two of them touch, and are split lazily, when one whose
+/// links were cut wants to sleep. Finding them anew each step would cost all awake contacts.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Island {
+    /// Dynamic bodies; each one's link says at which position it stands here.
+    pub bodies: Vec<RigidBodyHandle>,
+    /// Links cut since the island was last known to be connected.
+    pub cut_links: u32,
+    /// Is it out of every per-step list?
+    pub sleeping: bool,
+}
+
+/// Knows which bodies are awake and which move and sleep together.
+///
+/// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once
+/// each of them has been slow for its
+/// [`time_until_sleep`](crate::model::body::RigidBodyActivation::time_until_sleep), and wake together.
+/// Sleeping bodies cost nothing per step.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct IslandManager {
+    /// Awake dynamic and kinematic bodies. A body's position here is its index in the solver.
+    pub(crate) awake: Vec<RigidBodyHandle>,
+    /// All islands, with holes.
+    islands: Vec<Island>,
+    free: Vec<u32>,
+    /// Which constraint is solved in which colour.
+    pub(crate) graph: ConstraintGraph,
+    /// By body slot: a bound (length units) of how far any point of the body moved in the last step.
+    pub(crate) motion: Vec<Real>,
+}
+
+impl IslandManager {
+    /// Knows no body.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Handles of all awake dynamic and kinematic bodies.
+    pub fn active_bodies(&self) -> &[RigidBodyHandle] {
+        &self.awake
+    }
+
+    /// Number of awake dynamic and kinematic bodies.
+    pub fn num_active_bodies(&self) -> usize {
+        self.awake.len()
+    }
+
+    /// Wakes a body, and with it (in the next step) its island. `strong` also makes it stay awake for
+    /// its full time until sleep. Nothing happens if the handle is stale.
+    pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {
+        if let Some(body) = bodies.get_mut(handle) {
+            body.wake_up(strong);
+        }
+    }
+
+    /// The island with this id.
+    pub(crate) fn island(&self, id: u32) -> &Island {
+        &self.islands[id as usize]
+    }
+
+    /// The island with this id.
+    pub(crate) fn island_mut(&mut self, id: u32) -> &mut Island {
+        &mut self.islands[id as usize]
+    }
+
+    /// Ids below this bound may be islands.
+    pub(crate) fn island_bound(&self) -> u32 {
+        self.islands.len() as u32
+    }
+
+    /// Makes an empty island.
+    pub(crate) fn create_island(&mut self) -> u32 {
+        self.free.pop().unwrap_or_else(|| {
+            self.islands.push(Island::default());
+            self.islands.len() as u32 - 1
+        })
+    }
+
+    /// Gives an empty island's id back; its buffer is kept for the next one.
+    pub(crate) fn destroy_island(&mut self, id: u32) {
+        let island = self.island_mut(id);
+        debug_assert!(island.bodies.is_empty());
+        island.cut_links = 0;
+        island.sleeping = false;
+        self.free.push(id);
+    }
+
+    /// The bound of how far any point of the body in a slot moved in the last step.
+    #[inline]
+    pub(crate) fn motion_of(&self, body_slot: u32) -> Real {
+        if body_slot == NONE { 0.0 } else { self.motion.get(body_slot as usize).copied().unwrap_or(0.0) }
+    }
+
+    /// Notes how far any point of the body in a slot moved.
+    pub(crate) fn set_motion(&mut self, body_slot: u32, bound: Real) {
+        let slot = body_slot as usize;
+        if slot >= self.motion.len() {
+            self.motion.resize(slot + 1, 0.0);
+        }
+        self.motion[slot] = bound;
+    }
+}

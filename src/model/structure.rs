@@ -1,0 +1,445 @@
+//! The operations that keep bodies, pairs, islands and colours in agreement.
+//!
+//! Four lists know of each other: a body its island and its place among the awake, a pair whether it
+//! is awake, a touching pair its islands ("attached"), its manifolds their colours. Whoever changes one
+//! goes through here; [`Structure::validate`] says what must hold between steps.
+//!
+//! * A contact or intersection pair is awake if one of its bodies is.
+//! * A touching contact pair is attached: its two dynamic bodies share an island.
+//! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
+
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::ColliderSet;
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::{NarrowPhase, PairId, SolverFlags};
+use crate::model::island::{BodyLink, IslandManager, NONE};
+
+/// Mutable access to everything that the structure spans.
+pub(crate) struct Structure<'a> {
+    pub bodies: &'a mut RigidBodySet,
+    pub colliders: &'a mut ColliderSet,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub islands: &'a mut IslandManager,
+}
+
+impl Structure<'_> {
+    fn body(&self, slot: u32) -> Option<&RigidBody> {
+        self.bodies.at_slot(slot).map(|(_, body)| body)
+    }
+
+    /// The slots of those of the pair's bodies that contacts can move.
+    fn dynamic_slots(&self, slots: [u32; 2]) -> [Option<u32>; 2] {
+        slots.map(|slot| {
+            (slot != NONE && self.body(slot).is_some_and(|body| body.link.island != NONE))
+                .then_some(slot)
+        })
+    }
+
+    fn is_awake(&self, slot: u32) -> bool {
+        self.body(slot).is_some_and(|body| body.link.awake != NONE)
+    }
+
+    // --- bodies ---------------------------------------------------------------------------------
+
+    /// Takes a new body into the lists it belongs to. Its pairs, if it has any, are not touched.
+    pub fn add_body(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        debug_assert!(body.link.island == NONE && body.link.awake == NONE);
+        if !body.is_enabled() || body.is_fixed() {
+            return;
+        }
+        let sleeping = body.activation.sleeping;
+        if body.is_dynamic() {
+            let island = self.islands.create_island();
+            body.link.island = island;
+            body.link.island_position = 0;
+            let island = self.islands.island_mut(island);
+            island.bodies.push(handle);
+            island.sleeping = sleeping;
+        }
+        if !sleeping {
+            self.list_awake(handle);
+        }
+    }
+
+    /// Takes a body out of all lists. Its pairs must have been detached. `link` is what the body knew
+    /// of its place: the body itself may be gone already.
+    pub fn remove_body(&mut self, handle: RigidBodyHandle, link: BodyLink) {
+        if link.awake != NONE {
+            self.unlist_awake(link.awake);
+        }
+        if link.island != NONE {
+            self.leave_island(link);
+        }
+        self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+        if let Some(body) = self.bodies.get_unnoted_mut(handle) {
+            body.link = BodyLink::default();
+        }
+    }
+
+    fn leave_island(&mut self, link: BodyLink) {
+        let island = self.islands.island_mut(link.island);
+        island.bodies.swap_remove(link.island_position as usize);
+        island.cut_links += 1;
+        match island.bodies.get(link.island_position as usize).copied() {
+            Some(moved) => {
+                if let Some(body) = self.bodies.get_unnoted_mut(moved) {
+                    body.link.island_position = link.island_position;
+                }
+            }
+            None if island.bodies.is_empty() => self.islands.destroy_island(link.island),
+            None => {}
+        }
+    }
+
+    fn list_awake(&mut self, handle: RigidBodyHandle) {
+        let position = self.islands.awake.len() as u32;
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        if body.link.awake == NONE {
+            body.link.awake = position;
+            body.activation.sleeping = false;
+            self.islands.awake.push(handle);
+        }
+    }
+
+    fn unlist_awake(&mut self, position: u32) {
+        self.islands.awake.swap_remove(position as usize);
+        if let Some(&moved) = self.islands.awake.get(position as usize) {
+            if let Some(body) = self.bodies.get_unnoted_mut(moved) {
+                body.link.awake = position;
+            }
+        }
+    }
+
+    // --- waking and sleeping --------------------------------------------------------------------
+
+    /// Wakes the body in a slot, with its island if it has one.
+    pub fn wake_body(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.bodies.get(handle) else { return };
+        match body.link.island {
+            NONE if body.is_kinematic() && body.is_enabled() => {
+                self.list_awake(handle);
+                self.wake_pairs_of(handle);
+            }
+            NONE => {}
+            island => self.wake_island(island),
+        }
+    }
+
+    /// Puts an island back into the per-step lists.
+    pub fn wake_island(&mut self, island: u32) {
+        if !self.islands.island(island).sleeping {
+            return;
+        }
+        self.islands.island_mut(island).sleeping = false;
+        let count = self.islands.island(island).bodies.len();
+        // All bodies first: a pair's colour depends on whether its two bodies are awake.
+        for i in 0..count {
+            let handle = self.islands.island(island).bodies[i];
+            self.list_awake(handle);
+            if let Some(body) = self.bodies.get_unnoted_mut(handle) {
+                body.activation.wake_up(true);
+            }
+        }
+        for i in 0..count {
+            self.wake_pairs_of(self.islands.island(island).bodies[i]);
+        }
+    }
+
+    fn wake_pairs_of(&mut self, handle: RigidBodyHandle) {
+        for c in 0..self.collider_count(handle) {
+            let Some(slot) = self.collider_slot(handle, c) else { continue };
+            for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
+                let id = self.narrow_phase.contacts.ids_of(slot)[i];
+                self.narrow_phase.contacts.wake(id);
+                self.update_colors(id);
+            }
+            for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
+                let id = self.narrow_phase.intersections.ids_of(slot)[i];
+                self.narrow_phase.intersections.wake(id);
+            }
+        }
+    }
+
+    /// Takes an island out of the per-step lists. Its bodies stand still until they are woken.
+    pub fn sleep_island(&mut self, island: u32) {
+        if core::mem::replace(&mut self.islands.island_mut(island).sleeping, true) {
+            return;
+        }
+        let count = self.islands.island(island).bodies.len();
+        for i in 0..count {
+            self.unlist_sleeper(self.islands.island(island).bodies[i]);
+        }
+        for i in 0..count {
+            self.sleep_pairs_of(self.islands.island(island).bodies[i]);
+        }
+    }
+
+    /// Puts a kinematic body to sleep: it stands still, so it is no news to anybody.
+    pub fn sleep_kinematic(&mut self, handle: RigidBodyHandle) {
+        self.unlist_sleeper(handle);
+        self.sleep_pairs_of(handle);
+    }
+
+    fn unlist_sleeper(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        body.activation.sleep();
+        body.linvel = Default::default();
+        body.angvel = Default::default();
+        let position = core::mem::replace(&mut body.link.awake, NONE);
+        self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+        if position != NONE {
+            self.unlist_awake(position);
+        }
+    }
+
+    fn sleep_pairs_of(&mut self, handle: RigidBodyHandle) {
+        for c in 0..self.collider_count(handle) {
+            let Some(slot) = self.collider_slot(handle, c) else { continue };
+            for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
+                let id = self.narrow_phase.contacts.ids_of(slot)[i];
+                self.update_colors(id);
+                if !self.narrow_phase.contacts.bodies(id).iter().any(|&body| self.is_awake(body)) {
+                    self.narrow_phase.contacts.sleep(id);
+                }
+            }
+            for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
+                let id = self.narrow_phase.intersections.ids_of(slot)[i];
+                let bodies = self.narrow_phase.intersections.bodies(id);
+                if !bodies.iter().any(|&body| self.is_awake(body)) {
+                    self.narrow_phase.intersections.sleep(id);
+                }
+            }
+        }
+    }
+
+    fn collider_count(&self, handle: RigidBodyHandle) -> usize {
+        self.bodies.get(handle).map_or(0, |body| body.colliders.len())
+    }
+
+    fn collider_slot(&self, handle: RigidBodyHandle, index: usize) -> Option<u32> {
+        let collider = *self.bodies.get(handle)?.colliders.get(index)?;
+        Some(collider.into_raw_parts().0)
+    }
+
+    // --- touching pairs -------------------------------------------------------------------------
+
+    /// A pair began to touch: its bodies share an island from now on, and its manifolds get colours.
+    /// A sleeping island that an awake dynamic body touches wakes.
+    pub fn attach(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        self.narrow_phase.contacts[id].attached = true;
+        if !self.is_solved(id) {
+            return;
+        }
+        if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
+            self.link(slot1, slot2);
+        }
+        self.update_colors(id);
+    }
+
+    /// A pair no longer touches, or is about to go.
+    pub fn detach(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        let pair = &mut self.narrow_phase.contacts[id];
+        if !core::mem::replace(&mut pair.attached, false) {
+            return;
+        }
+        for manifold in 0..self.narrow_phase.contacts[id].manifolds.len() {
+            self.uncolor(ManifoldRef { pair: id, manifold: manifold as u32 });
+        }
+        if let [Some(slot1), Some(_)] = self.dynamic_slots(slots) {
+            if let Some(island) = self.body(slot1).map(|body| body.link.island) {
+                self.islands.island_mut(island).cut_links += 1;
+            }
+        }
+    }
+
+    /// Gives colours to those manifolds of a pair that should have one, and takes the others' away.
+    pub fn update_colors(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        let dynamic = self.dynamic_slots(slots);
+        let awake = dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
+        let wanted = awake && self.narrow_phase.contacts[id].attached && self.is_solved(id);
+        for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
+            let manifold = ManifoldRef { pair: id, manifold: index as u32 };
+            if !wanted {
+                self.uncolor(manifold);
+            } else if self.narrow_phase.contacts[id].manifolds[index].slot.is_none() {
+                let slot = self.islands.graph.add(manifold, dynamic);
+                self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
+            }
+        }
+    }
+
+    /// Does the solver keep the two colliders apart?
+    fn is_solved(&self, id: PairId) -> bool {
+        let pair = &self.narrow_phase.contacts[id];
+        pair.manifolds
+            .iter()
+            .any(|m| m.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
+    }
+
+    /// Takes a manifold out of the constraint graph, if it is there.
+    pub fn uncolor(&mut self, manifold: ManifoldRef) {
+        let dynamic = self.dynamic_slots(self.narrow_phase.contacts.bodies(manifold.pair));
+        let pair = &mut self.narrow_phase.contacts[manifold.pair];
+        let Some(slot) = pair.manifolds[manifold.manifold as usize].slot.take() else { return };
+        if let Some(moved) = self.islands.graph.remove(slot, dynamic) {
+            let pair = &mut self.narrow_phase.contacts[moved.pair];
+            pair.manifolds[moved.manifold as usize].slot = Some(slot);
+        }
+    }
+
+    /// Merges the islands of two dynamic bodies; if one of them sleeps, it wakes.
+    fn link(&mut self, slot1: u32, slot2: u32) {
+        let island_of = |slot| self.body(slot).map_or(NONE, |body| body.link.island);
+        let (island1, island2) = (island_of(slot1), island_of(slot2));
+        if island1 == island2 {
+            return;
+        }
+        if self.islands.island(island1).sleeping != self.islands.island(island2).sleeping {
+            self.wake_island(island1);
+            self.wake_island(island2);
+        }
+        let size = |island| self.islands.island(island).bodies.len();
+        let (large, small) =
+            if size(island1) >= size(island2) { (island1, island2) } else { (island2, island1) };
+        self.merge(large, small);
+    }
+
+    fn merge(&mut self, large: u32, small: u32) {
+        let mut moving = core::mem::take(&mut self.islands.island_mut(small).bodies);
+        let cut_links = self.islands.island(small).cut_links;
+        let island = self.islands.island_mut(large);
+        island.cut_links += cut_links;
+        for &handle in &moving {
+            if let Some(body) = self.bodies.get_unnoted_mut(handle) {
+                body.link.island = large;
+                body.link.island_position = island.bodies.len() as u32;
+                island.bodies.push(handle);
+            }
+        }
+        moving.clear();
+        self.islands.island_mut(small).bodies = moving;
+        self.islands.destroy_island(small);
+    }
+
+    /// Splits an island whose links were cut into its connected parts.
+    pub fn split(&mut self, island: u32) {
+        debug_assert!(!self.islands.island(island).sleeping);
+        let members = core::mem::take(&mut self.islands.island_mut(island).bodies);
+        self.islands.island_mut(island).cut_links = 0;
+        for &handle in &members {
+            if let Some(body) = self.bodies.get_unnoted_mut(handle) {
+                body.link.island_position = NONE; // not visited yet
+            }
+        }
+        let mut target = island;
+        let mut stack = Vec::new();
+        for &seed in &members {
+            if self.bodies.get(seed).is_none_or(|body| body.link.island_position != NONE) {
+                continue;
+            }
+            if target == NONE {
+                target = self.islands.create_island();
+            }
+            self.join(seed, target);
+            stack.push(seed);
+            while let Some(handle) = stack.pop() {
+                self.join_neighbours(handle, target, &mut stack);
+            }
+            target = NONE;
+        }
+    }
+
+    fn join(&mut self, handle: RigidBodyHandle, island: u32) {
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        let list = &mut self.islands.island_mut(island).bodies;
+        body.link.island = island;
+        body.link.island_position = list.len() as u32;
+        list.push(handle);
+    }
+
+    fn join_neighbours(
+        &mut self,
+        handle: RigidBodyHandle,
+        island: u32,
+        stack: &mut Vec<RigidBodyHandle>,
+    ) {
+        let own = handle.into_raw_parts().0;
+        for c in 0..self.collider_count(handle) {
+            let Some(slot) = self.collider_slot(handle, c) else { continue };
+            for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
+                let id = self.narrow_phase.contacts.ids_of(slot)[i];
+                if !self.narrow_phase.contacts[id].attached || !self.is_solved(id) {
+                    continue;
+                }
+                let [slot1, slot2] = self.narrow_phase.contacts.bodies(id);
+                let other = if slot1 == own { slot2 } else { slot1 };
+                let Some((other, body)) = self.bodies.at_slot(other) else { continue };
+                if body.link.island != NONE && body.link.island_position == NONE {
+                    self.join(other, island);
+                    stack.push(other);
+                }
+            }
+        }
+    }
+
+    // --- invariants -----------------------------------------------------------------------------
+
+    /// Checks every sentence of the module's documentation.
+    ///
+    /// # Panics
+    /// If one does not hold.
+    pub fn validate(&self) {
+        self.narrow_phase.contacts.validate();
+        self.narrow_phase.intersections.validate();
+        for (position, &handle) in self.islands.awake.iter().enumerate() {
+            assert_eq!(self.bodies[handle].link.awake, position as u32, "{handle:?} is listed awake");
+        }
+        for (handle, body) in self.bodies.iter() {
+            if body.link.awake != NONE {
+                assert_eq!(self.islands.awake.get(body.link.awake as usize), Some(&handle));
+            }
+            if body.link.island != NONE {
+                let island = self.islands.island(body.link.island);
+                assert_eq!(island.bodies.get(body.link.island_position as usize), Some(&handle));
+                assert_eq!(island.sleeping, body.link.awake == NONE, "{handle:?} as its island");
+            }
+        }
+        self.validate_pairs();
+    }
+
+    fn validate_pairs(&self) {
+        let mut colored = 0;
+        for (handle, collider) in self.colliders.iter() {
+            for &id in self.narrow_phase.contacts.ids_of(handle.into_raw_parts().0) {
+                let pair = &self.narrow_phase.contacts[id];
+                if pair.collider1 != handle {
+                    continue;
+                }
+                let slots = self.narrow_phase.contacts.bodies(id);
+                let parent = collider.parent().map_or(NONE, |parent| parent.into_raw_parts().0);
+                assert_eq!(slots[0], parent, "the pair knows its first body");
+                let awake = slots.iter().any(|&slot| self.is_awake(slot));
+                assert_eq!(self.narrow_phase.contacts.is_awake(id), awake, "pair of {slots:?}");
+                let dynamic = self.dynamic_slots(slots);
+                let solved = pair.attached && self.is_solved(id);
+                if let ([Some(slot1), Some(slot2)], true) = (dynamic, solved) {
+                    let island_of = |slot| self.body(slot).map(|body| body.link.island);
+                    assert_eq!(island_of(slot1), island_of(slot2), "touching bodies share an island");
+                }
+                let wanted = solved && dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
+                for (index, manifold) in pair.manifolds.iter().enumerate() {
+                    assert_eq!(manifold.slot.is_some(), wanted, "colour of pair {id}");
+                    let Some(slot) = manifold.slot else { continue };
+                    let here = ManifoldRef { pair: id, manifold: index as u32 };
+                    assert_eq!(self.islands.graph.at(slot), Some(here));
+                    colored += 1;
+                }
+            }
+        }
+        assert_eq!(colored, self.islands.graph.len(), "the graph holds nothing else");
+    }
+}
