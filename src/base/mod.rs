@@ -4,3 +4,4 @@
 
 pub mod arena;
 pub(crate) mod hash;
+pub mod timer;

@@ -1,0 +1,125 @@
+//! A stopwatch that adds up.
+
+use core::time::Duration;
+
+/// Measures how long something takes, over one or several stretches.
+///
+/// On `wasm32-unknown-unknown`, which has no clock, all durations are zero.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Timer {
+    enabled: bool,
+    total: Duration,
+    started: Option<Moment>,
+}
+
+impl Timer {
+    /// A timer that has measured nothing yet; it runs only when `enabled`.
+    pub const fn new(enabled: bool) -> Self {
+        Self { enabled, total: Duration::ZERO, started: None }
+    }
+
+    /// Switches the timer on or off. A timer that is off costs nothing and keeps what it has measured.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        if !enabled {
+            self.pause();
+        }
+        self.enabled = enabled;
+    }
+
+    /// Forgets what was measured.
+    pub fn reset(&mut self) {
+        self.total = Duration::ZERO;
+        self.started = None;
+    }
+
+    /// Starts from zero.
+    pub fn start(&mut self) {
+        self.reset();
+        self.resume();
+    }
+
+    /// Goes on measuring, on top of what was measured before.
+    pub fn resume(&mut self) {
+        if self.enabled {
+            self.started = Some(Moment::now());
+        }
+    }
+
+    /// Stops measuring until the next [`Self::resume`] or [`Self::start`].
+    pub fn pause(&mut self) {
+        if let Some(started) = self.started.take() {
+            self.total += started.elapsed();
+        }
+    }
+
+    /// Runs `work` and adds the time it took.
+    pub fn measure<R>(&mut self, work: impl FnOnce() -> R) -> R {
+        self.resume();
+        let result = work();
+        self.pause();
+        result
+    }
+
+    /// What was measured, without a stretch that still runs.
+    pub fn time(&self) -> Duration {
+        self.total
+    }
+
+    /// What was measured, without a stretch that still runs (ms).
+    pub fn time_ms(&self) -> f64 {
+        self.total.as_secs_f64() * 1000.0
+    }
+}
+
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown")))]
+use std::time::Instant as Moment;
+
+/// Stands for [`std::time::Instant`], which panics where there is no clock.
+#[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
+#[derive(Copy, Clone, Debug)]
+struct Moment;
+
+#[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
+impl Moment {
+    fn now() -> Self {
+        Self
+    }
+
+    fn elapsed(self) -> Duration {
+        Duration::ZERO
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Timer;
+    use core::time::Duration;
+
+    const NAP: Duration = Duration::from_millis(2);
+
+    #[test]
+    fn stretches_add_up() {
+        let mut timer = Timer::new(true);
+        let answer = timer.measure(|| {
+            std::thread::sleep(NAP);
+            42
+        });
+        assert_eq!(answer, 42);
+        timer.measure(|| std::thread::sleep(NAP));
+        assert!(timer.time() >= 2 * NAP, "{:?}", timer.time());
+        assert!(timer.time_ms() >= 4.0);
+        timer.start();
+        assert_eq!(timer.time(), Duration::ZERO);
+    }
+
+    #[test]
+    fn disabled_timer_measures_nothing() {
+        let mut timer = Timer::new(false);
+        timer.measure(|| std::thread::sleep(NAP));
+        assert_eq!(timer.time(), Duration::ZERO);
+        timer.set_enabled(true);
+        timer.measure(|| std::thread::sleep(NAP));
+        timer.set_enabled(false);
+        assert!(timer.time() >= NAP);
+    }
+}

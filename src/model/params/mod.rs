@@ -1,0 +1,227 @@
+//! Everything of a step that can be tuned: [`IntegrationParameters`].
+//!
+//! Each number has a unit, a reason and a warning. Lengths and velocities called `normalized_…` are
+//! multiples of [`IntegrationParameters::length_unit`] (per second); the method without the prefix
+//! gives them in the world's own units.
+
+mod softness;
+mod validate;
+
+#[cfg(test)]
+mod tests;
+
+pub use softness::{CONTACT_YIELD, Softness};
+pub use validate::InvalidParameters;
+
+use crate::dim::math::Real;
+
+/// Which shape the set of allowed friction impulses has.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum FrictionModel {
+    /// Friction once per manifold, at the centre of its points: two directions in the contact plane
+    /// and, in 3D, one torque about the normal. All points share the load, so this needs fewer rows
+    /// and converges in fewer iterations than friction at each point.
+    #[default]
+    Standard,
+    /// Friction at each point, kept within the exact cone `|friction| ≤ µ · normal` of that point.
+    /// Dearer; worth it where a single body slides and turns on a few unevenly loaded points.
+    Coulomb,
+}
+
+/// How a step turns forces into motion: time step, accuracy, and how overlap is undone.
+///
+/// The defaults suit bodies of about one length unit, at 60 steps a second. Change a field or two:
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let params = IntegrationParameters { dt: 1.0 / 120.0, ..Default::default() };
+/// ```
+///
+/// A step whose parameters are not valid (see [`Self::validate`]) is refused as a whole: it logs why
+/// and leaves the world as it was.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct IntegrationParameters {
+    /// Length of one step (s, default 1/60). At 0 the step detects collisions and moves nothing.
+    ///
+    /// Keep it constant: results repeat only with the same sequence of steps, and impulses kept from
+    /// the last step fit the next one only if both are equally long.
+    pub dt: Real,
+    /// Number of substeps of a step (default 4, at least 1). Each integrates for `dt` divided by this
+    /// number and visits every constraint once with position correction and once without.
+    ///
+    /// The error of stiff stacks falls with the square of it, the cost of the solver grows in
+    /// proportion; collisions are detected once per step whatever it is.
+    pub num_solver_iterations: usize,
+    /// Extra visits of the friction rows per substep (default 0). For loads that hang on friction
+    /// alone, such as a tower of cards or a gripper.
+    pub num_additional_friction_iterations: usize,
+    /// Visits of all constraints, with position correction, per substep (default 1, at least 1).
+    /// More substeps are nearly always the better use of the same time.
+    pub num_internal_pgs_iterations: usize,
+    /// Share of the position error of a contact that a substep aims to remove (0 to 1, default 0.1).
+    ///
+    /// The error is the overlap beyond [`Self::allowed_linear_error`]. At the default, 1 % of it is
+    /// left after some 45 substeps. Larger values resolve overlap faster and make it burst apart
+    /// sooner; smaller ones let stacks sag. [`Softness`] relates it to a frequency and a damping.
+    pub erp: Real,
+    /// Softness of contacts on top of the solver's own (0 or more, default 0: as hard as the solver
+    /// converges well).
+    ///
+    /// A damper's measure: an impulse that gives the free bodies a relative velocity `v` makes the
+    /// contact give way at about `damping_ratio · v`. The deflection at rest under gravity `g` grows by
+    /// `damping_ratio · g h² / erp` (`h`: length of a substep). There is always a contact, however large
+    /// the value. [`Softness`] derives this and relates it to a frequency and a damping.
+    pub damping_ratio: Real,
+    /// The same as [`Self::erp`], for joints (0 to 1, default 0.1).
+    pub joint_erp: Real,
+    /// The same as [`Self::damping_ratio`], for joints (0 or more, default 0).
+    pub joint_damping_ratio: Real,
+    /// Overlap that is left alone (length units, default 0.001).
+    ///
+    /// A resting contact that stays slightly inside does not begin and end all the time. With a value
+    /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.
+    pub allowed_linear_error: Real,
+    /// How often one step may stop fast bodies at an impact and move on from there (default 1; 0
+    /// switches continuous collision detection off).
+    pub max_ccd_substeps: usize,
+    /// Does continuous collision detection also stop a body that moves deeper into something it
+    /// overlaps already (default true)?
+    pub ccd_on_penetration: bool,
+    /// How friction is modelled (default [`FrictionModel::Standard`]). In 2D both agree but for the
+    /// number of rows.
+    pub friction_model: FrictionModel,
+
+    /// The size of a typical moving body in the world's own units (default 1). In a world whose metre
+    /// is 100 pixels, set it to 100: the lengths and velocities called `normalized_…` and
+    /// [`Self::allowed_linear_error`] are multiples of it.
+    pub length_unit: Real,
+    /// Gap below which a pair already gets contacts, so that an approaching body is stopped at the
+    /// surface and not inside (multiples of the length unit, default 0.02).
+    pub normalized_prediction_distance: Real,
+    /// Fastest that overlap is undone (multiples of the length unit per second, default 4). Keeps
+    /// bodies that were created inside each other from bursting apart.
+    pub normalized_max_corrective_velocity: Real,
+    /// Fastest that any body may move (multiples of the length unit per second; default
+    /// `Real::MAX`: no limit).
+    pub normalized_max_linear_velocity: Real,
+    /// Distance that two touching bodies may move against each other before their contact points are
+    /// computed anew (multiples of the length unit, default 0.01). Until then the points of the last
+    /// computation are carried along. 0: computed anew in each step.
+    pub normalized_contact_recycle_distance: Real,
+    /// Approach slower than this does not bounce, whatever the restitution (multiples of the length
+    /// unit per second, default 1). Without it, gravity alone makes resting bodies bounce for ever.
+    pub normalized_restitution_velocity_threshold: Real,
+    /// Share of the last impulses with which a substep starts (0 to 1, default 1). Anything less
+    /// weakens stacks; of use only to study the solver.
+    pub warmstart_coefficient: Real,
+    /// Shortest time that continuous collision detection moves on after an impact (s, default
+    /// 1/6000).
+    pub min_ccd_dt: Real,
+}
+
+impl Default for IntegrationParameters {
+    fn default() -> Self {
+        Self {
+            dt: 1.0 / 60.0,
+            num_solver_iterations: 4,
+            num_additional_friction_iterations: 0,
+            num_internal_pgs_iterations: 1,
+            erp: 0.1,
+            damping_ratio: 0.0,
+            joint_erp: 0.1,
+            joint_damping_ratio: 0.0,
+            allowed_linear_error: 0.001,
+            max_ccd_substeps: 1,
+            ccd_on_penetration: true,
+            friction_model: FrictionModel::Standard,
+            length_unit: 1.0,
+            normalized_prediction_distance: 0.02,
+            normalized_max_corrective_velocity: 4.0,
+            normalized_max_linear_velocity: Real::MAX,
+            normalized_contact_recycle_distance: 0.01,
+            normalized_restitution_velocity_threshold: 1.0,
+            warmstart_coefficient: 1.0,
+            min_ccd_dt: 1.0 / 6000.0,
+        }
+    }
+}
+
+impl IntegrationParameters {
+    /// Steps per second, `1 / dt`; 0 if `dt` is 0.
+    #[inline]
+    pub fn inv_dt(&self) -> Real {
+        if self.dt == 0.0 { 0.0 } else { 1.0 / self.dt }
+    }
+
+    /// Sets the length of a step (s).
+    ///
+    /// # Errors
+    /// If it is negative or not finite; the old value stays.
+    pub fn set_dt(&mut self, dt: Real) -> Result<(), InvalidParameters> {
+        let changed = Self { dt, ..*self };
+        changed.validate_dt()?;
+        *self = changed;
+        Ok(())
+    }
+
+    /// Sets the number of steps per second; 0 sets `dt` to 0.
+    ///
+    /// # Errors
+    /// If the resulting `dt` is negative or not finite; the old value stays.
+    pub fn set_inv_dt(&mut self, inv_dt: Real) -> Result<(), InvalidParameters> {
+        self.set_dt(if inv_dt == 0.0 { 0.0 } else { 1.0 / inv_dt })
+    }
+
+    /// Length of one substep (s).
+    #[inline]
+    pub fn substep(&self) -> Real {
+        self.dt / self.num_solver_iterations.max(1) as Real
+    }
+
+    /// How a contact is softened in a substep of `substep` seconds.
+    ///
+    /// The substep is an argument because bodies may ask for more of them than
+    /// [`Self::num_solver_iterations`].
+    #[inline]
+    pub fn contact_softness(&self, substep: Real) -> Softness {
+        Softness::new(self.erp, CONTACT_YIELD + self.damping_ratio, substep)
+    }
+
+    /// [`Self::allowed_linear_error`](#structfield.allowed_linear_error) in the world's own units of length.
+    #[inline]
+    pub fn allowed_linear_error(&self) -> Real {
+        self.allowed_linear_error * self.length_unit
+    }
+
+    /// [`Self::normalized_prediction_distance`] in the world's own units of length.
+    #[inline]
+    pub fn prediction_distance(&self) -> Real {
+        self.normalized_prediction_distance * self.length_unit
+    }
+
+    /// [`Self::normalized_max_corrective_velocity`] in the world's own units of length per second.
+    #[inline]
+    pub fn max_corrective_velocity(&self) -> Real {
+        self.normalized_max_corrective_velocity * self.length_unit
+    }
+
+    /// [`Self::normalized_max_linear_velocity`] in the world's own units of length per second.
+    #[inline]
+    pub fn max_linear_velocity(&self) -> Real {
+        self.normalized_max_linear_velocity * self.length_unit
+    }
+
+    /// [`Self::normalized_contact_recycle_distance`] in the world's own units of length.
+    #[inline]
+    pub fn contact_recycle_distance(&self) -> Real {
+        self.normalized_contact_recycle_distance * self.length_unit
+    }
+
+    /// [`Self::normalized_restitution_velocity_threshold`] in the world's own units of length per second.
+    #[inline]
+    pub fn restitution_velocity_threshold(&self) -> Real {
+        self.normalized_restitution_velocity_threshold * self.length_unit
+    }
+}

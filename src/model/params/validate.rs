@@ -1,0 +1,91 @@
+//! Which parameters a step accepts.
+
+use super::IntegrationParameters;
+use crate::dim::math::Real;
+
+/// Most substeps, iterations or impacts that one step accepts: beyond it a typing error looks like a
+/// program that hangs.
+const ITERATIONS_MAX: usize = 1000;
+
+/// A field of [`IntegrationParameters`] has a value with which no step can be computed.
+#[derive(Copy, Clone, Debug, PartialEq, thiserror::Error)]
+#[error("IntegrationParameters::{field} is {value}, but must be {expected}")]
+pub struct InvalidParameters {
+    /// Name of the field.
+    pub field: &'static str,
+    /// What it held.
+    pub value: Real,
+    /// What it may hold, in words.
+    pub expected: &'static str,
+}
+
+impl InvalidParameters {
+    fn unless(
+        valid: bool,
+        field: &'static str,
+        value: Real,
+        expected: &'static str,
+    ) -> Result<(), Self> {
+        if valid { Ok(()) } else { Err(Self { field, value, expected }) }
+    }
+}
+
+fn count(field: &'static str, value: usize, min: usize) -> Result<(), InvalidParameters> {
+    let expected = if min == 0 { "from 0 to 1000" } else { "from 1 to 1000" };
+    let valid = (min..=ITERATIONS_MAX).contains(&value);
+    InvalidParameters::unless(valid, field, value as Real, expected)
+}
+
+fn share(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
+    InvalidParameters::unless((0.0..=1.0).contains(&value), field, value, "from 0 to 1")
+}
+
+fn finite(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
+    let valid = value.is_finite() && value >= 0.0;
+    InvalidParameters::unless(valid, field, value, "finite and not negative")
+}
+
+fn limit(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
+    InvalidParameters::unless(value >= 0.0, field, value, "0 or more")
+}
+
+impl IntegrationParameters {
+    /// Can a step be computed with these values?
+    ///
+    /// # Errors
+    /// Names the first field that holds a value outside its documented range, and that value.
+    pub fn validate(&self) -> Result<(), InvalidParameters> {
+        self.validate_dt()?;
+        count("num_solver_iterations", self.num_solver_iterations, 1)?;
+        let friction = self.num_additional_friction_iterations;
+        count("num_additional_friction_iterations", friction, 0)?;
+        count("num_internal_pgs_iterations", self.num_internal_pgs_iterations, 1)?;
+        count("max_ccd_substeps", self.max_ccd_substeps, 0)?;
+        share("erp", self.erp)?;
+        share("joint_erp", self.joint_erp)?;
+        share("warmstart_coefficient", self.warmstart_coefficient)?;
+        finite("damping_ratio", self.damping_ratio)?;
+        finite("joint_damping_ratio", self.joint_damping_ratio)?;
+        finite("allowed_linear_error", self.allowed_linear_error)?;
+        finite("min_ccd_dt", self.min_ccd_dt)?;
+        self.validate_scales()
+    }
+
+    pub(super) fn validate_dt(&self) -> Result<(), InvalidParameters> {
+        finite("dt", self.dt)
+    }
+
+    /// The length unit, and the fields that are multiples of it.
+    fn validate_scales(&self) -> Result<(), InvalidParameters> {
+        let unit = self.length_unit;
+        let valid = unit.is_finite() && unit > 0.0;
+        InvalidParameters::unless(valid, "length_unit", unit, "finite and positive")?;
+        finite("normalized_prediction_distance", self.normalized_prediction_distance)?;
+        let recycle = self.normalized_contact_recycle_distance;
+        finite("normalized_contact_recycle_distance", recycle)?;
+        limit("normalized_max_corrective_velocity", self.normalized_max_corrective_velocity)?;
+        limit("normalized_max_linear_velocity", self.normalized_max_linear_velocity)?;
+        let threshold = self.normalized_restitution_velocity_threshold;
+        limit("normalized_restitution_velocity_threshold", threshold)
+    }
+}
