@@ -5,3 +5,4 @@
 pub mod arena;
 pub(crate) mod hash;
 pub mod timer;
+pub mod wide;

@@ -4,3 +4,4 @@
 //! between the two engines.
 
 pub mod math;
+pub mod wide;

@@ -1,0 +1,164 @@
+//! # Wide — one program for many numbers at a time
+//!
+//! A kernel of the solver is written once, over a register type `W: Wide` that holds [`LANES`]
+//! numbers, and compiled once per instruction set. [`Simd::run`] picks the fastest that the
+//! machine has:
+//!
+//! | register | where | for |
+//! |---|---|---|
+//! | `avx.rs`: one 32-byte register | x86-64 that turns out to have AVX2 | [`Simd::detect`] |
+//! | `sse2.rs`: two 16-byte registers | every other x86-64 | [`Simd::baseline`] |
+//! | `portable.rs`: an array and loops | every other architecture, and tests | [`Simd::baseline`] |
+//!
+//! **The same bits from all of them.** Only operations that IEEE 754 rounds correctly are offered:
+//! no fused multiply-add, no approximate reciprocals, no sums across lanes. `min` and `max` are
+//! defined by one comparison, which fixes what they do with NaN and with zeros of either sign. The
+//! one thing left open is *which* NaN comes out where a NaN comes out of arithmetic.
+//!
+//! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes.
+//! Records that are met in any order (the states of bodies) are read by [`gather`], which transposes
+//! one record per lane into one register per component, and written back by [`scatter`].
+
+#[cfg(target_arch = "x86_64")]
+mod avx;
+mod dispatch;
+#[cfg(any(test, not(target_arch = "x86_64")))]
+mod portable;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
+
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+use parry::math::Real;
+
+pub use dispatch::{Kernel, Simd};
+
+/// How many numbers a register holds: 8 single-precision or 4 double-precision ones.
+pub const LANES: usize = 32 / size_of::<Real>();
+
+/// [`LANES`] numbers in memory, one per lane: what the constraint blocks are made of.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[repr(C, align(32))]
+pub struct Lane<S = Real, const N: usize = LANES>(pub [S; N]);
+
+impl Default for Lane {
+    fn default() -> Self {
+        Self::ZERO
+    }
+}
+
+impl Lane {
+    /// Zero in every lane.
+    pub const ZERO: Self = Self::splat(0.0);
+
+    /// The same number in every lane.
+    pub const fn splat(value: Real) -> Self {
+        Self([value; LANES])
+    }
+}
+
+/// A register of `N` numbers of type `S`. Kernels say `W: Wide` and mean [`LANES`] × [`Real`].
+///
+/// All operations act on each lane by itself. Every function is `#[inline(always)]`; why that
+/// matters stands at [`Kernel`].
+pub trait Wide<S = Real, const N: usize = LANES>:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// A yes or no per lane.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
+
+    /// Reads a lane-wide number from memory.
+    fn load(lane: &Lane<S, N>) -> Self;
+    /// Writes a lane-wide number to memory.
+    fn store(self, lane: &mut Lane<S, N>);
+    /// The same number in every lane.
+    fn splat(value: S) -> Self;
+    /// Zero in every lane.
+    fn zero() -> Self;
+
+    /// The square root, correctly rounded; NaN of negative numbers.
+    fn sqrt(self) -> Self;
+    /// The number without its sign.
+    fn abs(self) -> Self;
+    /// `if self < other { self } else { other }`: `other` if one is NaN, or both are zero.
+    fn min(self, other: Self) -> Self;
+    /// `if self > other { self } else { other }`: `other` if one is NaN, or both are zero.
+    fn max(self, other: Self) -> Self;
+
+    /// `self < other`; no if one is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`; no if one is NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `yes` in the lanes where the mask says yes, `no` in the others.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Does the mask say yes in any lane?
+    fn any(mask: Self::Mask) -> bool;
+
+    /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number
+    /// of each. [`gather`] is the safe way to say it.
+    ///
+    /// # Safety
+    /// Each pointer must be good for reading `N` numbers.
+    unsafe fn load_transposed(rows: [*const S; N]) -> [Self; N];
+
+    /// Writes `N` numbers to each of `N` places; register `k` holds the `k`-th number of each.
+    /// [`scatter`] is the safe way to say it. Where places overlap, either number may remain.
+    ///
+    /// # Safety
+    /// Each pointer must be good for writing `N` numbers.
+    unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
+}
+
+/// Reads one record per lane: register `k` of the result holds component `k` of each record.
+///
+/// The length `N` of the records must be a multiple of [`LANES`].
+#[inline(always)]
+pub fn gather<W: Wide, const N: usize>(records: [&[Real; N]; LANES]) -> [W; N] {
+    const { assert!(N % LANES == 0, "records are read in groups of LANES components") };
+    let mut components = [W::zero(); N];
+    let mut first = 0;
+    while first < N {
+        let mut rows = [core::ptr::null(); LANES];
+        for (row, record) in rows.iter_mut().zip(records) {
+            *row = record[first..].as_ptr();
+        }
+        // SAFETY: `N` is a multiple of `LANES`, so each record has `LANES` numbers from `first` on.
+        let group = unsafe { W::load_transposed(rows) };
+        components[first..first + LANES].copy_from_slice(&group);
+        first += LANES;
+    }
+    components
+}
+
+/// Writes one record per lane from the registers of its components: undoes [`gather`]. Lanes whose
+/// record is `None` are not written.
+///
+/// The length `N` of the records must be a multiple of [`LANES`].
+#[inline(always)]
+pub fn scatter<W: Wide, const N: usize>(
+    components: [W; N],
+    mut records: [Option<&mut [Real; N]>; LANES],
+) {
+    const { assert!(N % LANES == 0, "records are written in groups of LANES components") };
+    // Lanes without a record write here: cheaper than a branch per lane that guesses wrong.
+    let mut sink = [0.0; LANES];
+    let mut first = 0;
+    while first < N {
+        let mut rows = [sink.as_mut_ptr(); LANES];
+        for (row, record) in rows.iter_mut().zip(&mut records) {
+            if let Some(record) = record {
+                *row = record[first..].as_mut_ptr();
+            }
+        }
+        let mut group = [W::zero(); LANES];
+        group.copy_from_slice(&components[first..first + LANES]);
+        // SAFETY: `N` is a multiple of `LANES`, so each record has room for `LANES` numbers from
+        // `first` on, and so has the sink.
+        unsafe { W::store_transposed(group, rows) };
+        first += LANES;
+    }
+}

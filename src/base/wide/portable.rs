@@ -1,0 +1,145 @@
+//! Registers of 32 bytes as arrays and loops: for machines that have no file of their own here.
+//!
+//! The compiler turns the loops into whatever vector instructions the machine has. On x86-64 this
+//! file is compiled for tests alone, as the plainest statement of what the other two must do.
+
+use super::{Lane, Wide};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+
+/// A number or a yes-or-no per lane.
+#[derive(Copy, Clone)]
+#[repr(C, align(32))]
+pub struct Array<T, const N: usize>([T; N]);
+
+/// Eight single-precision numbers.
+pub type F32x8 = Array<f32, 8>;
+
+/// Four double-precision numbers.
+pub type F64x4 = Array<f64, 4>;
+
+impl<T: Copy, const N: usize> Array<T, N> {
+    #[inline(always)]
+    fn map<U>(self, f: impl Fn(T) -> U) -> Array<U, N> {
+        Array(core::array::from_fn(|lane| f(self.0[lane])))
+    }
+
+    #[inline(always)]
+    fn zip<U: Copy, V>(self, other: Array<U, N>, f: impl Fn(T, U) -> V) -> Array<V, N> {
+        Array(core::array::from_fn(|lane| f(self.0[lane], other.0[lane])))
+    }
+}
+
+/// One binary operator, lane by lane.
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl<T: Copy + $trait<Output = T>, const N: usize> $trait for Array<T, N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, T::$method)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+operator!(BitAnd, bitand);
+operator!(BitOr, bitor);
+
+impl<T: Copy + Neg<Output = T>, const N: usize> Neg for Array<T, N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(T::neg)
+    }
+}
+
+/// What the two registers have in common.
+macro_rules! register {
+    ($scalar:ident, $lanes:literal) => {
+        impl Wide<$scalar, $lanes> for Array<$scalar, $lanes> {
+            type Mask = Array<bool, $lanes>;
+
+            #[inline(always)]
+            fn load(lane: &Lane<$scalar, $lanes>) -> Self {
+                Self(lane.0)
+            }
+            #[inline(always)]
+            fn store(self, lane: &mut Lane<$scalar, $lanes>) {
+                lane.0 = self.0;
+            }
+            #[inline(always)]
+            fn splat(value: $scalar) -> Self {
+                Self([value; $lanes])
+            }
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::splat(0.0)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.map($scalar::sqrt)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.map($scalar::abs)
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                // Not the standard library's `min`, which avoids NaN and leaves the zero's sign open.
+                self.zip(other, |a, b| if a < b { a } else { b })
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                self.zip(other, |a, b| if a > b { a } else { b })
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> Self::Mask {
+                self.zip(other, |a, b| a < b)
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> Self::Mask {
+                self.zip(other, |a, b| a <= b)
+            }
+            #[inline(always)]
+            fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+                mask.zip(
+                    yes.zip(no, |yes, no| (yes, no)),
+                    |mask, (yes, no)| {
+                        if mask { yes } else { no }
+                    },
+                )
+            }
+            #[inline(always)]
+            fn any(mask: Self::Mask) -> bool {
+                mask.0.contains(&true)
+            }
+            #[inline(always)]
+            unsafe fn load_transposed(rows: [*const $scalar; $lanes]) -> [Self; $lanes] {
+                let mut columns = [Self::zero(); $lanes];
+                for (lane, row) in rows.into_iter().enumerate() {
+                    for (k, column) in columns.iter_mut().enumerate() {
+                        // SAFETY: the caller promises that each row has as many numbers as there are lanes.
+                        column.0[lane] = unsafe { *row.add(k) };
+                    }
+                }
+                columns
+            }
+            #[inline(always)]
+            unsafe fn store_transposed(columns: [Self; $lanes], rows: [*mut $scalar; $lanes]) {
+                for (lane, row) in rows.into_iter().enumerate() {
+                    for (k, column) in columns.iter().enumerate() {
+                        // SAFETY: the caller promises that each row has room for as many numbers as there are lanes.
+                        unsafe { *row.add(k) = column.0[lane] };
+                    }
+                }
+            }
+        }
+    };
+}
+
+register!(f32, 8);
+register!(f64, 4);

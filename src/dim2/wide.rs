@@ -1,0 +1,198 @@
+//! Vectors, rotations and inertias of many bodies at a time, in 2D.
+//!
+//! Each type comes in two shapes. Filled with [`Lane`]s it is memory, a part of a constraint block,
+//! whose lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is what a
+//! kernel computes with. `load` and `store` go from one to the other.
+
+use super::math::{AngVector, AngularInertia, Rotation, Vector};
+use crate::base::wide::{Lane, Wide};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A vector per lane.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct WideVector<W> {
+    pub x: W,
+    pub y: W,
+}
+
+/// An angular velocity or a moment per lane.
+pub type WideAngVector<W> = W;
+
+/// A moment of inertia, or its inverse, per lane.
+pub type WideSymmetric<W> = W;
+
+/// A rotation per lane, as a unit complex number.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct WideRotation<W> {
+    pub re: W,
+    pub im: W,
+}
+
+impl WideVector<Lane> {
+    /// Sets the vector of one lane.
+    pub fn set_lane(&mut self, lane: usize, value: Vector) {
+        (self.x.0[lane], self.y.0[lane]) = (value.x, value.y);
+    }
+
+    /// The vector of one lane.
+    pub fn lane(&self, lane: usize) -> Vector {
+        Vector::new(self.x.0[lane], self.y.0[lane])
+    }
+}
+
+/// Sets the angular vector of one lane.
+pub fn set_ang_lane(target: &mut WideAngVector<Lane>, lane: usize, value: AngVector) {
+    target.0[lane] = value;
+}
+
+/// The angular vector of one lane.
+pub fn ang_lane(source: &WideAngVector<Lane>, lane: usize) -> AngVector {
+    source.0[lane]
+}
+
+/// Sets the inertia of one lane.
+pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: &AngularInertia) {
+    target.0[lane] = *value;
+}
+
+impl WideRotation<Lane> {
+    /// Sets the rotation of one lane.
+    pub fn set_lane(&mut self, lane: usize, value: &Rotation) {
+        (self.re.0[lane], self.im.0[lane]) = (value.re, value.im);
+    }
+}
+
+impl<W: Wide> WideVector<W> {
+    /// Reads a vector per lane from memory.
+    #[inline(always)]
+    pub fn load(from: &WideVector<Lane>) -> Self {
+        Self { x: W::load(&from.x), y: W::load(&from.y) }
+    }
+
+    /// Writes a vector per lane to memory.
+    #[inline(always)]
+    pub fn store(self, to: &mut WideVector<Lane>) {
+        self.x.store(&mut to.x);
+        self.y.store(&mut to.y);
+    }
+
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn splat(value: Vector) -> Self {
+        Self { x: W::splat(value.x), y: W::splat(value.y) }
+    }
+
+    /// The zero vector in every lane.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { x: W::zero(), y: W::zero() }
+    }
+
+    /// The dot product.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> W {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// The product of each component with the same component of `other`.
+    #[inline(always)]
+    pub fn component_mul(self, other: Self) -> Self {
+        Self { x: self.x * other.x, y: self.y * other.y }
+    }
+
+    /// `yes` in the lanes where the mask says yes, `no` in the others.
+    #[inline(always)]
+    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
+        Self { x: W::select(mask, yes.x, no.x), y: W::select(mask, yes.y, no.y) }
+    }
+}
+
+impl<W: Wide> Add for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y }
+    }
+}
+
+impl<W: Wide> Sub for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y }
+    }
+}
+
+impl<W: Wide> Neg for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { x: -self.x, y: -self.y }
+    }
+}
+
+impl<W: Wide> Mul<W> for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: W) -> Self {
+        Self { x: self.x * factor, y: self.y * factor }
+    }
+}
+
+/// Velocity `ω × r` of a point at `r` from the axis of a rotation at `ω` (rad/s).
+#[inline(always)]
+pub fn cross<W: Wide>(w: WideAngVector<W>, r: WideVector<W>) -> WideVector<W> {
+    WideVector { x: -(w * r.y), y: w * r.x }
+}
+
+/// Moment `r × f` of a force applied at `r`.
+#[inline(always)]
+pub fn torque<W: Wide>(r: WideVector<W>, f: WideVector<W>) -> WideAngVector<W> {
+    r.x * f.y - r.y * f.x
+}
+
+/// Dot product of two angular vectors.
+#[inline(always)]
+pub fn ang_dot<W: Wide>(a: WideAngVector<W>, b: WideAngVector<W>) -> W {
+    a * b
+}
+
+/// Reads an angular vector per lane from memory.
+#[inline(always)]
+pub fn load_ang<W: Wide>(from: &WideAngVector<Lane>) -> WideAngVector<W> {
+    W::load(from)
+}
+
+/// Writes an angular vector per lane to memory.
+#[inline(always)]
+pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>) {
+    value.store(to);
+}
+
+/// Reads an inertia per lane from memory.
+#[inline(always)]
+pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {
+    W::load(from)
+}
+
+/// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
+#[inline(always)]
+pub fn mul_inertia<W: Wide>(m: WideSymmetric<W>, torque: WideAngVector<W>) -> WideAngVector<W> {
+    m * torque
+}
+
+impl<W: Wide> WideRotation<W> {
+    /// Reads a rotation per lane from memory.
+    #[inline(always)]
+    pub fn load(from: &WideRotation<Lane>) -> Self {
+        Self { re: W::load(&from.re), im: W::load(&from.im) }
+    }
+
+    /// Turns a vector: the product of the complex numbers.
+    #[inline(always)]
+    pub fn rotate(self, v: WideVector<W>) -> WideVector<W> {
+        WideVector { x: self.re * v.x - self.im * v.y, y: self.im * v.x + self.re * v.y }
+    }
+}

@@ -1,0 +1,235 @@
+//! Vectors, rotations and inertias of many bodies at a time, in 3D.
+//!
+//! Each type comes in two shapes. Filled with [`Lane`]s it is memory, a part of a constraint block,
+//! whose lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is what a
+//! kernel computes with. `load` and `store` go from one to the other.
+
+use super::math::{AngVector, AngularInertia, Rotation, Vector};
+use crate::base::wide::{Lane, Wide};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A vector per lane.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct WideVector<W> {
+    pub x: W,
+    pub y: W,
+    pub z: W,
+}
+
+/// An angular velocity, an axis, or a moment per lane.
+pub type WideAngVector<W> = WideVector<W>;
+
+/// A symmetric 3×3 matrix per lane, such as an inverse inertia in world space.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct WideSymmetric<W> {
+    pub m11: W,
+    pub m12: W,
+    pub m13: W,
+    pub m22: W,
+    pub m23: W,
+    pub m33: W,
+}
+
+/// A rotation per lane, as a unit quaternion.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct WideRotation<W> {
+    pub x: W,
+    pub y: W,
+    pub z: W,
+    pub w: W,
+}
+
+impl WideVector<Lane> {
+    /// Sets the vector of one lane.
+    pub fn set_lane(&mut self, lane: usize, value: Vector) {
+        (self.x.0[lane], self.y.0[lane], self.z.0[lane]) = (value.x, value.y, value.z);
+    }
+
+    /// The vector of one lane.
+    pub fn lane(&self, lane: usize) -> Vector {
+        Vector::new(self.x.0[lane], self.y.0[lane], self.z.0[lane])
+    }
+}
+
+/// Sets the angular vector of one lane.
+pub fn set_ang_lane(target: &mut WideAngVector<Lane>, lane: usize, value: AngVector) {
+    target.set_lane(lane, value);
+}
+
+/// The angular vector of one lane.
+pub fn ang_lane(source: &WideAngVector<Lane>, lane: usize) -> AngVector {
+    source.lane(lane)
+}
+
+/// Sets the matrix of one lane.
+pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: &AngularInertia) {
+    target.m11.0[lane] = value.m11;
+    target.m12.0[lane] = value.m12;
+    target.m13.0[lane] = value.m13;
+    target.m22.0[lane] = value.m22;
+    target.m23.0[lane] = value.m23;
+    target.m33.0[lane] = value.m33;
+}
+
+impl WideRotation<Lane> {
+    /// Sets the rotation of one lane.
+    pub fn set_lane(&mut self, lane: usize, value: &Rotation) {
+        (self.x.0[lane], self.y.0[lane]) = (value.x, value.y);
+        (self.z.0[lane], self.w.0[lane]) = (value.z, value.w);
+    }
+}
+
+impl<W: Wide> WideVector<W> {
+    /// Reads a vector per lane from memory.
+    #[inline(always)]
+    pub fn load(from: &WideVector<Lane>) -> Self {
+        Self { x: W::load(&from.x), y: W::load(&from.y), z: W::load(&from.z) }
+    }
+
+    /// Writes a vector per lane to memory.
+    #[inline(always)]
+    pub fn store(self, to: &mut WideVector<Lane>) {
+        self.x.store(&mut to.x);
+        self.y.store(&mut to.y);
+        self.z.store(&mut to.z);
+    }
+
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn splat(value: Vector) -> Self {
+        Self { x: W::splat(value.x), y: W::splat(value.y), z: W::splat(value.z) }
+    }
+
+    /// The zero vector in every lane.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { x: W::zero(), y: W::zero(), z: W::zero() }
+    }
+
+    /// The dot product.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> W {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The product of each component with the same component of `other`.
+    #[inline(always)]
+    pub fn component_mul(self, other: Self) -> Self {
+        Self { x: self.x * other.x, y: self.y * other.y, z: self.z * other.z }
+    }
+
+    /// `yes` in the lanes where the mask says yes, `no` in the others.
+    #[inline(always)]
+    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            x: W::select(mask, yes.x, no.x),
+            y: W::select(mask, yes.y, no.y),
+            z: W::select(mask, yes.z, no.z),
+        }
+    }
+}
+
+impl<W: Wide> Add for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl<W: Wide> Sub for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+impl<W: Wide> Neg for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { x: -self.x, y: -self.y, z: -self.z }
+    }
+}
+
+impl<W: Wide> Mul<W> for WideVector<W> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: W) -> Self {
+        Self { x: self.x * factor, y: self.y * factor, z: self.z * factor }
+    }
+}
+
+/// Velocity `ω × r` of a point at `r` from the axis of a rotation at `ω` (rad/s).
+#[inline(always)]
+pub fn cross<W: Wide>(w: WideAngVector<W>, r: WideVector<W>) -> WideVector<W> {
+    WideVector { x: w.y * r.z - w.z * r.y, y: w.z * r.x - w.x * r.z, z: w.x * r.y - w.y * r.x }
+}
+
+/// Moment `r × f` of a force applied at `r`.
+#[inline(always)]
+pub fn torque<W: Wide>(r: WideVector<W>, f: WideVector<W>) -> WideAngVector<W> {
+    cross(r, f)
+}
+
+/// Dot product of two angular vectors.
+#[inline(always)]
+pub fn ang_dot<W: Wide>(a: WideAngVector<W>, b: WideAngVector<W>) -> W {
+    a.dot(b)
+}
+
+/// Reads an angular vector per lane from memory.
+#[inline(always)]
+pub fn load_ang<W: Wide>(from: &WideAngVector<Lane>) -> WideAngVector<W> {
+    WideVector::load(from)
+}
+
+/// Writes an angular vector per lane to memory.
+#[inline(always)]
+pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>) {
+    value.store(to);
+}
+
+/// Reads a symmetric matrix per lane from memory.
+#[inline(always)]
+pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {
+    WideSymmetric {
+        m11: W::load(&from.m11),
+        m12: W::load(&from.m12),
+        m13: W::load(&from.m13),
+        m22: W::load(&from.m22),
+        m23: W::load(&from.m23),
+        m33: W::load(&from.m33),
+    }
+}
+
+/// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
+#[inline(always)]
+pub fn mul_inertia<W: Wide>(m: WideSymmetric<W>, torque: WideAngVector<W>) -> WideAngVector<W> {
+    WideVector {
+        x: m.m11 * torque.x + m.m12 * torque.y + m.m13 * torque.z,
+        y: m.m12 * torque.x + m.m22 * torque.y + m.m23 * torque.z,
+        z: m.m13 * torque.x + m.m23 * torque.y + m.m33 * torque.z,
+    }
+}
+
+impl<W: Wide> WideRotation<W> {
+    /// Reads a rotation per lane from memory.
+    #[inline(always)]
+    pub fn load(from: &WideRotation<Lane>) -> Self {
+        Self { x: W::load(&from.x), y: W::load(&from.y), z: W::load(&from.z), w: W::load(&from.w) }
+    }
+
+    /// Turns a vector: `v + 2 u × (u × v + w v)` for the quaternion with vector part `u` and
+    /// scalar part `w`.
+    #[inline(always)]
+    pub fn rotate(self, v: WideVector<W>) -> WideVector<W> {
+        let u = WideVector { x: self.x, y: self.y, z: self.z };
+        let half = cross(u, cross(u, v) + v * self.w);
+        v + half + half
+    }
+}
