@@ -1,0 +1,104 @@
+//! A line that says how far a scene has come: redrawn in place on a terminal, and on anything else
+//! (a file, a build log) nothing until the scene is done.
+
+use std::io::{self, IsTerminal, Write};
+use std::time::{Duration, Instant};
+
+/// Shortest time between two redraws, so that drawing costs nothing beside the scene.
+const REDRAW_INTERVAL: Duration = Duration::from_millis(50);
+/// Cells of the bar.
+const BAR_WIDTH: usize = 28;
+/// Left edge to full, in eighths of a cell.
+const EIGHTHS: [&str; 8] = ["", "▏", "▎", "▍", "▌", "▋", "▊", "▉"];
+
+/// The progress of one scene.
+pub(crate) struct Progress<'a> {
+    label: &'a str,
+    /// Columns that all labels share, so that the bars stand below each other.
+    label_width: usize,
+    steps: usize,
+    started: Instant,
+    /// When it was last drawn; `None` where there is no terminal to draw on.
+    drawn: Option<Instant>,
+}
+
+impl<'a> Progress<'a> {
+    /// Progress over `steps` steps of the scene called `label`.
+    pub(crate) fn new(label: &'a str, label_width: usize, steps: usize) -> Self {
+        let started = Instant::now();
+        let drawn = io::stderr().is_terminal().then_some(started);
+        Self { label, label_width, steps, started, drawn }
+    }
+
+    /// Tells that `done` steps have been taken.
+    pub(crate) fn advance(&mut self, done: usize) {
+        let Some(drawn) = self.drawn else { return };
+        if drawn.elapsed() < REDRAW_INTERVAL {
+            return;
+        }
+        self.drawn = Some(Instant::now());
+        let line = format!(
+            "\r  {:width$}  {}  {done}/{} steps, {} left\x1b[K",
+            self.label,
+            bar(done, self.steps),
+            self.steps,
+            seconds(self.time_left(done)),
+            width = self.label_width,
+        );
+        // A bar that cannot be drawn is no reason to stop.
+        let _ = io::stderr().write_all(line.as_bytes());
+    }
+
+    /// Takes the bar away, where there is one.
+    pub(crate) fn clear(&self) {
+        if self.drawn.is_some() {
+            let _ = io::stderr().write_all(b"\r\x1b[K");
+        }
+    }
+
+    fn time_left(&self, done: usize) -> Duration {
+        let per_step = self.started.elapsed().as_secs_f64() / done.max(1) as f64;
+        Duration::from_secs_f64(per_step * self.steps.saturating_sub(done) as f64)
+    }
+}
+
+/// A bar of fixed width, filled in proportion to `done / total`.
+fn bar(done: usize, total: usize) -> String {
+    let eighths = BAR_WIDTH * 8 * done.min(total) / total.max(1);
+    let mut bar = "█".repeat(eighths / 8);
+    bar.push_str(EIGHTHS[eighths % 8]);
+    let cells = bar.chars().count();
+    bar.push_str(&"·".repeat(BAR_WIDTH - cells));
+    bar
+}
+
+/// A duration as people read it.
+pub(crate) fn seconds(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    match seconds {
+        s if s < 10.0 => format!("{s:.1} s"),
+        s if s < 100.0 => format!("{s:.0} s"),
+        s => format!("{} min {:02} s", s as u64 / 60, s as u64 % 60),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bar_keeps_its_width() {
+        for done in 0..=37 {
+            assert_eq!(bar(done, 37).chars().count(), BAR_WIDTH, "at {done} of 37");
+        }
+        assert_eq!(bar(0, 5), "·".repeat(BAR_WIDTH));
+        assert_eq!(bar(5, 5), "█".repeat(BAR_WIDTH));
+    }
+
+    #[test]
+    fn durations_read_well() {
+        assert_eq!(seconds(Duration::from_millis(1240)), "1.2 s");
+        assert_eq!(seconds(Duration::from_secs(61)), "61 s");
+        assert_eq!(seconds(Duration::from_secs(125)), "2 min 05 s");
+    }
+}
