@@ -4,6 +4,7 @@
 //! lives here; stages of [`crate::step`] act on these types and never on each other.
 
 pub mod body;
+pub(crate) mod check;
 pub mod collider;
 pub(crate) mod constraint_graph;
 pub mod contact;

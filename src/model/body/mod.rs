@@ -1,5 +1,28 @@
-//! Rigid bodies.
+//! # Rigid bodies — what moves
+//!
+//! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse what
+//! no simulation could survive (a value that is not finite, a negative mass) and leave a note of what
+//! changed, so that the next step looks at changed bodies alone. The laws of motion are the step's.
 
+mod activation;
+mod body_type;
+mod builder;
+mod changes;
+mod forces;
 mod handle;
+mod mass;
+mod motion;
+mod rigid_body;
+mod set;
+mod settings;
+mod velocity;
 
+pub use activation::RigidBodyActivation;
+pub use body_type::RigidBodyType;
+pub use builder::{InvalidRigidBody, RigidBodyBuilder};
+pub use changes::RigidBodyChanges;
 pub use handle::RigidBodyHandle;
+pub use mass::{RigidBodyAdditionalMassProps, RigidBodyMassProps};
+pub use rigid_body::RigidBody;
+pub use set::RigidBodySet;
+pub use velocity::RigidBodyVelocity;

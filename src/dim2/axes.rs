@@ -1,0 +1,48 @@
+//! The axes of the plane along and about which a body can be kept from moving, and what locking them
+//! does to its inverse mass and inertia.
+
+use crate::dim::math::{AngularInertia, Real, Vector};
+
+bitflags::bitflags! {
+    /// World axes along which a body cannot be pushed, and about which it cannot be turned.
+    ///
+    /// A locked axis has no inverse mass (or inertia): neither forces, gravity, impulses nor contacts
+    /// change the velocity along it. A velocity that was set by hand stays as it was set.
+    ///
+    /// The bits are those of the 3D engine, so that saved flags mean the same in both. The ones that
+    /// would lead out of the plane change nothing here.
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
+    pub struct LockedAxes: u8 {
+        /// No translation along X.
+        const TRANSLATION_LOCKED_X = 1 << 0;
+        /// No translation along Y.
+        const TRANSLATION_LOCKED_Y = 1 << 1;
+        /// Nothing to lock in 2D.
+        const TRANSLATION_LOCKED_Z = 1 << 2;
+        /// No translation at all.
+        const TRANSLATION_LOCKED = Self::TRANSLATION_LOCKED_X.bits()
+            | Self::TRANSLATION_LOCKED_Y.bits();
+        /// Nothing to lock in 2D.
+        const ROTATION_LOCKED_X = 1 << 3;
+        /// Nothing to lock in 2D.
+        const ROTATION_LOCKED_Y = 1 << 4;
+        /// No rotation: the only axis of rotation in 2D.
+        const ROTATION_LOCKED_Z = 1 << 5;
+        /// No rotation at all.
+        const ROTATION_LOCKED = Self::ROTATION_LOCKED_Z.bits();
+    }
+}
+
+/// The inverse mass along each world axis: zero along the locked ones.
+#[inline]
+pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
+    let along = |axis| if locked.contains(axis) { 0.0 } else { inv_mass };
+    Vector::new(along(LockedAxes::TRANSLATION_LOCKED_X), along(LockedAxes::TRANSLATION_LOCKED_Y))
+}
+
+/// The inverse inertia that is left once no torque can turn the body about the locked axis.
+#[inline]
+pub fn lock_rotations(locked: LockedAxes, inv_inertia: AngularInertia) -> AngularInertia {
+    if locked.contains(LockedAxes::ROTATION_LOCKED_Z) { 0.0 } else { inv_inertia }
+}

@@ -1,0 +1,39 @@
+//! Mass properties of what is made of parts, in 2D.
+
+use crate::dim::math::{AngVector, Real, Rotation, Vector};
+use parry::mass_properties::MassProperties;
+
+/// The mass properties of a body without mass.
+pub fn no_mass() -> MassProperties {
+    MassProperties { local_com: Vector::ZERO, inv_mass: 0.0, inv_principal_inertia: 0.0 }
+}
+
+/// Are all values finite and none negative where that would be impossible?
+pub fn mass_is_valid(mass: &MassProperties) -> bool {
+    mass.local_com.is_finite()
+        && mass.inv_mass.is_finite()
+        && mass.inv_mass >= 0.0
+        && mass.inv_principal_inertia.is_finite()
+        && mass.inv_principal_inertia >= 0.0
+}
+
+/// The mass properties of all parts together. All of them in one frame.
+pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
+    if let [only] = parts {
+        return *only;
+    }
+    let mass: Real = parts.iter().map(MassProperties::mass).sum();
+    let moment: Vector = parts.iter().map(|part| part.local_com * part.mass()).sum();
+    let com = if mass > 0.0 { moment / mass } else { Vector::ZERO };
+    // The parallel axis theorem.
+    let inertia_about_com = |part: &MassProperties| {
+        part.principal_inertia() + part.mass() * (com - part.local_com).length_squared()
+    };
+    MassProperties::new(com, mass, parts.iter().map(inertia_about_com).sum())
+}
+
+/// The angular momentum about the centre of mass (mass·length²/s) of a body with the angular
+/// velocity `angvel` (rad/s).
+pub fn angular_momentum(mass: &MassProperties, _: Rotation, angvel: AngVector) -> AngVector {
+    mass.principal_inertia() * angvel
+}

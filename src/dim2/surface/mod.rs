@@ -1,0 +1,3 @@
+//! Methods whose signature has something for each axis of the plane.
+
+mod body;

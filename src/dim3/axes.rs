@@ -1,0 +1,77 @@
+//! The axes of 3D space along and about which a body can be kept from moving, and what locking them
+//! does to its inverse mass and inertia.
+
+use crate::dim::math::{AngularInertia, Real, Vector};
+
+bitflags::bitflags! {
+    /// World axes along which a body cannot be pushed, and about which it cannot be turned.
+    ///
+    /// A locked axis has no inverse mass (or inertia): neither forces, gravity, impulses nor contacts
+    /// change the velocity along it. A velocity that was set by hand stays as it was set.
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
+    pub struct LockedAxes: u8 {
+        /// No translation along X.
+        const TRANSLATION_LOCKED_X = 1 << 0;
+        /// No translation along Y.
+        const TRANSLATION_LOCKED_Y = 1 << 1;
+        /// No translation along Z.
+        const TRANSLATION_LOCKED_Z = 1 << 2;
+        /// No translation at all.
+        const TRANSLATION_LOCKED = Self::TRANSLATION_LOCKED_X.bits()
+            | Self::TRANSLATION_LOCKED_Y.bits() | Self::TRANSLATION_LOCKED_Z.bits();
+        /// No rotation about X.
+        const ROTATION_LOCKED_X = 1 << 3;
+        /// No rotation about Y.
+        const ROTATION_LOCKED_Y = 1 << 4;
+        /// No rotation about Z.
+        const ROTATION_LOCKED_Z = 1 << 5;
+        /// No rotation at all.
+        const ROTATION_LOCKED = Self::ROTATION_LOCKED_X.bits()
+            | Self::ROTATION_LOCKED_Y.bits() | Self::ROTATION_LOCKED_Z.bits();
+    }
+}
+
+/// The inverse mass along each world axis: zero along the locked ones.
+#[inline]
+pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
+    let along = |axis| if locked.contains(axis) { 0.0 } else { inv_mass };
+    Vector::new(
+        along(LockedAxes::TRANSLATION_LOCKED_X),
+        along(LockedAxes::TRANSLATION_LOCKED_Y),
+        along(LockedAxes::TRANSLATION_LOCKED_Z),
+    )
+}
+
+/// The inverse inertia that is left once no torque can turn the body about the locked world axes.
+///
+/// Locking the axis `e` adds whatever torque along `e` keeps `ω·e` constant, which takes the part
+/// `K e (eᵀ K e)⁻¹ eᵀ K` off the inverse inertia `K`. Its row and column of `e` become zero, and what
+/// remains is the inverse of the inertia's other rows and columns. (Merely clearing the row and the
+/// column of `K` would make a body whose axes stand askew too easy to turn.)
+#[inline]
+pub fn lock_rotations(locked: LockedAxes, mut k: AngularInertia) -> AngularInertia {
+    if !locked.intersects(LockedAxes::ROTATION_LOCKED) {
+        return k;
+    }
+    let part = |a: Real, b: Real, pivot: Real| if pivot > 0.0 { a * b / pivot } else { 0.0 };
+    if locked.contains(LockedAxes::ROTATION_LOCKED_X) {
+        k.m22 -= part(k.m12, k.m12, k.m11);
+        k.m23 -= part(k.m12, k.m13, k.m11);
+        k.m33 -= part(k.m13, k.m13, k.m11);
+        (k.m11, k.m12, k.m13) = (0.0, 0.0, 0.0);
+    }
+    if locked.contains(LockedAxes::ROTATION_LOCKED_Y) {
+        k.m11 -= part(k.m12, k.m12, k.m22);
+        k.m13 -= part(k.m12, k.m23, k.m22);
+        k.m33 -= part(k.m23, k.m23, k.m22);
+        (k.m12, k.m22, k.m23) = (0.0, 0.0, 0.0);
+    }
+    if locked.contains(LockedAxes::ROTATION_LOCKED_Z) {
+        k.m11 -= part(k.m13, k.m13, k.m33);
+        k.m12 -= part(k.m13, k.m23, k.m33);
+        k.m22 -= part(k.m23, k.m23, k.m33);
+        (k.m13, k.m23, k.m33) = (0.0, 0.0, 0.0);
+    }
+    k
+}

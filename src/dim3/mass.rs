@@ -1,0 +1,109 @@
+//! Mass properties of what is made of parts, in 3D.
+//!
+//! parry can add mass properties too, but finds the principal axes by the trigonometric formula: the
+//! last bits of its sines and cosines differ between machines, and nearly equal moments cost it half
+//! of the digits. Jacobi's rotations need square roots alone and are accurate to the last few bits.
+
+use crate::dim::math::{AngVector, Matrix, Real, Rotation, Vector};
+use parry::mass_properties::MassProperties;
+
+/// Sweeps of Jacobi's method. It converges quadratically: three or four do in either precision.
+const SWEEPS_MAX: usize = 8;
+
+/// The mass properties of a body without mass.
+pub fn no_mass() -> MassProperties {
+    MassProperties {
+        local_com: Vector::ZERO,
+        inv_mass: 0.0,
+        inv_principal_inertia: AngVector::ZERO,
+        principal_inertia_local_frame: Rotation::IDENTITY,
+    }
+}
+
+/// Are all values finite and none negative where that would be impossible?
+pub fn mass_is_valid(mass: &MassProperties) -> bool {
+    mass.local_com.is_finite()
+        && mass.inv_mass.is_finite()
+        && mass.inv_mass >= 0.0
+        && mass.inv_principal_inertia.is_finite()
+        && mass.inv_principal_inertia.min_element() >= 0.0
+        && crate::dim::math::rotation_is_valid(&mass.principal_inertia_local_frame)
+}
+
+/// The mass properties of all parts together. All of them in one frame.
+pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
+    if let [only] = parts {
+        return *only;
+    }
+    let mass: Real = parts.iter().map(MassProperties::mass).sum();
+    let moment: Vector = parts.iter().map(|part| part.local_com * part.mass()).sum();
+    let com = if mass > 0.0 { moment / mass } else { Vector::ZERO };
+    let inertia = parts.iter().fold(Matrix::ZERO, |sum, part| sum + inertia_about(part, com));
+    let (moments, axes) = principal_axes(inertia);
+    let frame = Rotation::from_mat3(&axes).normalize();
+    MassProperties::with_principal_inertia_frame(com, mass, moments.max(Vector::ZERO), frame)
+}
+
+/// The inertia tensor about `center`, by the parallel axis theorem: `I + m (|d|² 1 - d dᵀ)`.
+fn inertia_about(part: &MassProperties, center: Vector) -> Matrix {
+    let d = center - part.local_com;
+    let outer = Matrix::from_cols(d * d.x, d * d.y, d * d.z);
+    let shift = Matrix::from_diagonal(Vector::splat(d.length_squared())) - outer;
+    part.reconstruct_inertia_matrix() + shift * part.mass()
+}
+
+/// Eigenvalues of a symmetric matrix, and a right-handed set of unit eigenvectors (the columns).
+///
+/// The cyclic Jacobi method (Golub and Van Loan, "Matrix Computations", section 8.5): each rotation
+/// clears one off-diagonal element. A diagonal matrix comes back as it is.
+pub(crate) fn principal_axes(matrix: Matrix) -> (Vector, Matrix) {
+    let mut a = matrix.to_cols_array_2d();
+    let mut axes = Matrix::IDENTITY.to_cols_array_2d();
+    for _ in 0..SWEEPS_MAX {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if a[p][q] != 0.0 {
+                let (cos, sin) = clearing_rotation(a[p][p], a[q][q], a[p][q]);
+                rotate(&mut a, &mut axes, p, q, cos, sin);
+            }
+        }
+    }
+    (Vector::new(a[0][0], a[1][1], a[2][2]), Matrix::from_cols_array_2d(&axes))
+}
+
+/// Cosine and sine of the smaller angle that clears the off-diagonal element of
+/// `[[app, apq], [apq, aqq]]`.
+fn clearing_rotation(app: Real, aqq: Real, apq: Real) -> (Real, Real) {
+    let theta = (aqq - app) / (2.0 * apq);
+    let tan = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+    let cos = 1.0 / (tan * tan + 1.0).sqrt();
+    (cos, tan * cos)
+}
+
+/// `a ← Jᵀ a J` and `axes ← axes J` for the rotation `J` in the plane of `p` and `q`.
+fn rotate(
+    a: &mut [[Real; 3]; 3],
+    axes: &mut [[Real; 3]; 3],
+    p: usize,
+    q: usize,
+    cos: Real,
+    sin: Real,
+) {
+    let mix = |x: Real, y: Real| (cos * x - sin * y, sin * x + cos * y);
+    for row in 0..3 {
+        (a[p][row], a[q][row]) = mix(a[p][row], a[q][row]);
+    }
+    for column in a.iter_mut() {
+        (column[p], column[q]) = mix(column[p], column[q]);
+    }
+    (a[p][q], a[q][p]) = (0.0, 0.0);
+    for row in 0..3 {
+        (axes[p][row], axes[q][row]) = mix(axes[p][row], axes[q][row]);
+    }
+}
+
+/// The angular momentum about the centre of mass (mass·length²/s) of a body with the world-space
+/// angular velocity `angvel` (rad/s).
+pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVector) -> AngVector {
+    let to_world = rotation * mass.principal_inertia_local_frame;
+    to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
+}

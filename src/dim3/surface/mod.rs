@@ -1,0 +1,3 @@
+//! Methods whose signature has something for each axis of 3D space.
+
+mod body;

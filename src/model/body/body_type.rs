@@ -1,0 +1,41 @@
+//! What moves a body.
+
+/// What moves a body.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum RigidBodyType {
+    /// Forces, gravity, contacts and joints move it.
+    #[default]
+    Dynamic,
+    /// Nothing moves it: the ground, a wall.
+    Fixed,
+    /// The user says where it is at the end of the next step
+    /// ([`RigidBody::set_next_kinematic_position`](super::RigidBody::set_next_kinematic_position)).
+    /// The step derives its velocity, so that it pushes and carries what it touches.
+    KinematicPositionBased,
+    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)).
+    /// Nothing that it touches slows it down.
+    KinematicVelocityBased,
+}
+
+impl RigidBodyType {
+    /// Is it moved by forces?
+    pub const fn is_dynamic(self) -> bool {
+        matches!(self, Self::Dynamic)
+    }
+
+    /// Does it never move?
+    pub const fn is_fixed(self) -> bool {
+        matches!(self, Self::Fixed)
+    }
+
+    /// Is it moved by the user alone?
+    pub const fn is_kinematic(self) -> bool {
+        matches!(self, Self::KinematicPositionBased | Self::KinematicVelocityBased)
+    }
+
+    /// Can it move?
+    pub const fn is_dynamic_or_kinematic(self) -> bool {
+        !self.is_fixed()
+    }
+}

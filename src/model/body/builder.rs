@@ -1,0 +1,377 @@
+//! Describes a rigid body before it is made.
+
+use super::mass::mass_is_usable;
+use super::{RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyType};
+use crate::dim::axes::LockedAxes;
+use crate::dim::mass::mass_is_valid;
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, rotation_from_angle,
+};
+use crate::model::check::{checked_pose, is_non_negative};
+use core::fmt::Debug;
+use parry::mass_properties::MassProperties;
+
+/// Why a [`RigidBodyBuilder`] makes no body: one of its values would not survive the simulation.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the {field} of a rigid body cannot be {value}")]
+pub struct InvalidRigidBody {
+    /// The builder's field.
+    pub field: &'static str,
+    /// The value that it had.
+    pub value: String,
+}
+
+/// Describes a rigid body: its type, where it is, how it moves, and what it is kept from.
+///
+/// Everything has a default; the methods change one value each. [`Self::build`] makes the body, as
+/// does `RigidBodySet::insert`, which takes the builder as it is.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[must_use = "a builder does nothing until its body is built or inserted"]
+pub struct RigidBodyBuilder {
+    /// The pose of the body's frame in world space. Default: the identity.
+    pub position: Pose,
+    /// World-space velocity of the centre of mass (length/s). Default: zero.
+    pub linvel: Vector,
+    /// World-space angular velocity (rad/s). Default: zero.
+    pub angvel: AngVector,
+    /// How many times gravity acts on the body. Default: 1.
+    pub gravity_scale: Real,
+    /// Share of the linear velocity lost per second, to first order (1/s). Default: 0.
+    pub linear_damping: Real,
+    /// Share of the angular velocity lost per second, to first order (1/s). Default: 0.
+    pub angular_damping: Real,
+    /// What moves the body.
+    pub body_type: RigidBodyType,
+    /// The world axes along and about which the body cannot be pushed. Default: none.
+    pub locked_axes: LockedAxes,
+    /// Mass beyond that of the colliders. Default: none.
+    pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
+    /// May the body fall asleep? Default: yes.
+    pub can_sleep: bool,
+    /// Does the body begin asleep? Default: no.
+    pub sleeping: bool,
+    /// Is continuous collision detection on? Default: no.
+    pub ccd_enabled: bool,
+    /// How far ahead of its surface the body looks for contacts (length units). Default: 0, off.
+    pub soft_ccd_prediction: Real,
+    /// The dominance group: the higher group wins contacts. Default: 0.
+    pub dominance_group: i8,
+    /// Does the body take part in the simulation? Default: yes.
+    pub enabled: bool,
+    /// Substeps of the solver beyond those of the integration parameters. Default: 0.
+    pub additional_solver_iterations: usize,
+    /// Does the body wobble as its inertia demands? Default: yes. Means nothing in 2D.
+    pub gyroscopic_forces_enabled: bool,
+    /// Whatever the user wants to find again. Default: 0.
+    pub user_data: u128,
+}
+
+impl Default for RigidBodyBuilder {
+    fn default() -> Self {
+        Self::dynamic()
+    }
+}
+
+impl RigidBodyBuilder {
+    /// A body of a type, at the origin, at rest.
+    pub fn new(body_type: RigidBodyType) -> Self {
+        Self {
+            position: Pose::IDENTITY,
+            linvel: Vector::ZERO,
+            angvel: ANG_ZERO,
+            gravity_scale: 1.0,
+            linear_damping: 0.0,
+            angular_damping: 0.0,
+            body_type,
+            locked_axes: LockedAxes::empty(),
+            additional_mass_properties: None,
+            can_sleep: true,
+            sleeping: false,
+            ccd_enabled: false,
+            soft_ccd_prediction: 0.0,
+            dominance_group: 0,
+            enabled: true,
+            additional_solver_iterations: 0,
+            gyroscopic_forces_enabled: true,
+            user_data: 0,
+        }
+    }
+
+    /// A body moved by forces, gravity, contacts and joints.
+    pub fn dynamic() -> Self {
+        Self::new(RigidBodyType::Dynamic)
+    }
+
+    /// A body that nothing moves.
+    pub fn fixed() -> Self {
+        Self::new(RigidBodyType::Fixed)
+    }
+
+    /// A body whose velocity the user sets.
+    pub fn kinematic_velocity_based() -> Self {
+        Self::new(RigidBodyType::KinematicVelocityBased)
+    }
+
+    /// A body whose next pose the user sets.
+    pub fn kinematic_position_based() -> Self {
+        Self::new(RigidBodyType::KinematicPositionBased)
+    }
+
+    /// [`Self::fixed`].
+    #[deprecated(note = "use `RigidBodyBuilder::fixed()`")]
+    pub fn new_static() -> Self {
+        Self::fixed()
+    }
+
+    /// [`Self::kinematic_velocity_based`].
+    #[deprecated(note = "use `RigidBodyBuilder::kinematic_velocity_based()`")]
+    pub fn new_kinematic_velocity_based() -> Self {
+        Self::kinematic_velocity_based()
+    }
+
+    /// [`Self::kinematic_position_based`].
+    #[deprecated(note = "use `RigidBodyBuilder::kinematic_position_based()`")]
+    pub fn new_kinematic_position_based() -> Self {
+        Self::kinematic_position_based()
+    }
+
+    /// Sets the pose of the body's frame in world space.
+    pub fn pose(mut self, pose: Pose) -> Self {
+        self.position = pose;
+        self
+    }
+
+    /// [`Self::pose`].
+    #[deprecated(note = "use `RigidBodyBuilder::pose()`")]
+    pub fn position(self, pose: Pose) -> Self {
+        self.pose(pose)
+    }
+
+    /// Sets the origin of the body's frame in world space.
+    pub fn translation(mut self, translation: Vector) -> Self {
+        self.position.translation = translation;
+        self
+    }
+
+    /// Sets how the body's frame is turned: by the angle (in 2D), or about the direction and by the
+    /// length of the vector (in 3D), in radians.
+    pub fn rotation(mut self, angle: AngVector) -> Self {
+        self.position.rotation = rotation_from_angle(angle);
+        self
+    }
+
+    /// Sets the world-space velocity of the centre of mass (length/s).
+    pub fn linvel(mut self, linvel: Vector) -> Self {
+        self.linvel = linvel;
+        self
+    }
+
+    /// Sets the world-space angular velocity (rad/s).
+    pub fn angvel(mut self, angvel: AngVector) -> Self {
+        self.angvel = angvel;
+        self
+    }
+
+    /// Sets how many times gravity acts on the body.
+    pub fn gravity_scale(mut self, scale: Real) -> Self {
+        self.gravity_scale = scale;
+        self
+    }
+
+    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    pub fn linear_damping(mut self, factor: Real) -> Self {
+        self.linear_damping = factor;
+        self
+    }
+
+    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    pub fn angular_damping(mut self, factor: Real) -> Self {
+        self.angular_damping = factor;
+        self
+    }
+
+    /// Sets the dominance group: the higher group wins contacts.
+    pub fn dominance_group(mut self, group: i8) -> Self {
+        self.dominance_group = group;
+        self
+    }
+
+    /// Adds mass beyond that of the colliders (at least 0), in place of any other additional mass.
+    /// See [`RigidBodyAdditionalMassProps::Mass`].
+    pub fn additional_mass(mut self, mass: Real) -> Self {
+        self.additional_mass_properties = Some(RigidBodyAdditionalMassProps::Mass(mass));
+        self
+    }
+
+    /// Adds mass, centre of mass and inertia beyond those of the colliders, in the body's frame, in
+    /// place of any other additional mass.
+    pub fn additional_mass_properties(mut self, props: MassProperties) -> Self {
+        self.additional_mass_properties = Some(RigidBodyAdditionalMassProps::MassProps(props));
+        self
+    }
+
+    /// Sets the world axes along and about which the body cannot be pushed.
+    pub fn locked_axes(mut self, locked_axes: LockedAxes) -> Self {
+        self.locked_axes = locked_axes;
+        self
+    }
+
+    /// Keeps the body from moving along every axis.
+    pub fn lock_translations(self) -> Self {
+        self.set_locked(LockedAxes::TRANSLATION_LOCKED, true)
+    }
+
+    /// Keeps the body from turning about every axis.
+    pub fn lock_rotations(self) -> Self {
+        self.set_locked(LockedAxes::ROTATION_LOCKED, true)
+    }
+
+    pub(crate) fn set_locked(mut self, axes: LockedAxes, locked: bool) -> Self {
+        self.locked_axes.set(axes, locked);
+        self
+    }
+
+    /// Says whether the body may fall asleep.
+    pub fn can_sleep(mut self, can_sleep: bool) -> Self {
+        self.can_sleep = can_sleep;
+        self
+    }
+
+    /// Says whether the body begins asleep.
+    pub fn sleeping(mut self, sleeping: bool) -> Self {
+        self.sleeping = sleeping;
+        self
+    }
+
+    /// Switches continuous collision detection on or off.
+    pub fn ccd_enabled(mut self, enabled: bool) -> Self {
+        self.ccd_enabled = enabled;
+        self
+    }
+
+    /// Sets how far ahead of its surface the body looks for contacts (length units; 0 is off).
+    pub fn soft_ccd_prediction(mut self, distance: Real) -> Self {
+        self.soft_ccd_prediction = distance;
+        self
+    }
+
+    /// Says whether the body takes part in the simulation.
+    pub fn enabled(mut self, enabled: bool) -> Self {
+        self.enabled = enabled;
+        self
+    }
+
+    /// Sets how many more substeps the solver takes for the island of this body.
+    pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
+        self.additional_solver_iterations = iterations;
+        self
+    }
+
+    /// Attaches a number by which the user finds things again.
+    pub fn user_data(mut self, data: u128) -> Self {
+        self.user_data = data;
+        self
+    }
+
+    /// Makes the body.
+    ///
+    /// A value that is not finite or not possible is replaced by its default, and `log` gets a warning
+    /// that names it. [`Self::try_build`] returns the error instead.
+    pub fn build(&self) -> RigidBody {
+        let mut mended = self.clone();
+        for error in mended.mend() {
+            log::warn!("{error}; it gets the default");
+        }
+        mended.build_valid()
+    }
+
+    /// Makes the body.
+    ///
+    /// # Errors
+    /// If a value is not finite or not possible; the error names the first one.
+    pub fn try_build(&self) -> Result<RigidBody, InvalidRigidBody> {
+        let mut mended = self.clone();
+        match mended.mend().into_iter().next() {
+            Some(error) => Err(error),
+            None => Ok(mended.build_valid()),
+        }
+    }
+
+    /// Replaces every impossible value by its default, and says which they were.
+    fn mend(&mut self) -> Vec<InvalidRigidBody> {
+        let default = Self::new(self.body_type);
+        let mut errors = Vec::new();
+        let pose = checked_pose(self.position);
+        keep_if(pose.is_some(), "position", &mut self.position, default.position, &mut errors);
+        self.position = pose.unwrap_or(default.position);
+
+        let mut keep = |valid, field, value: &mut Real, default| {
+            keep_if(valid, field, value, default, &mut errors);
+        };
+        let (scale, soft_ccd) = (self.gravity_scale, self.soft_ccd_prediction);
+        let (linear, angular) = (self.linear_damping, self.angular_damping);
+        keep(scale.is_finite(), "gravity_scale", &mut self.gravity_scale, 1.0);
+        keep(is_non_negative(linear), "linear_damping", &mut self.linear_damping, 0.0);
+        keep(is_non_negative(angular), "angular_damping", &mut self.angular_damping, 0.0);
+        keep(is_non_negative(soft_ccd), "soft_ccd_prediction", &mut self.soft_ccd_prediction, 0.0);
+
+        let (linvel, angvel) = (self.linvel, self.angvel);
+        keep_if(linvel.is_finite(), "linvel", &mut self.linvel, default.linvel, &mut errors);
+        keep_if(ang_is_finite(angvel), "angvel", &mut self.angvel, default.angvel, &mut errors);
+        let (field, valid) = match &self.additional_mass_properties {
+            None => ("", true),
+            Some(RigidBodyAdditionalMassProps::Mass(mass)) => {
+                ("additional_mass", mass_is_usable(*mass))
+            }
+            Some(RigidBodyAdditionalMassProps::MassProps(props)) => {
+                ("additional_mass_properties", mass_is_valid(props))
+            }
+        };
+        keep_if(valid, field, &mut self.additional_mass_properties, None, &mut errors);
+        errors
+    }
+
+    /// Makes the body out of values that are all possible.
+    fn build_valid(self) -> RigidBody {
+        let mut body = RigidBody::new();
+        body.body_type = self.body_type;
+        (body.pose, body.next_pose) = (self.position, self.position);
+        if !self.body_type.is_fixed() {
+            (body.linvel, body.angvel) = (self.linvel, self.angvel);
+        }
+        body.gravity_scale = self.gravity_scale;
+        (body.linear_damping, body.angular_damping) = (self.linear_damping, self.angular_damping);
+        body.mprops.locked_axes = self.locked_axes;
+        body.mprops.additional = self.additional_mass_properties.map(Box::new);
+        body.ccd_enabled = self.ccd_enabled;
+        body.soft_ccd_prediction = self.soft_ccd_prediction;
+        body.dominance = self.dominance_group;
+        body.enabled = self.enabled;
+        body.additional_solver_iterations = self.additional_solver_iterations;
+        body.gyroscopic_forces_enabled = self.gyroscopic_forces_enabled;
+        body.user_data = self.user_data;
+        if !self.can_sleep {
+            body.activation = RigidBodyActivation::cannot_sleep();
+        }
+        if self.sleeping {
+            body.sleep();
+        }
+        body.update_mass();
+        body
+    }
+}
+
+/// Notes an impossible value as an error, and puts its default in its place.
+fn keep_if<T: Debug>(
+    valid: bool,
+    field: &'static str,
+    value: &mut T,
+    default: T,
+    errors: &mut Vec<InvalidRigidBody>,
+) {
+    if !valid {
+        errors.push(InvalidRigidBody { field, value: format!("{value:?}") });
+        *value = default;
+    }
+}

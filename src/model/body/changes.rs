@@ -1,0 +1,32 @@
+//! Notes on what the user changed since the last step, so that a step looks at the changed bodies alone.
+
+bitflags::bitflags! {
+    /// What the user changed about a body since the last step.
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    #[derive(Copy, Clone, PartialEq, Eq, Debug, Default)]
+    pub struct RigidBodyChanges: u32 {
+        /// The body's handle stands in its set's list of modified bodies.
+        const IN_MODIFIED_SET = 1 << 0;
+        /// The pose, or the pose that a kinematic body is to reach.
+        const POSITION = 1 << 1;
+        /// Whether the body sleeps.
+        const SLEEP = 1 << 2;
+        /// Which colliders are attached, or where on the body they are.
+        const COLLIDERS = 1 << 3;
+        /// The body type.
+        const TYPE = 1 << 4;
+        /// The dominance group.
+        const DOMINANCE = 1 << 5;
+        /// Something that the mass, centre of mass or inertia depends on.
+        const LOCAL_MASS_PROPERTIES = 1 << 6;
+        /// Whether the body takes part in the simulation.
+        const ENABLED_OR_DISABLED = 1 << 7;
+    }
+}
+
+impl RigidBodyChanges {
+    /// The notes of a body that the step has never seen.
+    pub(crate) fn everything() -> Self {
+        Self::all() - Self::IN_MODIFIED_SET
+    }
+}

@@ -1,0 +1,123 @@
+//! Pushing a body: forces that last, impulses that strike, and the energy that comes of it.
+//!
+//! Only dynamic bodies can be pushed; the others ignore all of it.
+
+use super::{RigidBody, RigidBodyVelocity};
+use crate::dim::mass::angular_momentum;
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Real, Vector, ang_dot, ang_is_finite, mul_inertia, torque,
+};
+use crate::model::check::refuse;
+
+impl RigidBody {
+    /// The force on the centre of mass that [`Self::add_force`] and its like have added up
+    /// (mass·length/s²). Gravity and contacts are not in it.
+    pub fn user_force(&self) -> Vector {
+        self.force
+    }
+
+    /// The torque that [`Self::add_torque`] and its like have added up (mass·length²/s²).
+    pub fn user_torque(&self) -> AngVector {
+        self.torque
+    }
+
+    /// Takes back all forces that were added.
+    pub fn reset_forces(&mut self, wake_up: bool) {
+        if self.force != Vector::ZERO {
+            self.force = Vector::ZERO;
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// Takes back all torques that were added, also those of forces added at a point.
+    pub fn reset_torques(&mut self, wake_up: bool) {
+        if self.torque != ANG_ZERO {
+            self.torque = ANG_ZERO;
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// Adds a world-space force on the centre of mass (mass·length/s²). It acts in every step until
+    /// [`Self::reset_forces`].
+    pub fn add_force(&mut self, force: Vector, wake_up: bool) {
+        self.add_force_and_torque(force, ANG_ZERO, wake_up);
+    }
+
+    /// Adds a world-space torque (mass·length²/s²). It acts in every step until
+    /// [`Self::reset_torques`].
+    pub fn add_torque(&mut self, torque: AngVector, wake_up: bool) {
+        self.add_force_and_torque(Vector::ZERO, torque, wake_up);
+    }
+
+    /// Adds a world-space force at a point in world space: the force on the centre of mass, and its
+    /// torque about it as of now. Both act in every step until they are reset.
+    pub fn add_force_at_point(&mut self, force: Vector, point: Vector, wake_up: bool) {
+        let arm = point - self.mprops.world_com;
+        self.add_force_and_torque(force, torque(arm, force), wake_up);
+    }
+
+    fn add_force_and_torque(&mut self, force: Vector, torque: AngVector, wake_up: bool) {
+        if !self.is_dynamic() || (force == Vector::ZERO && torque == ANG_ZERO) {
+            return;
+        }
+        let (new_force, new_torque) = (self.force + force, self.torque + torque);
+        if !new_force.is_finite() || !ang_is_finite(new_torque) {
+            return refuse("the force and torque on a rigid body", (new_force, new_torque));
+        }
+        (self.force, self.torque) = (new_force, new_torque);
+        self.wake_if(wake_up);
+    }
+
+    /// Strikes the centre of mass with a world-space impulse (mass·length/s): the velocity changes at
+    /// once.
+    pub fn apply_impulse(&mut self, impulse: Vector, wake_up: bool) {
+        self.strike(impulse, ANG_ZERO, wake_up);
+    }
+
+    /// Twists the body with a world-space angular impulse (mass·length²/s): the angular velocity
+    /// changes at once.
+    pub fn apply_torque_impulse(&mut self, torque_impulse: AngVector, wake_up: bool) {
+        self.strike(Vector::ZERO, torque_impulse, wake_up);
+    }
+
+    /// Strikes the body with a world-space impulse (mass·length/s) at a point in world space.
+    pub fn apply_impulse_at_point(&mut self, impulse: Vector, point: Vector, wake_up: bool) {
+        let arm = point - self.mprops.world_com;
+        self.strike(impulse, torque(arm, impulse), wake_up);
+    }
+
+    fn strike(&mut self, impulse: Vector, torque_impulse: AngVector, wake_up: bool) {
+        if !self.is_dynamic() || (impulse == Vector::ZERO && torque_impulse == ANG_ZERO) {
+            return;
+        }
+        let struck = RigidBodyVelocity {
+            linvel: self.linvel + impulse * self.mprops.inv_mass,
+            angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, torque_impulse),
+        };
+        if !struck.is_finite() {
+            return refuse("the impulses on a rigid body", (impulse, torque_impulse));
+        }
+        (self.linvel, self.angvel) = (struck.linvel, struck.angvel);
+        self.wake_if(wake_up);
+    }
+
+    // ---- Energy ----
+
+    /// The energy of motion, `½ m v² + ½ ω·I ω` (mass·length²/s²).
+    pub fn kinetic_energy(&self) -> Real {
+        let momentum = angular_momentum(&self.mprops.local, self.pose.rotation, self.angvel);
+        let linear = self.mass() * self.linvel.length_squared();
+        0.5 * (linear + ang_dot(self.angvel, momentum))
+    }
+
+    /// The energy of height in the given gravity (length/s²), zero at the world's origin.
+    ///
+    /// The step moves bodies with the velocity of the step's end, so pose and velocity belong to
+    /// moments half a time step apart. With the `dt` of the step the energy is that of half a step
+    /// before, and the sum with [`Self::kinetic_energy`] stays constant in free fall; with 0 it is
+    /// that of the current pose.
+    pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
+        let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
+        -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
+    }
+}

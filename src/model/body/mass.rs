@@ -1,0 +1,143 @@
+//! What a body weighs: its own record and what the solver sees of it.
+
+use super::RigidBodyType;
+use crate::dim::axes::{LockedAxes, inv_mass_per_axis, lock_rotations};
+use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
+use crate::dim::math::{AngularInertia, Pose, Real, Vector, zero_inertia};
+use crate::model::check::{is_non_negative, refuse};
+use parry::mass_properties::MassProperties;
+
+/// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too.
+pub(super) fn mass_is_usable(mass: Real) -> bool {
+    is_non_negative(mass) && (mass == 0.0 || (1.0 / mass).is_finite())
+}
+
+/// Mass that a body has beyond that of its colliders.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum RigidBodyAdditionalMassProps {
+    /// This much mass more, spread like the mass of the colliders: the centre of mass stays and the
+    /// angular inertia grows in proportion. Without colliders it sits in the body's origin and
+    /// nothing can turn it.
+    Mass(Real),
+    /// Mass, centre of mass and principal inertia of one more part, in the body's frame.
+    MassProps(MassProperties),
+}
+
+/// The mass, centre of mass and inertia of a body.
+///
+/// The fields that each step reads and writes come first (`repr(C)`), next to the hot fields of
+/// [`RigidBody`](super::RigidBody).
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
+pub struct RigidBodyMassProps {
+    /// The centre of mass in world space.
+    pub(crate) world_com: Vector,
+    /// Inverse mass along each world axis; zero where locked, and unless the body is dynamic.
+    pub(crate) inv_mass: Vector,
+    /// World-space inverse inertia about the centre of mass; zero where locked, and unless dynamic.
+    pub(crate) inv_inertia: AngularInertia,
+    /// Colliders and additional mass together, in the body's frame.
+    pub(crate) local: MassProperties,
+    /// What the body is kept from doing.
+    pub(crate) locked_axes: LockedAxes,
+    /// The colliders' part of [`Self::local`].
+    pub(crate) from_colliders: MassProperties,
+    /// Boxed because few bodies have it.
+    pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
+}
+
+impl Default for RigidBodyMassProps {
+    fn default() -> Self {
+        Self {
+            world_com: Vector::ZERO,
+            inv_mass: Vector::ZERO,
+            inv_inertia: zero_inertia(),
+            local: no_mass(),
+            locked_axes: LockedAxes::empty(),
+            from_colliders: no_mass(),
+            additional: None,
+        }
+    }
+}
+
+impl RigidBodyMassProps {
+    /// Mass, centre of mass and principal inertia of the body with all its colliders, in its frame.
+    pub fn local_mprops(&self) -> &MassProperties {
+        &self.local
+    }
+
+    /// The mass that was given to the body itself, if any.
+    pub fn additional_local_mprops(&self) -> Option<&RigidBodyAdditionalMassProps> {
+        self.additional.as_deref()
+    }
+
+    /// The world axes along and about which the body cannot be pushed.
+    pub fn flags(&self) -> LockedAxes {
+        self.locked_axes
+    }
+
+    /// The mass of the colliders and the additional mass together, whether or not the body is fixed.
+    pub fn mass(&self) -> Real {
+        self.local.mass()
+    }
+
+    /// The centre of mass in world space.
+    pub fn world_com(&self) -> Vector {
+        self.world_com
+    }
+
+    /// The inverse mass that impulses meet along each world axis. Zero along locked axes, and
+    /// altogether unless the body is dynamic.
+    pub fn effective_inv_mass(&self) -> Vector {
+        self.inv_mass
+    }
+
+    /// The inverse inertia about the centre of mass that angular impulses meet, in world space. Zero
+    /// about locked axes, and altogether unless the body is dynamic.
+    pub fn effective_world_inv_inertia(&self) -> &AngularInertia {
+        &self.inv_inertia
+    }
+
+    /// The mass that impulses meet along each world axis. Zero stands for an infinite mass: along
+    /// locked axes, and altogether unless the body is dynamic.
+    pub fn effective_mass(&self) -> Vector {
+        self.inv_mass.map(|inv_mass| if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 })
+    }
+
+    /// Puts colliders and additional mass together. [`Self::update_world`] must follow.
+    pub(crate) fn update_local(&mut self) {
+        let total = match self.additional.as_deref() {
+            None => self.from_colliders,
+            Some(RigidBodyAdditionalMassProps::Mass(mass)) => {
+                let mut total = self.from_colliders;
+                // Without inertia of its own there is nothing to scale, and none comes of it.
+                total.set_mass(total.mass() + mass, true);
+                total
+            }
+            Some(RigidBodyAdditionalMassProps::MassProps(part)) => match self.from_colliders {
+                none if none == no_mass() => *part,
+                colliders => total_mass(&[colliders, *part]),
+            },
+        };
+        if mass_is_valid(&total) {
+            self.local = total;
+        } else {
+            refuse("the mass properties of a rigid body", total);
+        }
+    }
+
+    /// Carries the body's own mass properties to world space.
+    pub(crate) fn update_world(&mut self, pose: &Pose, body_type: RigidBodyType) {
+        self.world_com = pose * self.local.local_com;
+        if body_type.is_dynamic() {
+            let inv_inertia = self.local.world_inv_inertia(&pose.rotation);
+            self.inv_mass = inv_mass_per_axis(self.locked_axes, self.local.inv_mass);
+            self.inv_inertia = lock_rotations(self.locked_axes, inv_inertia);
+        } else {
+            self.inv_mass = Vector::ZERO;
+            self.inv_inertia = zero_inertia();
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Where a body is, how fast it moves, and where that leads.
+
+use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia,
+    rotation_to_angle,
+};
+use crate::model::check::{checked_pose, checked_rotation, refuse};
+
+impl RigidBody {
+    /// The body's frame in world space.
+    pub fn position(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// The origin of the body's frame in world space.
+    pub fn translation(&self) -> Vector {
+        self.pose.translation
+    }
+
+    /// How the body's frame is turned in world space.
+    pub fn rotation(&self) -> &Rotation {
+        &self.pose.rotation
+    }
+
+    /// Moves the body to a pose at once, through whatever lies between. Its velocity stays.
+    ///
+    /// To have it push what lies between, give it a velocity, or make it kinematic and use
+    /// [`Self::set_next_kinematic_position`].
+    pub fn set_position(&mut self, pose: Pose, wake_up: bool) {
+        let Some(pose) = checked_pose(pose) else {
+            return refuse("the position of a rigid body", pose);
+        };
+        if pose != self.pose || self.next_position() != &pose {
+            (self.pose, self.next_pose) = (pose, pose);
+            self.changes.insert(RigidBodyChanges::POSITION);
+            self.update_world_mass_properties();
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// Moves the origin of the body's frame to a point in world space at once.
+    pub fn set_translation(&mut self, translation: Vector, wake_up: bool) {
+        if !translation.is_finite() {
+            return refuse("the translation of a rigid body", translation);
+        }
+        self.set_position(Pose::from_parts(translation, self.pose.rotation), wake_up);
+    }
+
+    /// Turns the body's frame at once, about its origin.
+    pub fn set_rotation(&mut self, rotation: Rotation, wake_up: bool) {
+        let Some(rotation) = checked_rotation(rotation) else {
+            return refuse("the rotation of a rigid body", rotation);
+        };
+        self.set_position(Pose::from_parts(self.pose.translation, rotation), wake_up);
+    }
+
+    /// The pose that a position-based kinematic body will have after the next step; the current one
+    /// for all others.
+    pub fn next_position(&self) -> &Pose {
+        match self.body_type {
+            RigidBodyType::KinematicPositionBased => &self.next_pose,
+            _ => &self.pose,
+        }
+    }
+
+    /// Says where the body will be after the next step. The step gives it the velocity that takes it
+    /// there, so that it pushes and carries what it touches.
+    ///
+    /// For position-based kinematic bodies. Others ignore it.
+    pub fn set_next_kinematic_position(&mut self, pose: Pose) {
+        if self.body_type != RigidBodyType::KinematicPositionBased {
+            return log::debug!("a {:?} body has no next kinematic position", self.body_type);
+        }
+        let Some(pose) = checked_pose(pose) else {
+            return refuse("the next kinematic position of a rigid body", pose);
+        };
+        if pose != self.next_pose {
+            self.next_pose = pose;
+            self.changes.insert(RigidBodyChanges::POSITION);
+        }
+        self.wake_if(self.next_pose != self.pose);
+    }
+
+    /// Says where the origin of the body will be after the next step; its next rotation stays. See
+    /// [`Self::set_next_kinematic_position`].
+    pub fn set_next_kinematic_translation(&mut self, translation: Vector) {
+        self.set_next_kinematic_position(Pose::from_parts(translation, self.next_pose.rotation));
+    }
+
+    /// Says how the body will be turned after the next step; its next translation stays. See
+    /// [`Self::set_next_kinematic_position`].
+    pub fn set_next_kinematic_rotation(&mut self, rotation: Rotation) {
+        self.set_next_kinematic_position(Pose::from_parts(self.next_pose.translation, rotation));
+    }
+
+    /// The velocity that takes the body from its pose to the next one in `1 / inv_dt` seconds.
+    pub(crate) fn velocity_to_next_position(&self, inv_dt: Real) -> RigidBodyVelocity {
+        let next_pose = self.next_position();
+        let next_com = next_pose * self.mprops.local.local_com;
+        let turn = next_pose.rotation * self.pose.rotation.inverse();
+        RigidBodyVelocity {
+            linvel: (next_com - self.mprops.world_com) * inv_dt,
+            angvel: rotation_to_angle(&turn) * inv_dt,
+        }
+    }
+
+    // ---- Velocity ----
+
+    /// World-space velocity of the centre of mass (length/s).
+    pub fn linvel(&self) -> Vector {
+        self.linvel
+    }
+
+    /// World-space angular velocity (rad/s).
+    pub fn angvel(&self) -> AngVector {
+        self.angvel
+    }
+
+    /// Linear and angular velocity together.
+    pub fn vels(&self) -> RigidBodyVelocity {
+        RigidBodyVelocity::new(self.linvel, self.angvel)
+    }
+
+    /// Does it have a velocity?
+    pub fn is_moving(&self) -> bool {
+        !self.vels().is_zero()
+    }
+
+    /// Sets the world-space velocity of the centre of mass (length/s).
+    ///
+    /// Fixed bodies have none, and that of position-based kinematic bodies follows from their next
+    /// position: both ignore it.
+    pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
+        if !linvel.is_finite() {
+            return refuse("the linear velocity of a rigid body", linvel);
+        }
+        self.set_velocity(RigidBodyVelocity::new(linvel, self.angvel), wake_up);
+    }
+
+    /// Sets the world-space angular velocity (rad/s). Ignored by the same bodies as
+    /// [`Self::set_linvel`].
+    pub fn set_angvel(&mut self, angvel: AngVector, wake_up: bool) {
+        if !ang_is_finite(angvel) {
+            return refuse("the angular velocity of a rigid body", angvel);
+        }
+        self.set_velocity(RigidBodyVelocity::new(self.linvel, angvel), wake_up);
+    }
+
+    /// Sets linear and angular velocity together. Ignored by the same bodies as [`Self::set_linvel`].
+    pub fn set_vels(&mut self, vels: RigidBodyVelocity, wake_up: bool) {
+        if !vels.is_finite() {
+            return refuse("the velocity of a rigid body", vels);
+        }
+        self.set_velocity(vels, wake_up);
+    }
+
+    /// Takes in a finite velocity, if this type of body can be given one.
+    fn set_velocity(&mut self, vels: RigidBodyVelocity, wake_up: bool) {
+        let settable = matches!(
+            self.body_type,
+            RigidBodyType::Dynamic | RigidBodyType::KinematicVelocityBased
+        );
+        if settable && vels != self.vels() {
+            (self.linvel, self.angvel) = (vels.linvel, vels.angvel);
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// World-space velocity (length/s) of the body's point that is at `point` in world space.
+    pub fn velocity_at_point(&self, point: Vector) -> Vector {
+        self.vels().velocity_at_point(point, self.mprops.world_com)
+    }
+
+    // ---- Prediction ----
+
+    /// Where the body will be in `dt` seconds if its velocity stays as it is.
+    ///
+    /// It turns about its centre of mass. If that leads to no finite pose (a `dt` that is not finite),
+    /// the current pose.
+    pub fn predict_position_using_velocity(&self, dt: Real) -> Pose {
+        self.predict(&self.vels(), dt)
+    }
+
+    /// Where the body will be in `dt` seconds if its forces and torques stay as they are, with its
+    /// damping. Gravity, which the body does not know, and contacts are left out.
+    ///
+    /// One step of the symplectic Euler method: first the velocity changes, then the pose.
+    pub fn predict_position_using_velocity_and_forces(&self, dt: Real) -> Pose {
+        let pushed = RigidBodyVelocity {
+            linvel: self.linvel + self.force * self.mprops.inv_mass * dt,
+            angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, self.torque) * dt,
+        };
+        let slowed = pushed.apply_damping(dt, self.linear_damping, self.angular_damping);
+        self.predict(&slowed, dt)
+    }
+
+    fn predict(&self, vels: &RigidBodyVelocity, dt: Real) -> Pose {
+        let pose = vels.integrate(dt, &self.pose, self.mprops.local.local_com);
+        checked_pose(pose).unwrap_or(self.pose)
+    }
+
+    /// Makes the body stand still. Leaves no note.
+    pub(super) fn halt(&mut self) {
+        (self.linvel, self.angvel) = (Vector::ZERO, ANG_ZERO);
+    }
+}

@@ -1,0 +1,323 @@
+//! The record of one rigid body: its fields, and how they are read and set one by one.
+//!
+//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of the simulation in `settings.rs`.
+
+use super::mass::mass_is_usable;
+use super::{
+    RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges,
+    RigidBodyMassProps, RigidBodyType,
+};
+use crate::dim::mass::{mass_is_valid, no_mass};
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
+use crate::model::check::refuse;
+use crate::model::collider::ColliderHandle;
+use crate::model::island::BodyLink;
+use parry::mass_properties::MassProperties;
+
+/// A rigid body: something that moves, and the colliders that move with it.
+///
+/// Made by [`RigidBodyBuilder`] and kept in a [`RigidBodySet`](super::RigidBodySet).
+///
+/// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that
+/// are not finite or not possible: the old value stays, and `log` gets a warning with the value.
+//
+// The order of the fields is fixed (`repr(C)`): what the solver gathers from every awake body and
+// scatters back to it each step stands together at the front, up to and including the first fields of
+// `mprops`, in four cache lines (3D, `f32`). What few bodies use comes last.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
+pub struct RigidBody {
+    /// The body's frame in world space.
+    pub(crate) pose: Pose,
+    /// World-space velocity of the centre of mass (length/s).
+    pub(crate) linvel: Vector,
+    /// World-space angular velocity (rad/s).
+    pub(crate) angvel: AngVector,
+    /// The user's force on the centre of mass (mass·length/s²); stays until it is reset.
+    pub(crate) force: Vector,
+    /// The user's torque (mass·length²/s²); stays until it is reset.
+    pub(crate) torque: AngVector,
+    /// Share of the linear velocity lost per second, to first order (1/s).
+    pub(crate) linear_damping: Real,
+    /// Share of the angular velocity lost per second, to first order (1/s).
+    pub(crate) angular_damping: Real,
+    /// Gravity acts this many times on the body.
+    pub(crate) gravity_scale: Real,
+    /// Largest distance from the centre of mass to any point of the colliders: bounds how far a turn
+    /// can move a point of the surface.
+    pub(crate) extent: Real,
+    pub(crate) activation: RigidBodyActivation,
+    pub(crate) changes: RigidBodyChanges,
+    /// Where the body stands in the step's lists.
+    pub(crate) link: BodyLink,
+    pub(crate) body_type: RigidBodyType,
+    pub(crate) dominance: i8,
+    pub(crate) enabled: bool,
+    pub(crate) ccd_enabled: bool,
+    pub(crate) gyroscopic_forces_enabled: bool,
+    pub(crate) mprops: RigidBodyMassProps,
+    // From here on: cold.
+    /// Where a position-based kinematic body will be after the next step. Means nothing for others:
+    /// [`RigidBody::next_position`] knows.
+    pub(crate) next_pose: Pose,
+    pub(crate) soft_ccd_prediction: Real,
+    pub(crate) additional_solver_iterations: usize,
+    pub(crate) colliders: Vec<ColliderHandle>,
+    /// Whatever the user wants to find again. The engine never reads it.
+    pub user_data: u128,
+}
+
+impl Default for RigidBody {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl From<RigidBodyBuilder> for RigidBody {
+    fn from(builder: RigidBodyBuilder) -> Self {
+        builder.build()
+    }
+}
+
+impl RigidBody {
+    /// A dynamic body at the origin, at rest, without colliders.
+    pub(super) fn new() -> Self {
+        Self {
+            pose: Pose::IDENTITY,
+            linvel: Vector::ZERO,
+            angvel: ANG_ZERO,
+            force: Vector::ZERO,
+            torque: ANG_ZERO,
+            linear_damping: 0.0,
+            angular_damping: 0.0,
+            gravity_scale: 1.0,
+            extent: 0.0,
+            activation: RigidBodyActivation::active(),
+            changes: RigidBodyChanges::everything(),
+            link: BodyLink::default(),
+            body_type: RigidBodyType::Dynamic,
+            dominance: 0,
+            enabled: true,
+            ccd_enabled: false,
+            gyroscopic_forces_enabled: true,
+            mprops: RigidBodyMassProps::default(),
+            next_pose: Pose::IDENTITY,
+            soft_ccd_prediction: 0.0,
+            additional_solver_iterations: 0,
+            colliders: Vec::new(),
+            user_data: 0,
+        }
+    }
+
+    /// Takes over everything from `other` but its colliders (and the mass they bring).
+    pub fn copy_from(&mut self, other: &RigidBody) {
+        let colliders = core::mem::take(&mut self.colliders);
+        let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
+        let (link, changes) = (self.link, self.changes);
+        *self = Self { colliders, link, extent, ..other.clone() };
+        self.mprops.from_colliders = from_colliders;
+        self.changes = changes | RigidBodyChanges::everything();
+        self.update_mass();
+    }
+
+    /// Forgets the set that the body stood in, and all that it held there.
+    pub(super) fn detach_from_set(&mut self) -> (Vec<ColliderHandle>, BodyLink) {
+        self.changes = RigidBodyChanges::everything();
+        let colliders = core::mem::take(&mut self.colliders);
+        if !colliders.is_empty() {
+            self.mprops.from_colliders = no_mass();
+            self.extent = 0.0;
+            self.update_mass();
+        }
+        (colliders, core::mem::take(&mut self.link))
+    }
+
+    /// What moves the body.
+    pub fn body_type(&self) -> RigidBodyType {
+        self.body_type
+    }
+
+    /// Changes what moves the body. A body that becomes fixed loses its velocity.
+    pub fn set_body_type(&mut self, body_type: RigidBodyType, wake_up: bool) {
+        if body_type == self.body_type {
+            return;
+        }
+        self.body_type = body_type;
+        self.next_pose = self.pose;
+        if body_type.is_fixed() {
+            self.halt();
+        }
+        self.changes.insert(RigidBodyChanges::TYPE);
+        self.update_world_mass_properties();
+        self.wake_if(wake_up);
+    }
+
+    /// Do forces, gravity and contacts move it?
+    pub fn is_dynamic(&self) -> bool {
+        self.body_type.is_dynamic()
+    }
+
+    /// Is it moved by the user alone?
+    pub fn is_kinematic(&self) -> bool {
+        self.body_type.is_kinematic()
+    }
+
+    /// Does it never move?
+    pub fn is_fixed(&self) -> bool {
+        self.body_type.is_fixed()
+    }
+
+    /// Can it move?
+    pub fn is_dynamic_or_kinematic(&self) -> bool {
+        self.body_type.is_dynamic_or_kinematic()
+    }
+
+    /// Does it take part in the simulation?
+    pub fn is_enabled(&self) -> bool {
+        self.enabled
+    }
+
+    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        if enabled != self.enabled {
+            self.enabled = enabled;
+            // The step pays no heed to a disabled body: let it look at everything afterwards.
+            self.changes |= match enabled {
+                true => RigidBodyChanges::everything(),
+                false => RigidBodyChanges::ENABLED_OR_DISABLED,
+            };
+        }
+    }
+
+    /// Whatever the user wanted to find again.
+    pub fn user_data(&self) -> u128 {
+        self.user_data
+    }
+
+    /// The colliders attached to this body.
+    pub fn colliders(&self) -> &[ColliderHandle] {
+        &self.colliders
+    }
+
+    /// Notes that a collider is attached. Its mass is added by
+    /// [`Self::recompute_mass_properties_from_colliders`] or [`Self::add_collider_mass`].
+    pub(crate) fn attach_collider(&mut self, handle: ColliderHandle) {
+        debug_assert!(!self.colliders.contains(&handle), "{handle:?} is attached already");
+        self.colliders.push(handle);
+        self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
+    }
+
+    /// Notes that a collider is no longer attached. The next step takes its mass off.
+    pub(crate) fn detach_collider(&mut self, handle: ColliderHandle) {
+        if let Some(position) = self.colliders.iter().position(|attached| *attached == handle) {
+            self.colliders.remove(position);
+            self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
+        }
+    }
+
+    // ---- Sleep ----
+
+    /// Whether the body sleeps, and how calm it must be to fall asleep.
+    pub fn activation(&self) -> &RigidBodyActivation {
+        &self.activation
+    }
+
+    /// Whether the body sleeps, and how calm it must be to fall asleep, for changing it.
+    pub fn activation_mut(&mut self) -> &mut RigidBodyActivation {
+        self.changes.insert(RigidBodyChanges::SLEEP);
+        &mut self.activation
+    }
+
+    /// Does the body sleep?
+    pub fn is_sleeping(&self) -> bool {
+        self.activation.sleeping
+    }
+
+    /// Puts the body to sleep: it stops, until something wakes it.
+    ///
+    /// The step wakes it again if the bodies it touches do not sleep.
+    pub fn sleep(&mut self) {
+        if self.is_fixed() {
+            return;
+        }
+        self.activation.sleep();
+        self.halt();
+        self.changes.insert(RigidBodyChanges::SLEEP);
+    }
+
+    /// Wakes the body. A `strong` wake-up also starts the time until it may sleep afresh.
+    pub fn wake_up(&mut self, strong: bool) {
+        if self.activation.sleeping {
+            self.changes.insert(RigidBodyChanges::SLEEP);
+        }
+        self.activation.wake_up(strong);
+    }
+
+    pub(super) fn wake_if(&mut self, wake_up: bool) {
+        if wake_up && !self.is_fixed() {
+            self.wake_up(true);
+        }
+    }
+
+    // ---- Mass ----
+
+    /// The mass: that of the colliders and the additional mass together. Zero for a fixed body.
+    pub fn mass(&self) -> Real {
+        if self.is_fixed() { 0.0 } else { self.mprops.mass() }
+    }
+
+    /// Mass, centre of mass and inertia.
+    pub fn mass_properties(&self) -> &RigidBodyMassProps {
+        &self.mprops
+    }
+
+    /// The centre of mass in world space.
+    pub fn center_of_mass(&self) -> Vector {
+        self.mprops.world_com
+    }
+
+    /// The centre of mass in the body's frame.
+    pub fn local_center_of_mass(&self) -> Vector {
+        self.mprops.local.local_com
+    }
+
+    /// Sets the mass beyond that of the colliders (at least 0), in place of any additional mass or
+    /// mass properties set before. See [`RigidBodyAdditionalMassProps::Mass`].
+    pub fn set_additional_mass(&mut self, additional_mass: Real, wake_up: bool) {
+        if !mass_is_usable(additional_mass) {
+            return refuse("the additional mass of a rigid body", additional_mass);
+        }
+        let additional = RigidBodyAdditionalMassProps::Mass(additional_mass);
+        self.set_additional((additional_mass > 0.0).then_some(additional), wake_up);
+    }
+
+    /// Sets mass, centre of mass and inertia that the body has beyond its colliders', in place of any
+    /// additional mass or mass properties set before.
+    pub fn set_additional_mass_properties(&mut self, props: MassProperties, wake_up: bool) {
+        if !mass_is_valid(&props) {
+            return refuse("the additional mass properties of a rigid body", props);
+        }
+        self.set_additional(Some(RigidBodyAdditionalMassProps::MassProps(props)), wake_up);
+    }
+
+    fn set_additional(&mut self, additional: Option<RigidBodyAdditionalMassProps>, wake_up: bool) {
+        if self.mprops.additional.as_deref() != additional.as_ref() {
+            self.mprops.additional = additional.map(Box::new);
+            self.changes.insert(RigidBodyChanges::LOCAL_MASS_PROPERTIES);
+            self.update_mass();
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// Puts the masses together again, after one of them changed.
+    pub(super) fn update_mass(&mut self) {
+        self.mprops.update_local();
+        self.update_world_mass_properties();
+    }
+
+    /// Carries the mass properties to world space, after the pose, the type or the locks changed.
+    pub(crate) fn update_world_mass_properties(&mut self) {
+        self.mprops.update_world(&self.pose, self.body_type);
+    }
+}

@@ -1,0 +1,202 @@
+//! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
+
+use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
+use crate::base::arena::Arena;
+use crate::model::collider::ColliderHandle;
+use crate::model::island::BodyLink;
+
+/// What the step needs to know of a body that was removed: its colliders, which go with it, and its
+/// place in the step's lists.
+pub(crate) type RemovedBody = (RigidBodyHandle, Vec<ColliderHandle>, BodyLink);
+
+/// All rigid bodies of a simulation, each found by its handle.
+///
+/// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
+/// Iteration is in the order of the slots: the same insertions and removals give the same order.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct RigidBodySet {
+    bodies: Arena<RigidBody>,
+    /// Bodies that the user may have changed since the last step, each once.
+    modified: Vec<RigidBodyHandle>,
+    removed: Vec<RemovedBody>,
+}
+
+/// Leaves a note, once, that the user may have changed a body.
+fn note(modified: &mut Vec<RigidBodyHandle>, handle: RigidBodyHandle, body: &mut RigidBody) {
+    if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
+        body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
+        modified.push(handle);
+    }
+}
+
+impl RigidBodySet {
+    /// An empty set.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// An empty set with room for `capacity` bodies.
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self { bodies: Arena::with_capacity(capacity), ..Self::default() }
+    }
+
+    /// Number of bodies.
+    pub fn len(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Is there no body?
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Does the handle find a body?
+    pub fn contains(&self, handle: RigidBodyHandle) -> bool {
+        self.bodies.contains(handle.0)
+    }
+
+    /// Puts a body (or the body that a builder describes) into the set.
+    ///
+    /// A copy of a body from a set comes without colliders: those stay attached to the original.
+    pub fn insert(&mut self, body: impl Into<RigidBody>) -> RigidBodyHandle {
+        let mut body = body.into();
+        body.detach_from_set();
+        body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
+        let handle = RigidBodyHandle(self.bodies.insert(body));
+        self.modified.push(handle);
+        handle
+    }
+
+    /// Takes a body out of the set; `None` if the handle finds none.
+    ///
+    /// Its colliders and joints go with it, and what touched it wakes, in the next step or update.
+    /// The body comes back without its colliders, ready to be inserted again.
+    pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
+        let mut body = self.bodies.remove(handle.0)?;
+        let (colliders, link) = body.detach_from_set();
+        self.removed.push((handle, colliders, link));
+        Some(body)
+    }
+
+    /// The body that a handle finds.
+    pub fn get(&self, handle: RigidBodyHandle) -> Option<&RigidBody> {
+        self.bodies.get(handle.0)
+    }
+
+    /// The body that a handle finds, for changing it.
+    pub fn get_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
+        let body = self.bodies.get_mut(handle.0)?;
+        note(&mut self.modified, handle, body);
+        Some(body)
+    }
+
+    /// Two bodies at once, for changing them; `None` in place of each that its handle does not find,
+    /// and of the second one if both handles are the same.
+    pub fn get_pair_mut(
+        &mut self,
+        handle1: RigidBodyHandle,
+        handle2: RigidBodyHandle,
+    ) -> (Option<&mut RigidBody>, Option<&mut RigidBody>) {
+        let (mut body1, mut body2) = self.bodies.get2_mut(handle1.0, handle2.0);
+        if let Some(body) = &mut body1 {
+            note(&mut self.modified, handle1, body);
+        }
+        if let Some(body) = &mut body2 {
+            note(&mut self.modified, handle2, body);
+        }
+        (body1, body2)
+    }
+
+    /// Whatever body stands in a slot (the first number of a handle) now, with its handle.
+    pub fn get_unknown_gen(&self, slot: u32) -> Option<(&RigidBody, RigidBodyHandle)> {
+        let (index, body) = self.bodies.at_slot(slot)?;
+        Some((body, RigidBodyHandle(index)))
+    }
+
+    /// Whatever body stands in a slot (the first number of a handle) now, with its handle, for
+    /// changing it.
+    pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut RigidBody, RigidBodyHandle)> {
+        let (index, body) = self.bodies.at_slot_mut(slot)?;
+        let handle = RigidBodyHandle(index);
+        note(&mut self.modified, handle, body);
+        Some((body, handle))
+    }
+
+    /// All bodies with their handles, in the order of their slots.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (RigidBodyHandle, &RigidBody)> {
+        self.bodies.iter().map(|(index, body)| (RigidBodyHandle(index), body))
+    }
+
+    /// All bodies with their handles, in the order of their slots, for changing them.
+    ///
+    /// The next step looks at every body that the iteration came by.
+    pub fn iter_mut(
+        &mut self,
+    ) -> impl DoubleEndedIterator<Item = (RigidBodyHandle, &mut RigidBody)> {
+        let modified = &mut self.modified;
+        self.bodies.iter_mut().map(move |(index, body)| {
+            let handle = RigidBodyHandle(index);
+            note(modified, handle, body);
+            (handle, body)
+        })
+    }
+
+    // ---- For the step ----
+
+    /// The bodies that the user may have changed, in the order of the first change; some of them may
+    /// be gone. Whoever takes the list clears the `changes` of each.
+    pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
+        core::mem::take(&mut self.modified)
+    }
+
+    /// The bodies that the user removed, in that order.
+    pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
+        core::mem::take(&mut self.removed)
+    }
+
+    /// A body for the step's own use: leaves no note.
+    #[inline]
+    pub(crate) fn get_unnoted_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
+        self.bodies.get_mut(handle.0)
+    }
+
+    /// Whatever body stands in a slot, for the step's own use: leaves no note.
+    #[inline]
+    pub(crate) fn at_slot_unnoted_mut(
+        &mut self,
+        slot: u32,
+    ) -> Option<(RigidBodyHandle, &mut RigidBody)> {
+        let (index, body) = self.bodies.at_slot_mut(slot)?;
+        Some((RigidBodyHandle(index), body))
+    }
+
+    /// Number of slots, taken or free: every slot number is below it.
+    pub(crate) fn slot_count(&self) -> usize {
+        self.bodies.slot_count()
+    }
+}
+
+impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
+    type Output = RigidBody;
+
+    /// # Panics
+    /// If the handle finds no body.
+    fn index(&self, handle: RigidBodyHandle) -> &RigidBody {
+        match self.get(handle) {
+            Some(body) => body,
+            None => panic!("{handle:?} finds no rigid body in this set"),
+        }
+    }
+}
+
+impl core::ops::IndexMut<RigidBodyHandle> for RigidBodySet {
+    /// # Panics
+    /// If the handle finds no body.
+    fn index_mut(&mut self, handle: RigidBodyHandle) -> &mut RigidBody {
+        match self.get_mut(handle) {
+            Some(body) => body,
+            None => panic!("{handle:?} finds no rigid body in this set"),
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The knobs of a body's simulation: damping, gravity, dominance, locked axes, effort of the solver.
+
+use super::{RigidBody, RigidBodyChanges};
+use crate::dim::axes::LockedAxes;
+use crate::dim::math::Real;
+use crate::model::check::{is_non_negative, refuse};
+
+impl RigidBody {
+    /// Share of the linear velocity lost per second, to first order (1/s).
+    pub fn linear_damping(&self) -> Real {
+        self.linear_damping
+    }
+
+    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    pub fn set_linear_damping(&mut self, damping: Real) {
+        if !is_non_negative(damping) {
+            return refuse("the linear damping of a rigid body", damping);
+        }
+        self.linear_damping = damping;
+    }
+
+    /// Share of the angular velocity lost per second, to first order (1/s).
+    pub fn angular_damping(&self) -> Real {
+        self.angular_damping
+    }
+
+    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    pub fn set_angular_damping(&mut self, damping: Real) {
+        if !is_non_negative(damping) {
+            return refuse("the angular damping of a rigid body", damping);
+        }
+        self.angular_damping = damping;
+    }
+
+    /// How many times gravity acts on the body.
+    pub fn gravity_scale(&self) -> Real {
+        self.gravity_scale
+    }
+
+    /// Sets how many times gravity acts on the body: 0 lets it float, -1 makes it rise.
+    pub fn set_gravity_scale(&mut self, scale: Real, wake_up: bool) {
+        if !scale.is_finite() {
+            return refuse("the gravity scale of a rigid body", scale);
+        }
+        if scale != self.gravity_scale {
+            self.gravity_scale = scale;
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// The dominance group.
+    pub fn dominance_group(&self) -> i8 {
+        self.dominance
+    }
+
+    /// Sets the dominance group: in a contact of two dynamic bodies the one of the higher group acts
+    /// as if its mass were infinite.
+    pub fn set_dominance_group(&mut self, dominance: i8) {
+        if dominance != self.dominance {
+            self.dominance = dominance;
+            self.changes.insert(RigidBodyChanges::DOMINANCE);
+        }
+    }
+
+    /// The dominance that counts in contacts: its group if it is dynamic, and more than any group
+    /// otherwise.
+    pub fn effective_dominance_group(&self) -> i16 {
+        self.effective_dominance()
+    }
+
+    /// [`Self::effective_dominance_group`], for the step.
+    #[inline]
+    pub(crate) fn effective_dominance(&self) -> i16 {
+        if self.is_dynamic() { i16::from(self.dominance) } else { i16::from(i8::MAX) + 1 }
+    }
+
+    /// The world axes along and about which the body cannot be pushed.
+    pub fn locked_axes(&self) -> LockedAxes {
+        self.mprops.locked_axes
+    }
+
+    /// Sets the world axes along and about which the body cannot be pushed.
+    pub fn set_locked_axes(&mut self, locked_axes: LockedAxes, wake_up: bool) {
+        if locked_axes != self.mprops.locked_axes {
+            self.mprops.locked_axes = locked_axes;
+            self.changes.insert(RigidBodyChanges::LOCAL_MASS_PROPERTIES);
+            self.update_world_mass_properties();
+            self.wake_if(wake_up);
+        }
+    }
+
+    /// Is the body kept from moving along every axis?
+    pub fn is_translation_locked(&self) -> bool {
+        self.mprops.locked_axes.contains(LockedAxes::TRANSLATION_LOCKED)
+    }
+
+    /// Keeps the body from moving along every axis, or lets it move along all.
+    pub fn lock_translations(&mut self, locked: bool, wake_up: bool) {
+        self.set_axes_locked(LockedAxes::TRANSLATION_LOCKED, locked, wake_up);
+    }
+
+    /// Keeps the body from turning about every axis, or lets it turn about all.
+    pub fn lock_rotations(&mut self, locked: bool, wake_up: bool) {
+        self.set_axes_locked(LockedAxes::ROTATION_LOCKED, locked, wake_up);
+    }
+
+    fn set_axes_locked(&mut self, axes: LockedAxes, locked: bool, wake_up: bool) {
+        let mut locked_axes = self.mprops.locked_axes;
+        locked_axes.set(axes, locked);
+        self.set_locked_axes(locked_axes, wake_up);
+    }
+
+    /// Is continuous collision detection on?
+    pub fn is_ccd_enabled(&self) -> bool {
+        self.ccd_enabled
+    }
+
+    /// Switches continuous collision detection on or off: it keeps a fast body from passing through
+    /// thin ones between two steps.
+    pub fn enable_ccd(&mut self, enabled: bool) {
+        self.ccd_enabled = enabled;
+    }
+
+    /// How far ahead of its surface the body looks for contacts (length units).
+    pub fn soft_ccd_prediction(&self) -> Real {
+        self.soft_ccd_prediction
+    }
+
+    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0
+    /// switches soft continuous collision detection off). A cheaper and softer way than
+    /// [`Self::enable_ccd`] to keep fast bodies from passing through thin ones.
+    pub fn set_soft_ccd_prediction(&mut self, prediction_distance: Real) {
+        if !is_non_negative(prediction_distance) {
+            return refuse("the soft CCD prediction of a rigid body", prediction_distance);
+        }
+        self.soft_ccd_prediction = prediction_distance;
+    }
+
+    /// Substeps that the solver takes beyond those of the integration parameters.
+    pub fn additional_solver_iterations(&self) -> usize {
+        self.additional_solver_iterations
+    }
+
+    /// Sets how many more substeps the solver takes for the island of this body.
+    pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
+        self.additional_solver_iterations = additional_iterations;
+    }
+}

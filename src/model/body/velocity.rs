@@ -1,0 +1,68 @@
+//! The velocity of a rigid body, and where it leads.
+
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, cross, rotation_from_angle,
+};
+
+/// How fast a body moves: the velocity of its centre of mass, and its rotation about it.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct RigidBodyVelocity {
+    /// World-space velocity of the centre of mass (length/s).
+    pub linvel: Vector,
+    /// World-space angular velocity (rad/s).
+    pub angvel: AngVector,
+}
+
+impl Default for RigidBodyVelocity {
+    fn default() -> Self {
+        Self::zero()
+    }
+}
+
+impl RigidBodyVelocity {
+    /// The velocity made of a linear (length/s) and an angular one (rad/s).
+    pub const fn new(linvel: Vector, angvel: AngVector) -> Self {
+        Self { linvel, angvel }
+    }
+
+    /// The velocity of a body at rest.
+    pub const fn zero() -> Self {
+        Self { linvel: Vector::ZERO, angvel: ANG_ZERO }
+    }
+
+    /// Is it the velocity of a body at rest?
+    pub fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+
+    /// Are all components finite?
+    pub fn is_finite(&self) -> bool {
+        self.linvel.is_finite() && ang_is_finite(self.angvel)
+    }
+
+    /// World-space velocity (length/s) of the body's point at `point`, if its centre of mass is at
+    /// `center_of_mass` (both in world space).
+    pub fn velocity_at_point(&self, point: Vector, center_of_mass: Vector) -> Vector {
+        self.linvel + cross(self.angvel, point - center_of_mass)
+    }
+
+    /// Where a body at `pose` gets within `dt` seconds at this velocity, turning about its centre of
+    /// mass, which is at `local_center_of_mass` in the body's frame.
+    pub fn integrate(&self, dt: Real, pose: &Pose, local_center_of_mass: Vector) -> Pose {
+        let center_of_mass = pose * local_center_of_mass + self.linvel * dt;
+        let rotation = (rotation_from_angle(self.angvel * dt) * pose.rotation).normalize();
+        Pose::from_parts(center_of_mass - rotation * local_center_of_mass, rotation)
+    }
+
+    /// What is left of the velocity after `dt` seconds of damping (both factors in 1/s).
+    ///
+    /// The implicit Euler step `v / (1 + dt·c)`: no factor, however large, turns the body around.
+    #[must_use]
+    pub fn apply_damping(&self, dt: Real, linear_damping: Real, angular_damping: Real) -> Self {
+        Self {
+            linvel: self.linvel * (1.0 / (1.0 + dt * linear_damping)),
+            angvel: self.angvel * (1.0 / (1.0 + dt * angular_damping)),
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Which values the sets take in. Whoever sets a value that no simulation could survive is told so
+//! in the log, and the old value stays.
+
+use crate::dim::math::{Pose, Real, Rotation, rotation_is_valid};
+use core::fmt::Debug;
+
+/// Tells the user's log that a value was refused.
+#[cold]
+pub(crate) fn refuse(what: &str, value: impl Debug) {
+    log::warn!("{what} cannot be {value:?}; the old value stays");
+}
+
+/// Is the value finite and not negative?
+pub(crate) fn is_non_negative(value: Real) -> bool {
+    value.is_finite() && value >= 0.0
+}
+
+/// The rotation with unit length, or nothing if it is not finite or far from unit length.
+///
+/// A rotation of unit length comes back bit by bit.
+pub(crate) fn checked_rotation(rotation: Rotation) -> Option<Rotation> {
+    let error = (rotation.length_squared() - 1.0).abs();
+    match rotation_is_valid(&rotation) {
+        true if error > 16.0 * Real::EPSILON => Some(rotation.normalize()),
+        true => Some(rotation),
+        false => None,
+    }
+}
+
+/// The pose with a rotation of unit length, or nothing if it is not finite.
+pub(crate) fn checked_pose(pose: Pose) -> Option<Pose> {
+    let rotation = checked_rotation(pose.rotation)?;
+    pose.translation.is_finite().then(|| Pose::from_parts(pose.translation, rotation))
+}
