@@ -110,8 +110,7 @@ impl RigidBodySet {
 
     /// Whatever body stands in a slot (the first number of a handle) now, with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&RigidBody, RigidBodyHandle)> {
-        let (index, body) = self.bodies.at_slot(slot)?;
-        Some((body, RigidBodyHandle(index)))
+        self.at_slot(slot).map(|(handle, body)| (body, handle))
     }
 
     /// Whatever body stands in a slot (the first number of a handle) now, with its handle, for
@@ -159,6 +158,13 @@ impl RigidBodySet {
     #[inline]
     pub(crate) fn get_unnoted_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         self.bodies.get_mut(handle.0)
+    }
+
+    /// Whatever body stands in a slot, with its handle.
+    #[inline]
+    pub(crate) fn at_slot(&self, slot: u32) -> Option<(RigidBodyHandle, &RigidBody)> {
+        let (index, body) = self.bodies.at_slot(slot)?;
+        Some((RigidBodyHandle(index), body))
     }
 
     /// Whatever body stands in a slot, for the step's own use: leaves no note.
