@@ -6,3 +6,5 @@ pub mod arena;
 pub(crate) mod hash;
 pub mod timer;
 pub mod wide;
+#[cfg(test)]
+pub mod random;

@@ -3,6 +3,7 @@
 //! `dim3/` has the same table of contents, so the difference of the two folders is the difference
 //! between the two engines.
 
+pub mod collide;
 pub mod axes;
 pub mod mass;
 pub mod math;

@@ -1,1 +1,2 @@
 //! 
+mod narrow_phase;

@@ -1,0 +1,79 @@
+//! Shapes and poses to test contact generation with.
+
+use crate::base::random::Random;
+use crate::dim::math::{Pose, Rotation, Vector};
+use parry::shape::{SharedShape, TriMeshFlags, Voxels};
+
+/// Number of kinds of shapes that [`shape`] makes.
+pub const KINDS: usize = 15;
+/// How many of these are convex and bounded; they come first.
+pub const CONVEX_KINDS: usize = 9;
+
+/// A vector with components in `-range..range`.
+pub fn vector(random: &mut Random, range: f64) -> Vector {
+    let mut next = || random.within(-range, range);
+    Vector::new(next(), next())
+}
+
+/// Any rotation.
+pub fn rotation(random: &mut Random) -> Rotation {
+    Rotation::new(random.within(-3.2, 3.2))
+}
+
+/// Any rotation, and a translation with components in `-range..range`.
+pub fn pose(random: &mut Random, range: f64) -> Pose {
+    Pose::from_parts(vector(random, range), rotation(random))
+}
+
+/// A box with the half extents of a vector.
+pub fn cuboid(half: Vector) -> SharedShape {
+    SharedShape::cuboid(half.x, half.y)
+}
+
+/// A shape of the given kind, its size in the order of `size`.
+pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
+    let mut length = || random.within(0.2 * size, size);
+    let (a, b) = (length(), length());
+    match kind {
+        0 => SharedShape::ball(a),
+        1 | 2 => SharedShape::cuboid(a, b),
+        3 => SharedShape::capsule(vector(random, size), vector(random, size), a),
+        4 => hull(random, size).unwrap_or_else(|| SharedShape::ball(a)),
+        5 => {
+            let [p, q, r] = core::array::from_fn(|_| vector(random, size));
+            SharedShape::triangle(p, q, r)
+        }
+        6 => SharedShape::segment(vector(random, size), vector(random, size)),
+        7 => SharedShape::round_cuboid(a, b, 0.2 * a),
+        8 => SharedShape::ball(b),
+        9 => SharedShape::halfspace(rotation(random) * Vector::Y),
+        10 => mesh(random, size),
+        11 => SharedShape::polyline((0..6).map(|_| vector(random, size)).collect(), None),
+        12 => field(random, size),
+        13 => SharedShape::compound(vec![
+            (pose(random, size), SharedShape::cuboid(a, b)),
+            (pose(random, size), SharedShape::ball(a)),
+        ]),
+        _ => {
+            let points: Vec<_> = (0..9).map(|_| vector(random, size)).collect();
+            SharedShape::new(Voxels::from_points(Vector::splat(0.5 * a), &points))
+        }
+    }
+}
+
+fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
+    let points: Vec<_> = (0..8).map(|_| vector(random, size)).collect();
+    SharedShape::convex_hull(&points)
+}
+
+fn mesh(random: &mut Random, size: f64) -> SharedShape {
+    let points = (0..8).map(|_| vector(random, size)).collect();
+    let triangles = (0..6).map(|i| [i, i + 1, i + 2]).collect();
+    SharedShape::trimesh_with_flags(points, triangles, TriMeshFlags::empty())
+        .expect("these indices are in range")
+}
+
+fn field(random: &mut Random, size: f64) -> SharedShape {
+    let heights = (0..8).map(|_| random.within(-0.3, 0.3)).collect();
+    SharedShape::heightfield(heights, Vector::splat(random.within(size, 3.0 * size)))
+}

@@ -1,0 +1,85 @@
+//! Shapes and poses to test contact generation with.
+
+use crate::base::random::Random;
+use crate::dim::math::{Pose, Rotation, Vector};
+use parry::shape::{HeightFieldFlags, SharedShape, TriMeshFlags, Voxels};
+use parry::utils::Array2;
+
+/// Number of kinds of shapes that [`shape`] makes.
+pub const KINDS: usize = 17;
+/// How many of these are convex and bounded; they come first.
+pub const CONVEX_KINDS: usize = 11;
+
+/// A vector with components in `-range..range`.
+pub fn vector(random: &mut Random, range: f64) -> Vector {
+    let mut next = || random.within(-range, range);
+    Vector::new(next(), next(), next())
+}
+
+/// Any rotation.
+pub fn rotation(random: &mut Random) -> Rotation {
+    let mut next = || random.within(-1.0, 1.0);
+    let raw = Rotation::from_xyzw(next(), next(), next(), next());
+    if raw.length_squared() < 0.01 { Rotation::IDENTITY } else { raw.normalize() }
+}
+
+/// Any rotation, and a translation with components in `-range..range`.
+pub fn pose(random: &mut Random, range: f64) -> Pose {
+    Pose::from_parts(vector(random, range), rotation(random))
+}
+
+/// A box with the half extents of a vector.
+pub fn cuboid(half: Vector) -> SharedShape {
+    SharedShape::cuboid(half.x, half.y, half.z)
+}
+
+/// A shape of the given kind, its size in the order of `size`.
+pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
+    let mut length = || random.within(0.2 * size, size);
+    let (a, b, c) = (length(), length(), length());
+    match kind {
+        0 => SharedShape::ball(a),
+        1 | 2 => SharedShape::cuboid(a, b, c),
+        3 => SharedShape::capsule(vector(random, size), vector(random, size), a),
+        4 => SharedShape::cylinder(a, b),
+        5 => SharedShape::cone(a, b),
+        6 => hull(random, size).unwrap_or_else(|| SharedShape::ball(a)),
+        7 => {
+            let [p, q, r] = core::array::from_fn(|_| vector(random, size));
+            SharedShape::triangle(p, q, r)
+        }
+        8 => SharedShape::segment(vector(random, size), vector(random, size)),
+        9 => SharedShape::round_cuboid(a, b, c, 0.2 * a),
+        10 => SharedShape::round_cylinder(a, b, 0.2 * a),
+        11 => SharedShape::halfspace(rotation(random) * Vector::Y),
+        12 => mesh(random, size, TriMeshFlags::empty()),
+        13 => mesh(random, size, TriMeshFlags::FIX_INTERNAL_EDGES),
+        14 => field(random, size),
+        15 => SharedShape::compound(vec![
+            (pose(random, size), SharedShape::cuboid(a, b, c)),
+            (pose(random, size), SharedShape::ball(a)),
+        ]),
+        _ => {
+            let points: Vec<_> = (0..9).map(|_| vector(random, size)).collect();
+            SharedShape::new(Voxels::from_points(Vector::splat(0.5 * a), &points))
+        }
+    }
+}
+
+fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
+    let points: Vec<_> = (0..12).map(|_| vector(random, size)).collect();
+    SharedShape::convex_hull(&points)
+}
+
+fn mesh(random: &mut Random, size: f64, flags: TriMeshFlags) -> SharedShape {
+    let points = (0..8).map(|_| vector(random, size)).collect();
+    let triangles = (0..6).map(|i| [i, i + 1, i + 2]).collect();
+    SharedShape::trimesh_with_flags(points, triangles, flags).expect("these indices are in range")
+}
+
+fn field(random: &mut Random, size: f64) -> SharedShape {
+    let heights = (0..16).map(|_| random.within(-0.3, 0.3)).collect();
+    let scale = Vector::splat(random.within(size, 3.0 * size));
+    let flags = HeightFieldFlags::FIX_INTERNAL_EDGES;
+    SharedShape::heightfield_with_flags(Array2::new(4, 4, heights), scale, flags)
+}

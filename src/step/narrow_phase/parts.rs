@@ -1,0 +1,155 @@
+//! The convex parts of a shape: what contacts are computed between.
+//!
+//! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
+//! only part. Parts that are far from the other shape are never looked at.
+
+use super::voxels::for_each_voxel;
+use crate::dim::collide::for_each_cell;
+use crate::dim::math::{Pose, Real, Vector};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::partitioning::BvhNode;
+use parry::query::details::NormalConstraints;
+use parry::shape::{CompositeShape, HeightField, Shape, Voxels};
+
+/// One convex part of a shape.
+#[derive(Copy, Clone)]
+pub(super) struct Part<'a> {
+    /// Its number within the shape.
+    pub id: u32,
+    /// Its place in the frame of the shape; `None` if the frames are the same.
+    pub pose: Option<&'a Pose>,
+    /// The part itself.
+    pub shape: &'a dyn Shape,
+    /// The directions in which a contact normal may leave the part, where neighbours restrict them.
+    pub constraints: Option<&'a dyn NormalConstraints>,
+}
+
+impl<'a> Part<'a> {
+    /// A convex shape as its own only part.
+    pub fn whole(shape: &'a dyn Shape) -> Self {
+        Self { id: 0, pose: None, shape, constraints: None }
+    }
+
+    /// Place of the part in the frame of its shape.
+    pub fn pose(&self) -> Pose {
+        self.pose.copied().unwrap_or(Pose::IDENTITY)
+    }
+}
+
+/// A shape by the way its parts are found.
+#[derive(Copy, Clone)]
+pub(super) enum Parts<'a> {
+    /// Convex: one part.
+    Convex(&'a dyn Shape),
+    /// Parts in a tree.
+    Tree(&'a dyn Shape, &'a dyn CompositeShape),
+    /// Parts in a grid.
+    Grid(&'a dyn Shape, &'a HeightField),
+    /// Boxes of equal size.
+    Voxels(&'a dyn Shape, &'a Voxels),
+}
+
+impl<'a> Parts<'a> {
+    /// Finds out how the parts of a shape are stored.
+    pub fn of(shape: &'a dyn Shape) -> Self {
+        if let Some(composite) = shape.as_composite_shape() {
+            Self::Tree(shape, composite)
+        } else if let Some(field) = shape.as_heightfield() {
+            Self::Grid(shape, field)
+        } else if let Some(voxels) = shape.as_voxels() {
+            Self::Voxels(shape, voxels)
+        } else {
+            Self::Convex(shape)
+        }
+    }
+
+    /// The shape.
+    pub fn shape(&self) -> &'a dyn Shape {
+        match *self {
+            Self::Convex(shape) => shape,
+            Self::Tree(shape, _) | Self::Grid(shape, _) | Self::Voxels(shape, _) => shape,
+        }
+    }
+
+    /// Calls `f` with every part that may reach into `near`, always in the same order.
+    pub fn for_each_part(&self, near: &Near, f: &mut dyn FnMut(Part<'_>)) {
+        match *self {
+            Self::Convex(shape) => f(Part::whole(shape)),
+            Self::Tree(_, composite) => {
+                let query = near.as_node();
+                for id in composite.bvh().leaves(|node| near.touches(node, &query)) {
+                    composite.map_part_at(id, &mut |pose, shape, constraints| {
+                        f(Part { id, pose, shape, constraints });
+                    });
+                }
+            }
+            Self::Grid(_, field) => {
+                let Some(region) = near.clipped(field.local_aabb()) else { return };
+                for_each_cell(field, &region, &mut |id, shape, constraints| {
+                    f(Part { id, pose: None, shape, constraints });
+                });
+            }
+            Self::Voxels(_, voxels) => {
+                if let Some(region) = near.clipped(voxels.local_aabb()) {
+                    for_each_voxel(voxels, &region, f);
+                }
+            }
+        }
+    }
+}
+
+/// The region, in the frame of one shape, in which the other shape can be touched.
+pub(super) enum Near {
+    /// Inside a box.
+    Inside(Aabb),
+    /// Below a plane: where `normal · x ≤ offset`.
+    Below {
+        /// Unit normal of the plane.
+        normal: Vector,
+        /// Its distance from the origin.
+        offset: Real,
+    },
+}
+
+impl Near {
+    /// The points that are within `prediction` of `other`, which stands at `pose`.
+    pub fn of(other: &dyn Shape, pose: &Pose, prediction: Real) -> Self {
+        match other.as_halfspace() {
+            Some(half_space) => {
+                let normal = pose.rotation * half_space.normal;
+                Self::Below { normal, offset: normal.dot(pose.translation) + prediction }
+            }
+            None => Self::Inside(other.compute_aabb(pose).loosened(prediction)),
+        }
+    }
+
+    /// The box as parry's node, so that its vectorised overlap test can be used.
+    fn as_node(&self) -> BvhNode {
+        match self {
+            Self::Inside(region) => BvhNode::leaf(*region, 0),
+            Self::Below { .. } => BvhNode::leaf(Aabb::new(Vector::ZERO, Vector::ZERO), 0),
+        }
+    }
+
+    /// May anything in `node` lie in the region, `query` being [`Self::as_node`]?
+    #[inline]
+    fn touches(&self, node: &BvhNode, query: &BvhNode) -> bool {
+        match self {
+            Self::Inside(_) => node.intersects(query),
+            Self::Below { normal, offset } => {
+                let (mins, maxs) = (node.mins(), node.maxs());
+                let center = mins.midpoint(maxs);
+                let lowest = normal.dot(center) - normal.abs().dot(maxs - center);
+                lowest <= *offset
+            }
+        }
+    }
+
+    /// A box that covers what of `bounds` lies in the region; `None` if nothing does.
+    fn clipped(&self, bounds: Aabb) -> Option<Aabb> {
+        match self {
+            Self::Inside(region) => bounds.intersection(region),
+            Self::Below { .. } => Some(bounds),
+        }
+    }
+}

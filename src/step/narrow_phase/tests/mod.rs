@@ -1,0 +1,36 @@
+//! Tests of contact generation.
+
+mod fuzz;
+
+use super::generate::{ManifoldScratch, compute_manifolds};
+use crate::dim::math::{Pose, Real};
+use crate::model::contact::ContactManifold;
+use parry::shape::Shape;
+use smallvec::SmallVec;
+
+/// The manifolds of two shapes and the bound of their distance, with no history.
+fn manifolds(
+    pos12: &Pose,
+    shape1: &dyn Shape,
+    shape2: &dyn Shape,
+    prediction: Real,
+) -> (SmallVec<[ContactManifold; 1]>, Real) {
+    let mut found = SmallVec::new();
+    let scratch = &mut ManifoldScratch::default();
+    let bound = compute_manifolds(pos12, shape1, shape2, prediction, &[], scratch, &mut found);
+    (found, bound)
+}
+
+/// Checks what holds for every manifold: points within the prediction, unit normals, finite numbers.
+fn assert_sound(found: &[ContactManifold], pos12: &Pose, prediction: Real, what: &str) {
+    for manifold in found {
+        let (n1, n2) = (manifold.local_n1, manifold.local_n2);
+        assert!((n1.length() - 1.0).abs() < 1.0e-4, "{what}: normal {n1} is not a unit vector");
+        assert!((pos12.rotation * n2 + n1).length() < 1.0e-3, "{what}: normals {n1}, {n2} differ");
+        assert!(!manifold.contacts().is_empty(), "{what}: a manifold without points");
+        for contact in manifold.contacts() {
+            assert!(contact.local_p1.is_finite() && contact.local_p2.is_finite(), "{what}");
+            assert!(contact.dist <= prediction, "{what}: distance {}", contact.dist);
+        }
+    }
+}
