@@ -9,3 +9,6 @@ pub mod mass;
 pub mod math;
 pub mod wide;
 mod surface;
+
+pub(crate) mod contact;
+pub(crate) mod state;

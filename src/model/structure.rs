@@ -5,13 +5,16 @@
 //! goes through here; [`Structure::validate`] says what must hold between steps.
 //!
 //! * A contact or intersection pair is awake if one of its bodies is.
-//! * A touching contact pair is attached: its two dynamic bodies share an island.
+//! * A contact pair that touches and is to be solved is attached: its two dynamic bodies share an
+//!   island.
 //! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
+//! * A kinematic body with an awake pair is awake: the solver needs to know where it is.
 
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::{NarrowPhase, PairId, SolverFlags};
+use crate::model::collider::ColliderHandle;
+use crate::model::contact::{ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, IslandManager, NONE};
 
 /// Mutable access to everything that the structure spans.
@@ -153,12 +156,33 @@ impl Structure<'_> {
                 let id = self.narrow_phase.contacts.ids_of(slot)[i];
                 self.narrow_phase.contacts.wake(id);
                 self.update_colors(id);
+                self.wake_kinematic_of(self.narrow_phase.contacts.bodies(id));
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
                 let id = self.narrow_phase.intersections.ids_of(slot)[i];
                 self.narrow_phase.intersections.wake(id);
             }
         }
+    }
+
+    fn wake_kinematic_of(&mut self, slots: [u32; 2]) {
+        for slot in slots {
+            if let Some((handle, body)) = self.bodies.at_slot(slot) {
+                if body.is_kinematic() && body.link.awake == NONE {
+                    self.wake_body(handle);
+                }
+            }
+        }
+    }
+
+    /// Does an awake dynamic body's contact pair involve this body?
+    pub fn has_awake_partner(&self, handle: RigidBodyHandle) -> bool {
+        (0..self.collider_count(handle)).filter_map(|c| self.collider_slot(handle, c)).any(|slot| {
+            self.narrow_phase.contacts.ids_of(slot).iter().any(|&id| {
+                let dynamic = self.dynamic_slots(self.narrow_phase.contacts.bodies(id));
+                dynamic.into_iter().flatten().any(|slot| self.is_awake(slot))
+            })
+        })
     }
 
     /// Takes an island out of the per-step lists. Its bodies stand still until they are woken.
@@ -222,6 +246,42 @@ impl Structure<'_> {
         Some(collider.into_raw_parts().0)
     }
 
+    // --- pairs ------------------------------------------------------------------------------------
+
+    fn parent_slots(&self, pair: [ColliderHandle; 2]) -> [u32; 2] {
+        pair.map(|handle| {
+            let parent = self.colliders.get(handle).and_then(|collider| collider.parent());
+            parent.map_or(NONE, |parent| parent.into_raw_parts().0)
+        })
+    }
+
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor.
+    pub fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
+        let slots = self.parent_slots([collider1, collider2]);
+        let awake = slots.iter().any(|&slot| self.is_awake(slot));
+        let is_sensor = |handle| self.colliders.get(handle).is_some_and(|c| c.is_sensor());
+        if is_sensor(collider1) || is_sensor(collider2) {
+            let pair = IntersectionPair::new(collider1, collider2);
+            let id = self.narrow_phase.intersections.insert(pair, slots);
+            if !awake {
+                self.narrow_phase.intersections.sleep(id);
+            }
+            return;
+        }
+        let id = self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
+        if awake {
+            self.wake_kinematic_of(slots);
+        } else {
+            self.narrow_phase.contacts.sleep(id);
+        }
+    }
+
+    /// Two colliders are too far apart to be watched, or one of them goes.
+    pub fn remove_contact_pair(&mut self, id: PairId) -> ContactPair {
+        self.detach(id);
+        self.narrow_phase.contacts.remove(id)
+    }
+
     // --- touching pairs -------------------------------------------------------------------------
 
     /// A pair began to touch: its bodies share an island from now on, and its manifolds get colours.
@@ -229,9 +289,6 @@ impl Structure<'_> {
     pub fn attach(&mut self, id: PairId) {
         let slots = self.narrow_phase.contacts.bodies(id);
         self.narrow_phase.contacts[id].attached = true;
-        if !self.is_solved(id) {
-            return;
-        }
         if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
             self.link(slot1, slot2);
         }
@@ -260,7 +317,7 @@ impl Structure<'_> {
         let slots = self.narrow_phase.contacts.bodies(id);
         let dynamic = self.dynamic_slots(slots);
         let awake = dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
-        let wanted = awake && self.narrow_phase.contacts[id].attached && self.is_solved(id);
+        let wanted = awake && self.narrow_phase.contacts[id].attached;
         for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
             let manifold = ManifoldRef { pair: id, manifold: index as u32 };
             if !wanted {
@@ -270,14 +327,6 @@ impl Structure<'_> {
                 self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
             }
         }
-    }
-
-    /// Does the solver keep the two colliders apart?
-    fn is_solved(&self, id: PairId) -> bool {
-        let pair = &self.narrow_phase.contacts[id];
-        pair.manifolds
-            .iter()
-            .any(|m| m.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
     }
 
     /// Takes a manifold out of the constraint graph, if it is there.
@@ -372,7 +421,7 @@ impl Structure<'_> {
             let Some(slot) = self.collider_slot(handle, c) else { continue };
             for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
                 let id = self.narrow_phase.contacts.ids_of(slot)[i];
-                if !self.narrow_phase.contacts[id].attached || !self.is_solved(id) {
+                if !self.narrow_phase.contacts[id].attached {
                     continue;
                 }
                 let [slot1, slot2] = self.narrow_phase.contacts.bodies(id);
@@ -425,7 +474,7 @@ impl Structure<'_> {
                 let awake = slots.iter().any(|&slot| self.is_awake(slot));
                 assert_eq!(self.narrow_phase.contacts.is_awake(id), awake, "pair of {slots:?}");
                 let dynamic = self.dynamic_slots(slots);
-                let solved = pair.attached && self.is_solved(id);
+                let solved = pair.attached;
                 if let ([Some(slot1), Some(slot2)], true) = (dynamic, solved) {
                     let island_of = |slot| self.body(slot).map(|body| body.link.island);
                     assert_eq!(island_of(slot1), island_of(slot2), "touching bodies share an island");

@@ -108,6 +108,13 @@ pub struct IntersectionPair {
     pub(crate) start_event_emitted: bool,
 }
 
+impl IntersectionPair {
+    /// A pair of which nothing is known yet.
+    pub(crate) fn new(collider1: ColliderHandle, collider2: ColliderHandle) -> Self {
+        Self { collider1, collider2, intersecting: false, start_event_emitted: false }
+    }
+}
+
 impl Pair for ContactPair {
     fn colliders(&self) -> [ColliderHandle; 2] {
         [self.collider1, self.collider2]

@@ -17,6 +17,9 @@ use crate::model::island::NONE;
 /// Stable for the life of the pair.
 pub(crate) type PairId = u32;
 
+/// The slack of a pair that must be computed whether or not anything moved.
+pub(crate) const DUE: Real = Real::NEG_INFINITY;
+
 /// What a store needs to know of a pair.
 pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
@@ -164,7 +167,7 @@ impl<P: Pair> PairStore<P> {
         if entry.awake == NONE {
             entry.awake = position;
             let bodies = entry.bodies;
-            self.awake.push(AwakePair { id, bodies, slack: -1.0 });
+            self.awake.push(AwakePair { id, bodies, slack: DUE });
         }
     }
 
@@ -185,7 +188,7 @@ impl<P: Pair> PairStore<P> {
     pub fn invalidate(&mut self, id: PairId) {
         let position = self.entry_mut(id).awake;
         if position != NONE {
-            self.awake[position as usize].slack = -1.0;
+            self.awake[position as usize].slack = DUE;
         }
     }
 

@@ -4,12 +4,14 @@
 //! multiples of [`IntegrationParameters::length_unit`] (per second); the method without the prefix
 //! gives them in the world's own units.
 
+mod pass;
 mod softness;
 mod validate;
 
 #[cfg(test)]
 mod tests;
 
+pub(crate) use pass::ContactPass;
 pub use softness::{CONTACT_YIELD, Softness};
 pub use validate::InvalidParameters;
 

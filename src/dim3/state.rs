@@ -1,0 +1,196 @@
+//! What the solver knows of a body, in 3D: two records of whole registers.
+//!
+//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads
+//! whole registers: so records are arrays of numbers, with the meaning of each stated here and
+//! nowhere else.
+
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{LANES, Wide, gather, scatter};
+
+/// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
+/// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
+pub(crate) const READ_ONLY: u32 = 1 << 31;
+
+/// Numbers in a velocity or displacement: three linear, three angular, two unused.
+pub(crate) const MOTION_LEN: usize = 8;
+const STATE_LEN: usize = 2 * MOTION_LEN;
+const POSE_LEN: usize = 16;
+
+/// What changes from substep to substep; read and written by every constraint in every pass.
+///
+/// One cache line in single precision.
+#[derive(Copy, Clone, Debug, Default)]
+#[repr(C, align(64))]
+pub(crate) struct BodyState([Real; STATE_LEN]);
+
+const _: () = assert!(size_of::<BodyState>() == 16 * size_of::<Real>());
+
+impl BodyState {
+    /// A body with these velocities that has not moved yet.
+    pub fn new(linvel: Vector, angvel: AngVector) -> Self {
+        let mut state = Self::default();
+        state.set_velocity(linvel, angvel);
+        state
+    }
+
+    /// Velocity of the centre of mass and angular velocity, in world space.
+    #[inline]
+    pub fn velocity(&self) -> (Vector, AngVector) {
+        let s = &self.0;
+        (Vector::new(s[0], s[1], s[2]), Vector::new(s[3], s[4], s[5]))
+    }
+
+    /// Replaces both velocities.
+    #[inline]
+    pub fn set_velocity(&mut self, linvel: Vector, angvel: AngVector) {
+        self.0[0..3].copy_from_slice(&linvel.to_array());
+        self.0[3..6].copy_from_slice(&angvel.to_array());
+    }
+
+    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    #[inline]
+    pub fn displacement(&self) -> (Vector, AngVector) {
+        let s = &self.0[MOTION_LEN..];
+        (Vector::new(s[0], s[1], s[2]), Vector::new(s[3], s[4], s[5]))
+    }
+
+    /// Adds `h` times the velocity to the displacement.
+    #[inline]
+    pub fn advance(&mut self, h: Real) {
+        for k in 0..MOTION_LEN {
+            self.0[MOTION_LEN + k] += h * self.0[k];
+        }
+    }
+}
+
+/// What stays as it is during a step; read when constraints are prepared.
+#[derive(Copy, Clone, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct BodyPose([Real; POSE_LEN]);
+
+impl BodyPose {
+    /// The world itself: at the origin, and of infinite mass.
+    pub const WORLD: Self =
+        Self([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+
+    /// A body with its orientation, centre of mass, inverse mass per axis and inverse inertia, all in
+    /// world space.
+    pub fn new(
+        rotation: Rotation,
+        center_of_mass: Vector,
+        inv_mass: Vector,
+        inv_inertia: &AngularInertia,
+    ) -> Self {
+        let (q, x, m, i) = (rotation, center_of_mass, inv_mass, inv_inertia);
+        Self([
+            q.x, q.y, q.z, q.w, x.x, x.y, x.z, m.x, m.y, m.z, i.m11, i.m12, i.m13, i.m22, i.m23,
+            i.m33,
+        ])
+    }
+}
+
+/// Velocities, or displacements, of one body per lane.
+#[derive(Copy, Clone)]
+pub(crate) struct WideMotion<W> {
+    pub linear: WideVector<W>,
+    pub angular: WideAngVector<W>,
+}
+
+/// Reads velocity and displacement of one body per lane.
+///
+/// # Safety
+/// Nobody may write the states of these bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn gather_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+) -> [WideMotion<W>; 2] {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        // SAFETY: the caller's promise.
+        *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
+    }
+    let s = gather::<W, STATE_LEN>(rows);
+    [
+        motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]),
+        motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]),
+    ]
+}
+
+/// Writes the velocity of one body per lane, but for the read-only ones.
+///
+/// # Safety
+/// Nobody else may read or write the states of the bodies that are not read-only meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn scatter_velocities<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+    velocities: WideMotion<W>,
+) {
+    let mut rows = [const { None }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        if index & READ_ONLY == 0 {
+            // SAFETY: the caller's promise.
+            let state = unsafe { states.get_mut(index as usize) };
+            *row = state.0.first_chunk_mut();
+        }
+    }
+    let (v, w) = (velocities.linear, velocities.angular);
+    scatter::<W, MOTION_LEN>([v.x, v.y, v.z, w.x, w.y, w.z, W::zero(), W::zero()], rows);
+}
+
+/// Reads the velocity of one body per lane.
+#[inline(always)]
+pub(crate) fn gather_motions<W: Wide>(
+    states: &[BodyState],
+    indices: &[u32; LANES],
+) -> WideMotion<W> {
+    let mut rows = [const { &[0.0; MOTION_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        let state = &states[(index & !READ_ONLY) as usize];
+        *row = state.0.first_chunk().expect("a state begins with a motion");
+    }
+    motion(gather::<W, MOTION_LEN>(rows))
+}
+
+#[inline(always)]
+fn motion<W: Wide>(s: [W; MOTION_LEN]) -> WideMotion<W> {
+    WideMotion {
+        linear: WideVector { x: s[0], y: s[1], z: s[2] },
+        angular: WideVector { x: s[3], y: s[4], z: s[5] },
+    }
+}
+
+/// Poses and inverse masses of one body per lane.
+#[derive(Copy, Clone)]
+pub(crate) struct WidePose<W> {
+    pub rotation: WideRotation<W>,
+    pub center_of_mass: WideVector<W>,
+    pub inv_mass: WideVector<W>,
+    pub inv_inertia: WideSymmetric<W>,
+}
+
+/// Reads the pose of one body per lane.
+#[inline(always)]
+pub(crate) fn gather_poses<W: Wide>(poses: &[BodyPose], indices: &[u32; LANES]) -> WidePose<W> {
+    let mut rows = [const { &[0.0; POSE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        *row = &poses[(index & !READ_ONLY) as usize].0;
+    }
+    let p = gather::<W, POSE_LEN>(rows);
+    WidePose {
+        rotation: WideRotation { x: p[0], y: p[1], z: p[2], w: p[3] },
+        center_of_mass: WideVector { x: p[4], y: p[5], z: p[6] },
+        inv_mass: WideVector { x: p[7], y: p[8], z: p[9] },
+        inv_inertia: WideSymmetric {
+            m11: p[10],
+            m12: p[11],
+            m13: p[12],
+            m22: p[13],
+            m23: p[14],
+            m33: p[15],
+        },
+    }
+}

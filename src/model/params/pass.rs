@@ -1,0 +1,36 @@
+//! What the solver's passes over contacts are told.
+
+use super::{IntegrationParameters, Softness};
+use crate::dim::math::Real;
+
+/// The numbers that every contact constraint of a substep shares.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct ContactPass {
+    /// One over the length of a substep (1/s).
+    pub inv_substep: Real,
+    /// How contacts between two movable bodies are softened.
+    pub softness: Softness,
+    /// The same against something that cannot move: stiffer, since the other side cannot yield.
+    pub static_softness: Softness,
+    /// Fastest that overlap is undone (length/s).
+    pub push_velocity_max: Real,
+    /// Approach slower than this does not bounce (length/s).
+    pub restitution_threshold: Real,
+    /// Overlap that is left alone (length).
+    pub allowed_error: Real,
+}
+
+impl ContactPass {
+    /// For substeps of `substep` seconds.
+    pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
+        let softness = params.contact_softness(substep);
+        Self {
+            inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
+            softness,
+            static_softness: softness,
+            push_velocity_max: params.max_corrective_velocity(),
+            restitution_threshold: params.restitution_velocity_threshold(),
+            allowed_error: params.allowed_linear_error(),
+        }
+    }
+}
