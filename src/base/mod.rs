@@ -3,7 +3,9 @@
 //! Knows nobody: nothing here may import another room.
 
 pub mod arena;
+pub mod disjoint;
 pub(crate) mod hash;
+pub mod tasks;
 pub mod timer;
 pub mod wide;
 #[cfg(test)]

@@ -123,10 +123,10 @@ impl Registers for f64 {
 
 #[cfg(not(target_arch = "x86_64"))]
 impl Registers for f32 {
-    type Baseline = super::portable::F32x8;
+    type Baseline = super::portable::Array<f32, 8>;
 }
 
 #[cfg(not(target_arch = "x86_64"))]
 impl Registers for f64 {
-    type Baseline = super::portable::F64x4;
+    type Baseline = super::portable::Array<f64, 4>;
 }

@@ -26,6 +26,8 @@ mod dispatch;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
+#[cfg(test)]
+mod tests;
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use parry::math::Real;
@@ -118,7 +120,7 @@ pub trait Wide<S = Real, const N: usize = LANES>:
 /// The length `N` of the records must be a multiple of [`LANES`].
 #[inline(always)]
 pub fn gather<W: Wide, const N: usize>(records: [&[Real; N]; LANES]) -> [W; N] {
-    const { assert!(N % LANES == 0, "records are read in groups of LANES components") };
+    const { assert!(N.is_multiple_of(LANES), "records are read in groups of LANES components") };
     let mut components = [W::zero(); N];
     let mut first = 0;
     while first < N {
@@ -143,7 +145,7 @@ pub fn scatter<W: Wide, const N: usize>(
     components: [W; N],
     mut records: [Option<&mut [Real; N]>; LANES],
 ) {
-    const { assert!(N % LANES == 0, "records are written in groups of LANES components") };
+    const { assert!(N.is_multiple_of(LANES), "records are written in groups of LANES components") };
     // Lanes without a record write here: cheaper than a branch per lane that guesses wrong.
     let mut sink = [0.0; LANES];
     let mut first = 0;

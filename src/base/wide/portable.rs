@@ -6,16 +6,10 @@
 use super::{Lane, Wide};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
-/// A number or a yes-or-no per lane.
+/// A number, or a yes or no, per lane.
 #[derive(Copy, Clone)]
 #[repr(C, align(32))]
 pub struct Array<T, const N: usize>([T; N]);
-
-/// Eight single-precision numbers.
-pub type F32x8 = Array<f32, 8>;
-
-/// Four double-precision numbers.
-pub type F64x4 = Array<f64, 4>;
 
 impl<T: Copy, const N: usize> Array<T, N> {
     #[inline(always)]
