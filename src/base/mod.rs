@@ -4,7 +4,9 @@
 
 pub mod arena;
 pub mod disjoint;
+pub(crate) mod guard;
 pub(crate) mod hash;
+pub(crate) mod measure;
 pub mod tasks;
 pub mod timer;
 pub mod wide;

@@ -7,6 +7,7 @@ pub mod collide;
 pub mod axes;
 pub mod mass;
 pub mod math;
+pub mod shapes;
 pub mod wide;
 mod surface;
 

@@ -1,5 +1,33 @@
-//! Colliders.
+//! # Colliders — what touches
+//!
+//! A [`Collider`] is a shape in the world; a [`ColliderSet`] owns them. Shapes come from parry.
+//! Whatever cannot be simulated (a negative radius, an empty mesh, a coordinate that is not finite) is
+//! kept out here, by [`ColliderBuilder`] and by the setters, so that no stage of the step has to ask.
+//! Setters leave a note of what changed, so that the next step looks at changed colliders alone.
 
+mod active;
+mod builder;
+mod check;
+mod collider;
+mod error;
+mod extent;
+mod groups;
 mod handle;
+mod mass;
+mod material;
+mod parts;
+mod set;
+mod setters;
+mod shapes;
 
+pub use active::{ActiveCollisionTypes, ActiveEvents, ActiveHooks};
+pub use builder::ColliderBuilder;
+pub use collider::Collider;
+pub use error::InvalidCollider;
+pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
+pub use mass::ColliderMassProps;
+pub use material::{CoefficientCombineRule, ColliderMaterial};
+pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
+pub use set::ColliderSet;
+pub(crate) use set::RemovedCollider;

@@ -1,0 +1,14 @@
+//! A fence around foreign code whose assertions cannot be foreseen.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Runs `work`; `None` if it panicked.
+///
+/// Only for geometry algorithms of parry that contain assertions about how a computation was rounded,
+/// so that no check of the input tells beforehand whether they hold (the convex hull in 3D, and what
+/// is built on it). `work` must own what it changes: a half-changed value must not survive the panic.
+///
+/// Where panics abort the process there is no fence.
+pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Option<T> {
+    catch_unwind(AssertUnwindSafe(work)).ok()
+}

@@ -1,0 +1,50 @@
+//! The numbers that a shape is made of, and which of them are usable.
+
+use parry::math::{Real, Vector};
+
+/// Smallest usable length. The square of a length and its inverse must stay normal numbers in single
+/// precision, or a direction could turn into NaN.
+pub const SIZE_MIN: Real = 1.0e-15;
+/// Largest usable length or coordinate, for the same reason as [`SIZE_MIN`].
+pub const SIZE_MAX: Real = 1.0e15;
+
+/// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
+#[derive(Copy, Clone, Debug)]
+pub enum Measure<'a> {
+    /// A length: positive.
+    Length(&'static str, Real),
+    /// A length that may be zero.
+    Margin(&'static str, Real),
+    /// Lengths along the axes: positive.
+    Lengths(&'static str, Vector),
+    /// A point.
+    Point(&'static str, Vector),
+    /// Points.
+    Points(&'static str, &'a [Vector]),
+    /// Coordinates along one axis.
+    Coordinates(&'static str, &'a [Real]),
+}
+
+/// Is it a usable positive length?
+#[inline]
+pub fn is_length(value: Real) -> bool {
+    (SIZE_MIN..=SIZE_MAX).contains(&value)
+}
+
+/// Is it zero or a usable positive length?
+#[inline]
+pub fn is_margin(value: Real) -> bool {
+    (0.0..=SIZE_MAX).contains(&value)
+}
+
+/// Is it a usable coordinate?
+#[inline]
+pub fn is_coordinate(value: Real) -> bool {
+    value.abs() <= SIZE_MAX
+}
+
+/// Are all coordinates usable?
+#[inline]
+pub fn is_point(point: Vector) -> bool {
+    point.abs().max_element() <= SIZE_MAX && point.is_finite()
+}

@@ -1,0 +1,134 @@
+//! What is done with the pairs of a collider: between which kinds of bodies it collides, which hooks
+//! of the user are called and which events are sent.
+
+use crate::model::body::RigidBodyType;
+
+bitflags::bitflags! {
+    /// Between which kinds of bodies a collider's pairs are looked at. A collider without a body
+    /// counts as attached to a fixed one.
+    ///
+    /// A pair is looked at if either of its two colliders asks for it. The default is dynamic against
+    /// everything; the other combinations exert no forces and only serve events, queries of contacts
+    /// and sensors.
+    #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    pub struct ActiveCollisionTypes: u16 {
+        /// Between two dynamic bodies.
+        const DYNAMIC_DYNAMIC = bit(DYNAMIC, DYNAMIC);
+        /// Between a dynamic and a kinematic body.
+        const DYNAMIC_KINEMATIC = bit(DYNAMIC, POSITION_BASED) | bit(DYNAMIC, VELOCITY_BASED);
+        /// Between a dynamic and a fixed body.
+        const DYNAMIC_FIXED = bit(DYNAMIC, FIXED);
+        /// Between two kinematic bodies.
+        const KINEMATIC_KINEMATIC = bit(POSITION_BASED, POSITION_BASED)
+            | bit(POSITION_BASED, VELOCITY_BASED)
+            | bit(VELOCITY_BASED, POSITION_BASED)
+            | bit(VELOCITY_BASED, VELOCITY_BASED);
+        /// Between a kinematic and a fixed body.
+        const KINEMATIC_FIXED = bit(POSITION_BASED, FIXED) | bit(VELOCITY_BASED, FIXED);
+        /// Between two fixed bodies.
+        const FIXED_FIXED = bit(FIXED, FIXED);
+    }
+}
+
+// Rows and columns of the 4 × 4 table of body types that the 16 bits are.
+const DYNAMIC: u16 = 0;
+const FIXED: u16 = 1;
+const POSITION_BASED: u16 = 2;
+const VELOCITY_BASED: u16 = 3;
+
+const fn bit(row: u16, column: u16) -> u16 {
+    1 << (4 * row + column)
+}
+
+const fn row(body_type: RigidBodyType) -> u16 {
+    match body_type {
+        RigidBodyType::Dynamic => DYNAMIC,
+        RigidBodyType::Fixed => FIXED,
+        RigidBodyType::KinematicPositionBased => POSITION_BASED,
+        RigidBodyType::KinematicVelocityBased => VELOCITY_BASED,
+    }
+}
+
+impl ActiveCollisionTypes {
+    /// Is the pair of two bodies of these types looked at? The order does not matter.
+    #[inline]
+    pub const fn test(self, type1: RigidBodyType, type2: RigidBodyType) -> bool {
+        let (row1, row2) = (row(type1), row(type2));
+        self.bits() & (bit(row1, row2) | bit(row2, row1)) != 0
+    }
+}
+
+impl Default for ActiveCollisionTypes {
+    fn default() -> Self {
+        Self::DYNAMIC_DYNAMIC | Self::DYNAMIC_KINEMATIC | Self::DYNAMIC_FIXED
+    }
+}
+
+bitflags::bitflags! {
+    /// Which of the user's hooks are called for the pairs of a collider. None by default.
+    #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    pub struct ActiveHooks: u32 {
+        /// Ask whether contacts are to be computed for a pair.
+        const FILTER_CONTACT_PAIRS = 1;
+        /// Ask whether intersections are to be computed for a pair with a sensor.
+        const FILTER_INTERSECTION_PAIR = 1 << 1;
+        /// Offer the contacts for changes before they are solved.
+        const MODIFY_SOLVER_CONTACTS = 1 << 2;
+    }
+}
+
+bitflags::bitflags! {
+    /// Which events are sent for the pairs of a collider. None by default.
+    #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    pub struct ActiveEvents: u32 {
+        /// When two colliders begin or stop to touch or intersect.
+        const COLLISION_EVENTS = 1;
+        /// In every step in which the contact forces of a pair sum up to more than the collider's
+        /// threshold.
+        const CONTACT_FORCE_EVENTS = 1 << 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ActiveCollisionTypes as Types;
+    use crate::model::body::RigidBodyType::{
+        Dynamic, Fixed, KinematicPositionBased as ByPosition, KinematicVelocityBased as ByVelocity,
+    };
+
+    #[test]
+    fn each_flag_switches_its_pairs_and_no_other() {
+        let table = [
+            (Types::DYNAMIC_DYNAMIC, vec![(Dynamic, Dynamic)]),
+            (Types::DYNAMIC_KINEMATIC, vec![(Dynamic, ByPosition), (Dynamic, ByVelocity)]),
+            (Types::DYNAMIC_FIXED, vec![(Dynamic, Fixed)]),
+            (
+                Types::KINEMATIC_KINEMATIC,
+                vec![(ByPosition, ByPosition), (ByPosition, ByVelocity), (ByVelocity, ByVelocity)],
+            ),
+            (Types::KINEMATIC_FIXED, vec![(ByPosition, Fixed), (ByVelocity, Fixed)]),
+            (Types::FIXED_FIXED, vec![(Fixed, Fixed)]),
+        ];
+        for (flag, pairs) in &table {
+            for (other, others_pairs) in &table {
+                for &(a, b) in others_pairs {
+                    let expected = flag == other && pairs.contains(&(a, b));
+                    assert_eq!(flag.test(a, b), expected, "{flag:?} {a:?} {b:?}");
+                    assert_eq!(flag.test(b, a), expected, "{flag:?} {b:?} {a:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn by_default_dynamic_bodies_collide_with_everything() {
+        let default = Types::default();
+        for other in [Dynamic, Fixed, ByPosition, ByVelocity] {
+            assert!(default.test(Dynamic, other) && default.test(other, Dynamic));
+            assert!(other == Dynamic || !default.test(Fixed, other));
+        }
+    }
+}

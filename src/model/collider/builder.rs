@@ -1,0 +1,344 @@
+//! Describing a collider before it is made.
+
+use super::check::{check_margin, check_pose, check_shape};
+use super::setters::normalized;
+use super::{
+    ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
+    ColliderChanges, ColliderEnabled, ColliderFlags, ColliderMassProps, ColliderMaterial,
+    InteractionGroups, InvalidCollider,
+};
+use crate::dim::mass::mass_is_valid;
+use crate::dim::math::{AngVector, Pose, Real, Vector, rotation_from_angle};
+use parry::mass_properties::MassProperties;
+use parry::shape::SharedShape;
+
+/// Describes a collider: start with a shape's constructor, chain what differs from the defaults, and
+/// [`build`](Self::build) it, or hand the builder itself to the collider set.
+///
+/// Constructors take any numbers. What cannot be simulated (a negative radius, a NaN, an empty mesh) is
+/// reported by [`Self::try_build`]; [`Self::build`] logs it and makes a collider that takes part in
+/// nothing, so that one bad value from a level file does not stop the program.
+#[derive(Clone, Debug)]
+#[must_use = "a builder does nothing until it is built"]
+pub struct ColliderBuilder {
+    /// The shape.
+    pub shape: SharedShape,
+    /// Where its mass comes from. Density 1 by default.
+    pub mass_properties: ColliderMassProps,
+    /// Largest ratio of the tangential to the normal contact force. 0.5 by default.
+    pub friction: Real,
+    /// How its friction combines with that of another collider.
+    pub friction_combine_rule: CoefficientCombineRule,
+    /// Ratio of the speeds of separation and approach. 0 by default.
+    pub restitution: Real,
+    /// How its restitution combines with that of another collider.
+    pub restitution_combine_rule: CoefficientCombineRule,
+    /// Collider frame → body frame if it will be attached to a body, → world otherwise.
+    pub position: Pose,
+    /// Does it only report what it intersects?
+    pub is_sensor: bool,
+    /// Between which kinds of bodies it collides.
+    pub active_collision_types: ActiveCollisionTypes,
+    /// Which hooks are called for its pairs.
+    pub active_hooks: ActiveHooks,
+    /// Which events are sent for its pairs.
+    pub active_events: ActiveEvents,
+    /// Whatever the user wants to keep with it.
+    pub user_data: u128,
+    /// With whom it has contacts.
+    pub collision_groups: InteractionGroups,
+    /// With whom its contacts exert forces.
+    pub solver_groups: InteractionGroups,
+    /// Does it take part in the simulation? It does by default.
+    pub enabled: bool,
+    /// Thickness (length units) of an invisible layer around the shape. 0 by default.
+    pub contact_skin: Real,
+    /// Total contact force magnitude of a pair (force units) above which an event is sent. 0 by default.
+    pub contact_force_event_threshold: Real,
+    /// Why the constructor could not make the shape it was asked for; `shape` is a stand-in then.
+    impossible: Option<InvalidCollider>,
+}
+
+/// A small ball, where the shape that was asked for cannot be.
+pub(super) fn stand_in_shape() -> SharedShape {
+    SharedShape::ball(0.5)
+}
+
+impl Default for ColliderBuilder {
+    /// A ball of radius 0.5.
+    fn default() -> Self {
+        Self::ball(0.5)
+    }
+}
+
+/// Beginning and end.
+impl ColliderBuilder {
+    /// A collider of the given shape.
+    pub fn new(shape: SharedShape) -> Self {
+        let material = ColliderMaterial::default();
+        let flags = ColliderFlags::default();
+        Self {
+            shape,
+            mass_properties: ColliderMassProps::default(),
+            friction: material.friction,
+            friction_combine_rule: material.friction_combine_rule,
+            restitution: material.restitution,
+            restitution_combine_rule: material.restitution_combine_rule,
+            position: Pose::IDENTITY,
+            is_sensor: false,
+            active_collision_types: flags.active_collision_types,
+            active_hooks: flags.active_hooks,
+            active_events: flags.active_events,
+            user_data: 0,
+            collision_groups: flags.collision_groups,
+            solver_groups: flags.solver_groups,
+            enabled: true,
+            contact_skin: 0.0,
+            contact_force_event_threshold: 0.0,
+            impossible: None,
+        }
+    }
+
+    /// A collider of the given shape, or one whose `try_build` says why there is none.
+    pub(crate) fn of(shape: Result<SharedShape, InvalidCollider>) -> Self {
+        match shape {
+            Ok(shape) => Self::new(shape),
+            Err(reason) => Self { impossible: Some(reason), ..Self::new(stand_in_shape()) },
+        }
+    }
+
+    /// Makes the collider.
+    ///
+    /// If something about it is impossible (see [`Self::try_build`]), a warning says what, and the
+    /// result is a disabled ball without mass at the same place, where that is possible, with the same
+    /// user data. Enabling it makes it a ball.
+    pub fn build(&self) -> Collider {
+        self.try_build().unwrap_or_else(|reason| {
+            log::warn!("an impossible collider was built as a disabled one: {reason}");
+            let mut collider = self.to_collider();
+            collider.shape = stand_in_shape();
+            collider.mass_props = ColliderMassProps::Density(0.0);
+            collider.material = ColliderMaterial::default();
+            collider.flags.enabled = ColliderEnabled::Disabled;
+            collider.contact_skin = 0.0;
+            collider.contact_force_event_threshold = 0.0;
+            if check_pose(&self.position).is_err() {
+                collider.pose = Pose::IDENTITY;
+            }
+            collider
+        })
+    }
+
+    /// Makes the collider, or says why there can be none.
+    ///
+    /// # Errors
+    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of
+    /// range or nothing in it; if the position is not finite; if friction, restitution, contact skin,
+    /// density, mass or the force threshold is negative or not finite (the threshold may be infinite).
+    pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
+        if let Some(reason) = &self.impossible {
+            return Err(reason.clone());
+        }
+        check_shape(&*self.shape)?;
+        check_pose(&self.position)?;
+        check_margin("friction", self.friction)?;
+        check_margin("restitution", self.restitution)?;
+        check_margin("contact_skin", self.contact_skin)?;
+        self.check_mass()?;
+        let threshold = self.contact_force_event_threshold;
+        if threshold.is_nan() || threshold < 0.0 {
+            return Err(InvalidCollider::Number {
+                parameter: "contact_force_event_threshold",
+                value: threshold,
+                expected: "at least 0",
+            });
+        }
+        Ok(self.to_collider())
+    }
+
+    fn check_mass(&self) -> Result<(), InvalidCollider> {
+        match &self.mass_properties {
+            ColliderMassProps::Density(density) => check_margin("density", *density),
+            ColliderMassProps::Mass(mass) => check_margin("mass", *mass),
+            ColliderMassProps::MassProperties(properties) if mass_is_valid(properties) => Ok(()),
+            ColliderMassProps::MassProperties(properties) => Err(InvalidCollider::Number {
+                parameter: "inverse mass of mass_properties",
+                value: properties.inv_mass,
+                expected: "finite and at least 0, like its inverse inertia and centre of mass",
+            }),
+        }
+    }
+
+    fn to_collider(&self) -> Collider {
+        let enabled =
+            if self.enabled { ColliderEnabled::Enabled } else { ColliderEnabled::Disabled };
+        Collider {
+            shape: self.shape.clone(),
+            pose: normalized(self.position),
+            parent: None,
+            parent_type: None,
+            material: ColliderMaterial {
+                friction: self.friction,
+                restitution: self.restitution,
+                friction_combine_rule: self.friction_combine_rule,
+                restitution_combine_rule: self.restitution_combine_rule,
+            },
+            mass_props: self.mass_properties.clone(),
+            flags: ColliderFlags {
+                active_collision_types: self.active_collision_types,
+                collision_groups: self.collision_groups,
+                solver_groups: self.solver_groups,
+                active_hooks: self.active_hooks,
+                active_events: self.active_events,
+                enabled,
+            },
+            sensor: self.is_sensor,
+            contact_skin: self.contact_skin,
+            contact_force_event_threshold: self.contact_force_event_threshold,
+            changes: ColliderChanges::all() - ColliderChanges::IN_MODIFIED_SET,
+            user_data: self.user_data,
+        }
+    }
+
+    /// Friction of colliders that do not say otherwise: 0.5.
+    pub fn default_friction() -> Real {
+        ColliderMaterial::default().friction
+    }
+
+    /// Density of colliders that do not say otherwise: 1.
+    pub fn default_density() -> Real {
+        1.0
+    }
+}
+
+impl From<ColliderBuilder> for Collider {
+    fn from(builder: ColliderBuilder) -> Self {
+        builder.build()
+    }
+}
+
+/// What differs from the defaults.
+impl ColliderBuilder {
+    /// Sets the number that the user can keep with the collider.
+    pub fn user_data(mut self, data: u128) -> Self {
+        self.user_data = data;
+        self
+    }
+
+    /// Sets with whom it has contacts.
+    pub fn collision_groups(mut self, groups: InteractionGroups) -> Self {
+        self.collision_groups = groups;
+        self
+    }
+
+    /// Sets with whom its contacts exert forces.
+    pub fn solver_groups(mut self, groups: InteractionGroups) -> Self {
+        self.solver_groups = groups;
+        self
+    }
+
+    /// Sets whether it is a sensor, which only reports what it intersects.
+    pub fn sensor(mut self, is_sensor: bool) -> Self {
+        self.is_sensor = is_sensor;
+        self
+    }
+
+    /// Sets which hooks are called for its pairs.
+    pub fn active_hooks(mut self, hooks: ActiveHooks) -> Self {
+        self.active_hooks = hooks;
+        self
+    }
+
+    /// Sets which events are sent for its pairs.
+    pub fn active_events(mut self, events: ActiveEvents) -> Self {
+        self.active_events = events;
+        self
+    }
+
+    /// Sets between which kinds of bodies it collides.
+    pub fn active_collision_types(mut self, types: ActiveCollisionTypes) -> Self {
+        self.active_collision_types = types;
+        self
+    }
+
+    /// Sets the largest ratio of the tangential to the normal contact force, 0 or more.
+    pub fn friction(mut self, friction: Real) -> Self {
+        self.friction = friction;
+        self
+    }
+
+    /// Sets how its friction combines with that of another collider.
+    pub fn friction_combine_rule(mut self, rule: CoefficientCombineRule) -> Self {
+        self.friction_combine_rule = rule;
+        self
+    }
+
+    /// Sets the ratio of the speeds of separation and approach, 0 or more.
+    pub fn restitution(mut self, restitution: Real) -> Self {
+        self.restitution = restitution;
+        self
+    }
+
+    /// Sets how its restitution combines with that of another collider.
+    pub fn restitution_combine_rule(mut self, rule: CoefficientCombineRule) -> Self {
+        self.restitution_combine_rule = rule;
+        self
+    }
+
+    /// Sets the mass per volume (per area in 2D), 0 or more. Replaces a mass set before.
+    pub fn density(mut self, density: Real) -> Self {
+        self.mass_properties = ColliderMassProps::Density(density);
+        self
+    }
+
+    /// Sets the mass, spread evenly over the shape, 0 or more. Replaces a density set before.
+    pub fn mass(mut self, mass: Real) -> Self {
+        self.mass_properties = ColliderMassProps::Mass(mass);
+        self
+    }
+
+    /// Sets mass, centre of mass and angular inertia, in the collider's frame. Replaces a density or
+    /// mass set before.
+    pub fn mass_properties(mut self, properties: MassProperties) -> Self {
+        self.mass_properties = properties.into();
+        self
+    }
+
+    /// Sets the total contact force magnitude of a pair (force units) above which an event is sent.
+    pub fn contact_force_event_threshold(mut self, threshold: Real) -> Self {
+        self.contact_force_event_threshold = threshold;
+        self
+    }
+
+    /// Sets where it is: on its body if it will be attached to one, in the world otherwise.
+    pub fn translation(mut self, translation: Vector) -> Self {
+        self.position.translation = translation;
+        self
+    }
+
+    /// Sets its orientation on its body or in the world: an angle (2D) or a rotation vector (3D), in
+    /// radians.
+    pub fn rotation(mut self, angle: AngVector) -> Self {
+        self.position.rotation = rotation_from_angle(angle);
+        self
+    }
+
+    /// Sets where it is and its orientation: on its body if it will be attached to one, in the world
+    /// otherwise.
+    pub fn position(mut self, position: Pose) -> Self {
+        self.position = position;
+        self
+    }
+
+    /// Sets the thickness (length units) of an invisible layer around the shape, 0 or more.
+    pub fn contact_skin(mut self, skin: Real) -> Self {
+        self.contact_skin = skin;
+        self
+    }
+
+    /// Sets whether it takes part in the simulation.
+    pub fn enabled(mut self, enabled: bool) -> Self {
+        self.enabled = enabled;
+        self
+    }
+}

@@ -1,0 +1,181 @@
+//! Is this a shape that the engine can simulate?
+//!
+//! The one place where shapes are judged, whoever made them: a constructor of the builder, the user
+//! with parry's constructors, or the user through [`Collider::shape_mut`](super::Collider::shape_mut).
+
+use super::InvalidCollider;
+use crate::base::measure::{
+    Measure, SIZE_MAX, SIZE_MIN, is_coordinate, is_length, is_margin, is_point,
+};
+use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
+use crate::dim::shapes;
+use parry::shape::{Shape, TypedShape};
+use smallvec::{SmallVec, smallvec};
+
+type Verdict = Result<(), InvalidCollider>;
+
+/// Refuses shapes with sizes that are not positive, coordinates that are not finite, indices out of
+/// range, and nothing in them.
+pub(crate) fn check_shape(shape: &dyn Shape) -> Verdict {
+    let shape = shape.as_typed_shape();
+    for measure in measures(shape) {
+        check_measure(measure)?;
+    }
+    match shape {
+        TypedShape::HalfSpace(h) => check_unit("outward_normal", h.normal),
+        TypedShape::Segment(s) if s.a == s.b => degenerate("segment", "its ends coincide"),
+        TypedShape::Triangle(t) => check_triangle([t.a, t.b, t.c]),
+        TypedShape::RoundTriangle(t) => {
+            let t = &t.inner_shape;
+            check_triangle([t.a, t.b, t.c])
+        }
+        TypedShape::Polyline(p) => check_elements("indices", p.indices(), p.vertices().len()),
+        TypedShape::TriMesh(m) => check_elements("indices", m.indices(), m.vertices().len()),
+        TypedShape::Voxels(v) => check_voxels(v),
+        TypedShape::Compound(c) => check_parts(c.shapes()),
+        TypedShape::Custom(custom) => check_custom(custom),
+        _ => Ok(()),
+    }
+}
+
+/// The numbers that a shape is made of.
+fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
+    use Measure::{Length, Lengths, Margin, Point, Points};
+    match shape {
+        TypedShape::Ball(b) => smallvec![Length("radius", b.radius)],
+        TypedShape::Cuboid(c) => smallvec![Lengths("half_extents", c.half_extents)],
+        TypedShape::RoundCuboid(c) => smallvec![
+            Lengths("half_extents", c.inner_shape.half_extents),
+            Margin("border_radius", c.border_radius)
+        ],
+        TypedShape::Capsule(c) => {
+            smallvec![Point("a", c.segment.a), Point("b", c.segment.b), Length("radius", c.radius)]
+        }
+        TypedShape::Segment(s) => smallvec![Point("a", s.a), Point("b", s.b)],
+        TypedShape::Triangle(t) => smallvec![Point("a", t.a), Point("b", t.b), Point("c", t.c)],
+        TypedShape::RoundTriangle(t) => smallvec![
+            Point("a", t.inner_shape.a),
+            Point("b", t.inner_shape.b),
+            Point("c", t.inner_shape.c),
+            Margin("border_radius", t.border_radius)
+        ],
+        TypedShape::Polyline(p) => smallvec![Points("vertices", p.vertices())],
+        TypedShape::TriMesh(m) => smallvec![Points("vertices", m.vertices())],
+        TypedShape::Voxels(v) => smallvec![Lengths("voxel_size", v.voxel_size())],
+        other => shapes::measures(other),
+    }
+}
+
+fn check_measure(measure: Measure<'_>) -> Verdict {
+    match measure {
+        Measure::Length(name, value) => check_length(name, value),
+        Measure::Margin(name, value) => check_margin(name, value),
+        Measure::Lengths(name, values) => {
+            values.to_array().into_iter().try_for_each(|value| check_length(name, value))
+        }
+        Measure::Point(name, value) => check_points(name, &[value]),
+        Measure::Points(name, points) => check_points(name, points),
+        Measure::Coordinates(name, values) => match values.iter().find(|v| !is_coordinate(**v)) {
+            None => Ok(()),
+            Some(&value) => number(name, value, "finite and at most 1e15"),
+        },
+    }
+}
+
+pub(crate) fn check_length(parameter: &'static str, value: Real) -> Verdict {
+    debug_assert!(SIZE_MIN > 0.0 && SIZE_MAX < Real::INFINITY);
+    if is_length(value) { Ok(()) } else { number(parameter, value, "between 1e-15 and 1e15") }
+}
+
+pub(crate) fn check_margin(parameter: &'static str, value: Real) -> Verdict {
+    if is_margin(value) { Ok(()) } else { number(parameter, value, "between 0 and 1e15") }
+}
+
+fn number(parameter: &'static str, value: Real, expected: &'static str) -> Verdict {
+    Err(InvalidCollider::Number { parameter, value, expected })
+}
+
+fn degenerate(shape: &'static str, reason: &'static str) -> Verdict {
+    Err(InvalidCollider::Degenerate { shape, reason })
+}
+
+pub(crate) fn check_points(parameter: &'static str, points: &[Vector]) -> Verdict {
+    match points.iter().position(|point| !is_point(*point)) {
+        None => Ok(()),
+        Some(position) => {
+            Err(InvalidCollider::Point { parameter, position, value: points[position] })
+        }
+    }
+}
+
+fn check_unit(parameter: &'static str, direction: Vector) -> Verdict {
+    let length = direction.length();
+    if (0.99..=1.01).contains(&length) { Ok(()) } else { number(parameter, length, "of length 1") }
+}
+
+pub(crate) fn check_pose(pose: &Pose) -> Verdict {
+    if is_point(pose.translation) && rotation_is_valid(&pose.rotation) {
+        Ok(())
+    } else {
+        Err(InvalidCollider::Pose { value: *pose })
+    }
+}
+
+fn check_triangle(corners: [Vector; 3]) -> Verdict {
+    let [ab, ac] = [corners[1] - corners[0], corners[2] - corners[0]];
+    // Gram determinant: four times the squared area, without a cross product.
+    let squared_area = ab.length_squared() * ac.length_squared() - ab.dot(ac) * ab.dot(ac);
+    if squared_area > 0.0 { Ok(()) } else { degenerate("triangle", "its corners are in line") }
+}
+
+/// Refuses an empty list of elements and elements that name vertices which are not there.
+pub(crate) fn check_elements<const N: usize>(
+    parameter: &'static str,
+    elements: &[[u32; N]],
+    count: usize,
+) -> Verdict {
+    if elements.is_empty() {
+        return Err(InvalidCollider::TooFew { parameter, count: 0, least: 1 });
+    }
+    for (position, element) in elements.iter().enumerate() {
+        if let Some(&index) = element.iter().find(|index| **index as usize >= count) {
+            return Err(InvalidCollider::IndexOutOfRange { parameter, position, index, count });
+        }
+    }
+    Ok(())
+}
+
+fn check_voxels(voxels: &parry::shape::Voxels) -> Verdict {
+    if voxels.voxels().any(|voxel| !voxel.state.is_empty()) {
+        Ok(())
+    } else {
+        Err(InvalidCollider::TooFew { parameter: "voxels", count: 0, least: 1 })
+    }
+}
+
+/// Refuses compounds without parts, with invalid ones, and with parts that are themselves composite.
+pub(crate) fn check_parts(parts: &[(Pose, parry::shape::SharedShape)]) -> Verdict {
+    if parts.is_empty() {
+        return Err(InvalidCollider::TooFew { parameter: "shapes", count: 0, least: 1 });
+    }
+    for (part, (pose, shape)) in parts.iter().enumerate() {
+        if shape.as_composite_shape().is_some() || shape.as_heightfield().is_some() {
+            return Err(InvalidCollider::NestedCompound { part });
+        }
+        check_pose(pose)
+            .and_then(|()| check_shape(&**shape))
+            .map_err(|reason| InvalidCollider::Part { part, reason: Box::new(reason) })?;
+    }
+    Ok(())
+}
+
+/// Of a shape that the user defined, only the box around it can be judged.
+fn check_custom(shape: &dyn Shape) -> Verdict {
+    let aabb = shape.compute_local_aabb();
+    check_points("bounding box", &[aabb.mins, aabb.maxs])?;
+    if aabb.mins.cmple(aabb.maxs).all() {
+        Ok(())
+    } else {
+        degenerate("custom shape", "its bounding box is inside out")
+    }
+}

@@ -1,0 +1,233 @@
+//! A collider: a shape in the world, what its surface is like and with whom it meets.
+
+use super::{
+    ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, ColliderChanges,
+    ColliderEnabled, ColliderFlags, ColliderMassProps, ColliderMaterial, ColliderParent,
+    InteractionGroups,
+};
+use crate::dim::math::{Pose, Real, Rotation, Vector};
+use crate::model::body::{RigidBodyHandle, RigidBodyType};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::mass_properties::MassProperties;
+use parry::shape::{Shape, SharedShape};
+
+/// A shape that collides, attached to a rigid body or alone in the world.
+///
+/// Made by [`ColliderBuilder`](super::ColliderBuilder), kept in a
+/// [`ColliderSet`](super::ColliderSet). Setters called between steps take effect in the next step.
+/// A setter refuses a value that nothing can be computed with (not finite, negative where that has no
+/// meaning): it keeps the old one and logs a warning that names the new one.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Collider {
+    pub(crate) shape: SharedShape,
+    /// Collider frame → world.
+    pub(crate) pose: Pose,
+    pub(crate) parent: Option<ColliderParent>,
+    /// The type of the parent, for queries that do not see the bodies.
+    pub(crate) parent_type: Option<RigidBodyType>,
+    pub(crate) material: ColliderMaterial,
+    pub(crate) mass_props: ColliderMassProps,
+    pub(crate) flags: ColliderFlags,
+    pub(crate) sensor: bool,
+    pub(crate) contact_skin: Real,
+    pub(crate) contact_force_event_threshold: Real,
+    pub(crate) changes: ColliderChanges,
+    /// Whatever the user wants to keep here. The engine does not look at it.
+    pub user_data: u128,
+}
+
+/// What the user configured, read back.
+impl Collider {
+    /// The number in [`Self::user_data`](struct@Self).
+    pub fn user_data(&self) -> u128 {
+        self.user_data
+    }
+
+    /// The body it is attached to.
+    #[inline]
+    pub fn parent(&self) -> Option<RigidBodyHandle> {
+        self.parent.map(|parent| parent.handle)
+    }
+
+    /// Does it only report what it intersects, without any contact forces?
+    #[inline]
+    pub fn is_sensor(&self) -> bool {
+        self.sensor
+    }
+
+    /// Does it take part in the simulation and in queries? Not if it, or its body, is disabled.
+    #[inline]
+    pub fn is_enabled(&self) -> bool {
+        self.flags.enabled == ColliderEnabled::Enabled
+    }
+
+    /// Which hooks are called for its pairs.
+    #[inline]
+    pub fn active_hooks(&self) -> ActiveHooks {
+        self.flags.active_hooks
+    }
+
+    /// Which events are sent for its pairs.
+    #[inline]
+    pub fn active_events(&self) -> ActiveEvents {
+        self.flags.active_events
+    }
+
+    /// Between which kinds of bodies it collides.
+    #[inline]
+    pub fn active_collision_types(&self) -> ActiveCollisionTypes {
+        self.flags.active_collision_types
+    }
+
+    /// With whom it has contacts.
+    #[inline]
+    pub fn collision_groups(&self) -> InteractionGroups {
+        self.flags.collision_groups
+    }
+
+    /// With whom its contacts exert forces.
+    #[inline]
+    pub fn solver_groups(&self) -> InteractionGroups {
+        self.flags.solver_groups
+    }
+
+    /// How its surface rubs and bounces.
+    #[inline]
+    pub fn material(&self) -> &ColliderMaterial {
+        &self.material
+    }
+
+    /// Largest ratio of the tangential to the normal contact force.
+    #[inline]
+    pub fn friction(&self) -> Real {
+        self.material.friction
+    }
+
+    /// How its friction combines with that of another collider.
+    #[inline]
+    pub fn friction_combine_rule(&self) -> CoefficientCombineRule {
+        self.material.friction_combine_rule
+    }
+
+    /// Ratio of the speeds of separation and approach.
+    #[inline]
+    pub fn restitution(&self) -> Real {
+        self.material.restitution
+    }
+
+    /// How its restitution combines with that of another collider.
+    #[inline]
+    pub fn restitution_combine_rule(&self) -> CoefficientCombineRule {
+        self.material.restitution_combine_rule
+    }
+
+    /// Thickness (length units) of an invisible layer around the shape: contacts keep the shapes apart
+    /// by the sum of their skins.
+    #[inline]
+    pub fn contact_skin(&self) -> Real {
+        self.contact_skin
+    }
+
+    /// Total contact force magnitude of a pair (force units) above which an event is sent, if
+    /// [`ActiveEvents::CONTACT_FORCE_EVENTS`] is set.
+    #[inline]
+    pub fn contact_force_event_threshold(&self) -> Real {
+        self.contact_force_event_threshold
+    }
+}
+
+/// Where it is.
+impl Collider {
+    /// Collider frame → world.
+    #[inline]
+    pub fn position(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// The origin of its frame in world space.
+    #[inline]
+    pub fn translation(&self) -> Vector {
+        self.pose.translation
+    }
+
+    /// Its orientation in world space.
+    #[inline]
+    pub fn rotation(&self) -> Rotation {
+        self.pose.rotation
+    }
+
+    /// Collider frame → body frame; `None` if it is not attached.
+    #[inline]
+    pub fn position_wrt_parent(&self) -> Option<&Pose> {
+        self.parent.as_ref().map(|parent| &parent.pos_wrt_parent)
+    }
+
+    /// The box around the shape in world space, without the contact skin.
+    pub fn compute_aabb(&self) -> Aabb {
+        self.shape.compute_aabb(&self.pose)
+    }
+
+    /// The box around the shape and its contact skin in world space, enlarged by `prediction` on every
+    /// side (length units; taken as 0 if it is negative or not a number).
+    pub fn compute_collision_aabb(&self, prediction: Real) -> Aabb {
+        self.compute_aabb().loosened(self.contact_skin + prediction.max(0.0))
+    }
+
+    /// The box around the shape at its pose and at `next_position`, and so around a translation from
+    /// one to the other.
+    pub fn compute_swept_aabb(&self, next_position: &Pose) -> Aabb {
+        self.shape.compute_swept_aabb(&self.pose, next_position)
+    }
+
+    /// An upper bound of the distance from a point (in the collider's frame) to any point of the
+    /// shape; infinite for half-spaces.
+    pub(crate) fn bounding_radius_about(&self, center: Vector) -> Real {
+        super::extent::farthest(&*self.shape, center)
+    }
+}
+
+/// The shape and its mass.
+impl Collider {
+    /// The shape.
+    #[inline]
+    pub fn shape(&self) -> &dyn Shape {
+        &*self.shape
+    }
+
+    /// The shape, as it can be shared with other colliders.
+    #[inline]
+    pub fn shared_shape(&self) -> &SharedShape {
+        &self.shape
+    }
+
+    /// Volume of the shape; area in 2D. Zero for surfaces and for shapes without end.
+    pub fn volume(&self) -> Real {
+        ColliderMassProps::Density(1.0).mass_properties(&*self.shape).mass()
+    }
+
+    /// Mass per volume (per area in 2D): as set, or the mass that was set over the volume; 0 for
+    /// shapes that have none.
+    pub fn density(&self) -> Real {
+        let mass = match &self.mass_props {
+            ColliderMassProps::Density(density) => return *density,
+            ColliderMassProps::Mass(mass) => *mass,
+            ColliderMassProps::MassProperties(properties) => properties.mass(),
+        };
+        let volume = self.volume();
+        if volume > 0.0 { mass / volume } else { 0.0 }
+    }
+
+    /// What it adds to the mass of its body.
+    pub fn mass(&self) -> Real {
+        match &self.mass_props {
+            ColliderMassProps::Mass(mass) => *mass,
+            other => other.mass_properties(&*self.shape).mass(),
+        }
+    }
+
+    /// Mass, centre of mass and angular inertia in the collider's frame.
+    pub fn mass_properties(&self) -> MassProperties {
+        self.mass_props.mass_properties(&*self.shape)
+    }
+}

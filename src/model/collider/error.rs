@@ -1,0 +1,95 @@
+//! Why a collider cannot be built.
+
+use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::TriMeshBuilderError;
+
+/// Why a collider cannot be built, with the parameter and the value that stands in the way.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InvalidCollider {
+    /// A number is out of its range.
+    #[error("{parameter} is {value}, but must be {expected}")]
+    Number {
+        /// The parameter.
+        parameter: &'static str,
+        /// What it was set to.
+        value: Real,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// A point or vector has a coordinate that is not finite, or too large to calculate with.
+    #[error(
+        "{parameter} number {position} is {value}, but coordinates must be finite and at most 1e15"
+    )]
+    Point {
+        /// The parameter.
+        parameter: &'static str,
+        /// Which point of the list, from 0.
+        position: usize,
+        /// The point.
+        value: Vector,
+    },
+    /// A pose is not finite, or its rotation not of unit length.
+    #[error("the pose {value:?} is not a finite translation and a rotation of unit length")]
+    Pose {
+        /// The pose.
+        value: Pose,
+    },
+    /// A list is too short.
+    #[error("{parameter} holds {count} elements, but at least {least} are needed")]
+    TooFew {
+        /// The list.
+        parameter: &'static str,
+        /// Its length.
+        count: usize,
+        /// What is needed.
+        least: usize,
+    },
+    /// More cells are asked for than can be stored.
+    #[error("{parameter} asks for {cells} cells, but at most {most} are possible")]
+    TooFine {
+        /// The parameter.
+        parameter: &'static str,
+        /// How many cells it leads to.
+        cells: f64,
+        /// How many are possible.
+        most: f64,
+    },
+    /// An element names a vertex that does not exist.
+    #[error("element {position} of {parameter} names vertex {index}, but there are only {count}")]
+    IndexOutOfRange {
+        /// The list of elements.
+        parameter: &'static str,
+        /// Which element, from 0.
+        position: usize,
+        /// The vertex it names.
+        index: u32,
+        /// How many vertices there are.
+        count: usize,
+    },
+    /// The shape has no extent where it needs one.
+    #[error("the {shape} is degenerate: {reason}")]
+    Degenerate {
+        /// Which kind of shape.
+        shape: &'static str,
+        /// What is missing.
+        reason: &'static str,
+    },
+    /// A part of a compound is itself made of parts.
+    #[error("part {part} of the compound is itself made of parts, which is not supported")]
+    NestedCompound {
+        /// Which part, from 0.
+        part: usize,
+    },
+    /// A part of a compound is invalid.
+    #[error("part {part} of the compound: {reason}")]
+    Part {
+        /// Which part, from 0.
+        part: usize,
+        /// Why.
+        reason: Box<InvalidCollider>,
+    },
+    /// The triangles of a mesh do not fit together.
+    #[error(transparent)]
+    TriMesh(#[from] TriMeshBuilderError),
+}

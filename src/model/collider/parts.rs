@@ -1,0 +1,104 @@
+//! The smaller parts of a collider's record.
+
+use super::{ActiveCollisionTypes, ActiveEvents, ActiveHooks, InteractionGroups};
+use crate::dim::math::Pose;
+use crate::model::body::RigidBodyHandle;
+
+/// The body a collider is attached to, and where on it.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ColliderParent {
+    /// The body.
+    pub handle: RigidBodyHandle,
+    /// Collider frame → body frame.
+    pub pos_wrt_parent: Pose,
+}
+
+/// Does a collider take part in the simulation and in queries?
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum ColliderEnabled {
+    /// Yes.
+    #[default]
+    Enabled,
+    /// No, because its body is disabled.
+    DisabledByParent,
+    /// No.
+    Disabled,
+}
+
+/// With whom a collider meets and who hears of it.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ColliderFlags {
+    /// Between which kinds of bodies it collides.
+    pub active_collision_types: ActiveCollisionTypes,
+    /// With whom it has contacts.
+    pub collision_groups: InteractionGroups,
+    /// With whom its contacts exert forces.
+    pub solver_groups: InteractionGroups,
+    /// Which hooks are called for its pairs.
+    pub active_hooks: ActiveHooks,
+    /// Which events are sent for its pairs.
+    pub active_events: ActiveEvents,
+    /// Does it take part at all?
+    pub enabled: ColliderEnabled,
+}
+
+bitflags::bitflags! {
+    /// What the user changed on a collider since the last step looked at it.
+    #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    pub struct ColliderChanges: u32 {
+        /// It stands in the set's list of modified colliders. Says nothing of what was modified.
+        const IN_MODIFIED_SET = 1;
+        /// It was attached to another body, or detached.
+        const PARENT = 1 << 1;
+        /// Its pose in the world or on its body.
+        const POSITION = 1 << 2;
+        /// Its collision or solver groups.
+        const GROUPS = 1 << 3;
+        /// Its shape or its contact skin.
+        const SHAPE = 1 << 4;
+        /// It became a sensor or stopped being one.
+        const TYPE = 1 << 5;
+        /// Its body's dominance group.
+        const PARENT_EFFECTIVE_DOMINANCE = 1 << 6;
+        /// Its mass or how it is spread: the body's mass has to be summed up again.
+        const LOCAL_MASS_PROPERTIES = 1 << 7;
+        /// It was enabled or disabled.
+        const ENABLED_OR_DISABLED = 1 << 8;
+        /// Vertices of its shape moved, but the shape consists of the same parts as before.
+        const DEFORMED = 1 << 9;
+        /// Its friction, restitution, or how they combine.
+        const MATERIAL = 1 << 10;
+        /// Its hooks, events, or the kinds of bodies it collides with.
+        const INTERACTIONS = 1 << 11;
+    }
+}
+
+impl Default for ColliderChanges {
+    fn default() -> Self {
+        Self::empty()
+    }
+}
+
+impl ColliderChanges {
+    /// Did anything change that its place in the broad phase depends on?
+    pub const fn needs_broad_phase_update(self) -> bool {
+        const WATCHED: ColliderChanges = ColliderChanges::PARENT
+            .union(ColliderChanges::POSITION)
+            .union(ColliderChanges::SHAPE)
+            .union(ColliderChanges::TYPE)
+            .union(ColliderChanges::ENABLED_OR_DISABLED)
+            .union(ColliderChanges::DEFORMED);
+        self.intersects(WATCHED)
+    }
+
+    /// Did anything change that its contacts depend on?
+    pub const fn needs_narrow_phase_update(self) -> bool {
+        const UNWATCHED: ColliderChanges =
+            ColliderChanges::IN_MODIFIED_SET.union(ColliderChanges::LOCAL_MASS_PROPERTIES);
+        self.intersects(UNWATCHED.complement())
+    }
+}

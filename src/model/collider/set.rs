@@ -1,0 +1,359 @@
+//! All colliders of a simulation, and the notes that the user's changes leave for the next step.
+
+use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
+use crate::base::arena::Arena;
+use crate::dim::math::Pose;
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::island::IslandManager;
+
+/// What the step needs to know of a collider that was removed.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct RemovedCollider {
+    pub handle: ColliderHandle,
+    /// The body it was attached to.
+    pub parent: Option<RigidBodyHandle>,
+    /// Are bodies that touched it to wake?
+    pub wake_up: bool,
+}
+
+/// All colliders of a simulation, each found by its handle.
+///
+/// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
+/// Iteration is in the order of the slots: the same insertions and removals give the same order.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ColliderSet {
+    colliders: Arena<Collider>,
+    /// Colliders that the user may have changed since the last step, each once.
+    modified: Vec<ColliderHandle>,
+    removed: Vec<RemovedCollider>,
+}
+
+/// Leaves a note, once, that the user may have changed a collider.
+fn note(modified: &mut Vec<ColliderHandle>, handle: ColliderHandle, collider: &mut Collider) {
+    if !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {
+        collider.changes.insert(ColliderChanges::IN_MODIFIED_SET);
+        modified.push(handle);
+    }
+}
+
+impl ColliderSet {
+    /// An empty set.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// An empty set with room for `capacity` colliders.
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self { colliders: Arena::with_capacity(capacity), ..Self::default() }
+    }
+
+    /// A handle that finds nothing in any set.
+    pub fn invalid_handle() -> ColliderHandle {
+        ColliderHandle::invalid()
+    }
+
+    /// Number of colliders.
+    pub fn len(&self) -> usize {
+        self.colliders.len()
+    }
+
+    /// Is there no collider?
+    pub fn is_empty(&self) -> bool {
+        self.colliders.is_empty()
+    }
+
+    /// Does the handle find a collider?
+    pub fn contains(&self, handle: ColliderHandle) -> bool {
+        self.colliders.contains(handle.0)
+    }
+
+    /// Puts a collider (or the one that a builder describes) into the set, attached to no body: it
+    /// stands where its position says, like a part of a fixed body.
+    pub fn insert(&mut self, collider: impl Into<Collider>) -> ColliderHandle {
+        let mut collider = collider.into();
+        collider.leave_body();
+        self.insert_new(collider)
+    }
+
+    /// Puts a collider (or the one that a builder describes) into the set, attached to a body: its
+    /// position says where on the body it is, and its mass becomes part of the body's.
+    ///
+    /// If the handle finds no body, a warning says so, and the collider is inserted disabled and
+    /// attached to nothing. [`Self::set_parent`] and [`Collider::set_enabled`] mend that.
+    pub fn insert_with_parent(
+        &mut self,
+        collider: impl Into<Collider>,
+        parent_handle: RigidBodyHandle,
+        bodies: &mut RigidBodySet,
+    ) -> ColliderHandle {
+        let mut collider = collider.into();
+        let pos_wrt_parent = collider.parent.map_or(collider.pose, |old| old.pos_wrt_parent);
+        collider.leave_body();
+        let Some(body) = bodies.get_mut(parent_handle) else {
+            log::warn!(
+                "a collider was inserted without a body and disabled: {parent_handle:?} finds none"
+            );
+            collider.set_enabled(false);
+            return self.insert_new(collider);
+        };
+        collider.join_body(parent_handle, pos_wrt_parent, body);
+        let handle = self.insert_new(collider);
+        body.attach_collider(handle);
+        handle
+    }
+
+    fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
+        collider.changes = ColliderChanges::all();
+        let handle = ColliderHandle(self.colliders.insert(collider));
+        self.modified.push(handle);
+        handle
+    }
+
+    /// Attaches a collider to another body, or to none.
+    ///
+    /// It keeps its place relative to the body, now on the new one; a collider that had no body gets
+    /// the origin of the new one. Detached, it stays where it is in the world. A stale handle of the
+    /// collider or of the body changes nothing, with a warning.
+    pub fn set_parent(
+        &mut self,
+        handle: ColliderHandle,
+        new_parent_handle: Option<RigidBodyHandle>,
+        bodies: &mut RigidBodySet,
+    ) {
+        let Some(collider) = self.colliders.get_mut(handle.0) else {
+            log::warn!("ColliderSet::set_parent ignored: {handle:?} finds no collider");
+            return;
+        };
+        if let Some(stale) = new_parent_handle.filter(|parent| !bodies.contains(*parent)) {
+            log::warn!("ColliderSet::set_parent ignored: {stale:?} finds no body");
+            return;
+        }
+        if collider.parent() == new_parent_handle {
+            return;
+        }
+        let old_parent = collider.parent;
+        if let Some(old_body) = old_parent.and_then(|old| bodies.get_mut(old.handle)) {
+            old_body.detach_collider(handle);
+            old_body.wake_up(true);
+        }
+        collider.leave_body();
+        if let Some(parent_handle) = new_parent_handle {
+            let place = old_parent.map_or(Pose::IDENTITY, |old| old.pos_wrt_parent);
+            if let Some(body) = bodies.get_mut(parent_handle) {
+                collider.join_body(parent_handle, place, body);
+                body.attach_collider(handle);
+                body.wake_up(true);
+            }
+        }
+        note(&mut self.modified, handle, collider);
+    }
+
+    /// Takes a collider out of the set and off its body; `None` if the handle finds none.
+    ///
+    /// `wake_up` says whether its body, and bodies that touched it, are to wake: without support, they
+    /// would fall.
+    pub fn remove(
+        &mut self,
+        handle: ColliderHandle,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+        wake_up: bool,
+    ) -> Option<Collider> {
+        let collider = self.take(handle, wake_up)?;
+        if let Some(parent) = collider.parent() {
+            if let Some(body) = bodies.get_mut(parent) {
+                body.detach_collider(handle);
+            }
+            if wake_up {
+                islands.wake_up(bodies, parent, true);
+            }
+        }
+        Some(collider)
+    }
+
+    /// The collider that a handle finds.
+    #[inline]
+    pub fn get(&self, handle: ColliderHandle) -> Option<&Collider> {
+        self.colliders.get(handle.0)
+    }
+
+    /// The collider that a handle finds, for changing it.
+    pub fn get_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
+        let collider = self.colliders.get_mut(handle.0)?;
+        note(&mut self.modified, handle, collider);
+        Some(collider)
+    }
+
+    /// Two colliders at once, for changing them; `None` in place of each that its handle does not
+    /// find, and of the second one if both handles are the same.
+    pub fn get_pair_mut(
+        &mut self,
+        handle1: ColliderHandle,
+        handle2: ColliderHandle,
+    ) -> (Option<&mut Collider>, Option<&mut Collider>) {
+        let (mut collider1, mut collider2) = self.colliders.get2_mut(handle1.0, handle2.0);
+        if let Some(collider) = &mut collider1 {
+            note(&mut self.modified, handle1, collider);
+        }
+        if let Some(collider) = &mut collider2 {
+            note(&mut self.modified, handle2, collider);
+        }
+        (collider1, collider2)
+    }
+
+    /// Whatever collider stands in a slot (the first number of a handle) now, with its handle.
+    pub fn get_unknown_gen(&self, slot: u32) -> Option<(&Collider, ColliderHandle)> {
+        let (index, collider) = self.colliders.at_slot(slot)?;
+        Some((collider, ColliderHandle(index)))
+    }
+
+    /// Whatever collider stands in a slot (the first number of a handle) now, with its handle, for
+    /// changing it.
+    pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut Collider, ColliderHandle)> {
+        let (index, collider) = self.colliders.at_slot_mut(slot)?;
+        let handle = ColliderHandle(index);
+        note(&mut self.modified, handle, collider);
+        Some((collider, handle))
+    }
+
+    /// All colliders with their handles, in the order of their slots.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &Collider)> {
+        self.colliders.iter().map(|(index, collider)| (ColliderHandle(index), collider))
+    }
+
+    /// All colliders that are enabled, with their handles, in the order of their slots.
+    pub fn iter_enabled(&self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &Collider)> {
+        self.iter().filter(|(_, collider)| collider.is_enabled())
+    }
+
+    /// All colliders with their handles, in the order of their slots, for changing them.
+    ///
+    /// The next step looks at every collider that the iteration came by.
+    pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
+        let modified = &mut self.modified;
+        self.colliders.iter_mut().map(move |(index, collider)| {
+            let handle = ColliderHandle(index);
+            note(modified, handle, collider);
+            (handle, collider)
+        })
+    }
+
+    /// All colliders that are enabled, with their handles, in the order of their slots, for changing
+    /// them.
+    pub fn iter_enabled_mut(
+        &mut self,
+    ) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
+        let modified = &mut self.modified;
+        self.colliders.iter_mut().filter(|(_, collider)| collider.is_enabled()).map(
+            move |(index, collider)| {
+                let handle = ColliderHandle(index);
+                note(modified, handle, collider);
+                (handle, collider)
+            },
+        )
+    }
+}
+
+/// For the step.
+impl ColliderSet {
+    /// The colliders that the user may have changed, in the order of the first change; some of them may
+    /// be gone. Whoever takes the list clears the `changes` of each.
+    pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
+        core::mem::take(&mut self.modified)
+    }
+
+    /// The colliders that were removed, in that order.
+    pub(crate) fn take_removed(&mut self) -> Vec<RemovedCollider> {
+        core::mem::take(&mut self.removed)
+    }
+
+    /// Takes a collider out of the set and leaves a note, without looking at its body: for colliders
+    /// whose body is gone.
+    pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
+        let collider = self.colliders.remove(handle.0)?;
+        self.removed.push(RemovedCollider { handle, parent: collider.parent(), wake_up });
+        Some(collider)
+    }
+
+    /// A collider for the step's own use: leaves no note.
+    #[inline]
+    pub(crate) fn get_unnoted_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
+        self.colliders.get_mut(handle.0)
+    }
+
+    /// Whatever collider stands in a slot.
+    #[inline]
+    pub(crate) fn at_slot(&self, slot: u32) -> Option<(ColliderHandle, &Collider)> {
+        let (index, collider) = self.colliders.at_slot(slot)?;
+        Some((ColliderHandle(index), collider))
+    }
+
+    /// Whatever collider stands in a slot, for the step's own use: leaves no note.
+    #[inline]
+    pub(crate) fn at_slot_unnoted_mut(
+        &mut self,
+        slot: u32,
+    ) -> Option<(ColliderHandle, &mut Collider)> {
+        let (index, collider) = self.colliders.at_slot_mut(slot)?;
+        Some((ColliderHandle(index), collider))
+    }
+
+    /// Number of slots, taken or free: every slot number is below it.
+    pub(crate) fn slot_count(&self) -> usize {
+        self.colliders.slot_count()
+    }
+}
+
+impl Collider {
+    /// Forgets its body. It stays where it is in the world.
+    fn leave_body(&mut self) {
+        self.parent = None;
+        self.parent_type = None;
+        if self.flags.enabled == ColliderEnabled::DisabledByParent {
+            self.flags.enabled = ColliderEnabled::Enabled;
+            self.changes |= ColliderChanges::ENABLED_OR_DISABLED;
+        }
+        self.changes |= ColliderChanges::PARENT;
+    }
+
+    /// Goes to its place on a body. It had none before.
+    fn join_body(&mut self, handle: RigidBodyHandle, pos_wrt_parent: Pose, body: &RigidBody) {
+        debug_assert!(self.parent.is_none());
+        self.parent = Some(ColliderParent { handle, pos_wrt_parent });
+        self.parent_type = Some(body.body_type());
+        self.pose = body.pose * pos_wrt_parent;
+        if !body.is_enabled() && self.flags.enabled == ColliderEnabled::Enabled {
+            self.flags.enabled = ColliderEnabled::DisabledByParent;
+            self.changes |= ColliderChanges::ENABLED_OR_DISABLED;
+        }
+        self.changes |= ColliderChanges::PARENT
+            | ColliderChanges::POSITION
+            | ColliderChanges::LOCAL_MASS_PROPERTIES;
+    }
+}
+
+impl core::ops::Index<ColliderHandle> for ColliderSet {
+    type Output = Collider;
+
+    /// # Panics
+    /// If the handle finds no collider.
+    fn index(&self, handle: ColliderHandle) -> &Collider {
+        match self.get(handle) {
+            Some(collider) => collider,
+            None => panic!("{handle:?} finds no collider in this set"),
+        }
+    }
+}
+
+impl core::ops::IndexMut<ColliderHandle> for ColliderSet {
+    /// # Panics
+    /// If the handle finds no collider.
+    fn index_mut(&mut self, handle: ColliderHandle) -> &mut Collider {
+        match self.get_mut(handle) {
+            Some(collider) => collider,
+            None => panic!("{handle:?} finds no collider in this set"),
+        }
+    }
+}

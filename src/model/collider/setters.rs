@@ -1,0 +1,291 @@
+//! Changing a collider between steps.
+//!
+//! Each setter leaves a bit in [`ColliderChanges`] that says what the next step has to look at again.
+//! A setter refuses a value that nothing could be computed with: it keeps the old one and logs a
+//! warning with the new one.
+
+use super::check::{check_margin, check_pose, check_shape};
+use super::{
+    ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
+    ColliderChanges, ColliderEnabled, ColliderMassProps, InteractionGroups, InvalidCollider,
+};
+use crate::dim::mass::mass_is_valid;
+use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector, rotation_from_angle};
+use parry::mass_properties::MassProperties;
+use parry::shape::{Shape, SharedShape};
+
+/// Says what was refused, and why.
+fn refuse(setter: &str, reason: &InvalidCollider) {
+    log::warn!("Collider::{setter} ignored: {reason}");
+}
+
+/// Is this what the setter accepts? Warns if it is not.
+fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
+    match verdict {
+        Ok(()) => true,
+        Err(reason) => {
+            refuse(setter, &reason);
+            false
+        }
+    }
+}
+
+/// Where it is.
+impl Collider {
+    /// Moves a collider that is not attached. An attached one follows its body: use
+    /// [`Self::set_position_wrt_parent`].
+    pub fn set_position(&mut self, position: Pose) {
+        if accepts("set_position", check_pose(&position)) {
+            self.pose = normalized(position);
+            self.changes |= ColliderChanges::POSITION;
+        }
+    }
+
+    /// Moves a collider that is not attached, without turning it.
+    pub fn set_translation(&mut self, translation: Vector) {
+        let pose = Pose { translation, ..self.pose };
+        self.set_position(pose);
+    }
+
+    /// Turns a collider that is not attached, about the origin of its frame.
+    pub fn set_rotation(&mut self, rotation: Rotation) {
+        let pose = Pose { rotation, ..self.pose };
+        self.set_position(pose);
+    }
+
+    /// Sets where it is attached on its body (collider frame → body frame). A collider without a body
+    /// is left alone.
+    pub fn set_position_wrt_parent(&mut self, position: Pose) {
+        if !accepts("set_position_wrt_parent", check_pose(&position)) {
+            return;
+        }
+        let Some(parent) = &mut self.parent else { return };
+        let body_pose = self.pose * parent.pos_wrt_parent.inverse();
+        parent.pos_wrt_parent = normalized(position);
+        self.pose = body_pose * parent.pos_wrt_parent;
+        self.changes |= ColliderChanges::POSITION
+            | ColliderChanges::PARENT
+            | ColliderChanges::LOCAL_MASS_PROPERTIES;
+    }
+
+    /// Moves it on its body, without turning it. A collider without a body is left alone.
+    pub fn set_translation_wrt_parent(&mut self, translation: Vector) {
+        if let Some(&pose) = self.position_wrt_parent() {
+            self.set_position_wrt_parent(Pose { translation, ..pose });
+        }
+    }
+
+    /// Turns it on its body, to the angle (2D) or the rotation vector (3D) given in radians. A
+    /// collider without a body is left alone.
+    pub fn set_rotation_wrt_parent(&mut self, angle: AngVector) {
+        if let Some(&pose) = self.position_wrt_parent() {
+            let rotation = rotation_from_angle(angle);
+            self.set_position_wrt_parent(Pose { rotation, ..pose });
+        }
+    }
+}
+
+/// Its rotation may be off unit length by rounding, and must not be: errors would add up.
+pub(super) fn normalized(pose: Pose) -> Pose {
+    Pose { rotation: pose.rotation.normalize(), ..pose }
+}
+
+/// With whom it meets, and who hears of it.
+impl Collider {
+    /// Enables or disables it. A collider of a disabled body stays disabled until its body is enabled.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        let wanted = match (enabled, self.flags.enabled) {
+            (false, _) => ColliderEnabled::Disabled,
+            (true, ColliderEnabled::Disabled) => ColliderEnabled::Enabled,
+            (true, current) => current,
+        };
+        if self.flags.enabled != wanted {
+            self.flags.enabled = wanted;
+            self.changes |=
+                ColliderChanges::ENABLED_OR_DISABLED | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        }
+    }
+
+    /// Makes it a sensor, which only reports what it intersects, or a solid collider again.
+    pub fn set_sensor(&mut self, is_sensor: bool) {
+        if self.sensor != is_sensor {
+            self.sensor = is_sensor;
+            self.changes |= ColliderChanges::TYPE;
+        }
+    }
+
+    /// Sets with whom it has contacts.
+    pub fn set_collision_groups(&mut self, groups: InteractionGroups) {
+        if self.flags.collision_groups != groups {
+            self.flags.collision_groups = groups;
+            self.changes |= ColliderChanges::GROUPS;
+        }
+    }
+
+    /// Sets with whom its contacts exert forces.
+    pub fn set_solver_groups(&mut self, groups: InteractionGroups) {
+        if self.flags.solver_groups != groups {
+            self.flags.solver_groups = groups;
+            self.changes |= ColliderChanges::GROUPS;
+        }
+    }
+
+    /// Sets between which kinds of bodies it collides.
+    pub fn set_active_collision_types(&mut self, types: ActiveCollisionTypes) {
+        if self.flags.active_collision_types != types {
+            self.flags.active_collision_types = types;
+            self.changes |= ColliderChanges::INTERACTIONS;
+        }
+    }
+
+    /// Sets which hooks are called for its pairs.
+    pub fn set_active_hooks(&mut self, hooks: ActiveHooks) {
+        if self.flags.active_hooks != hooks {
+            self.flags.active_hooks = hooks;
+            self.changes |= ColliderChanges::INTERACTIONS;
+        }
+    }
+
+    /// Sets which events are sent for its pairs.
+    pub fn set_active_events(&mut self, events: ActiveEvents) {
+        if self.flags.active_events != events {
+            self.flags.active_events = events;
+            self.changes |= ColliderChanges::INTERACTIONS;
+        }
+    }
+
+    /// Sets the total contact force magnitude of a pair (force units) above which an event is sent.
+    pub fn set_contact_force_event_threshold(&mut self, threshold: Real) {
+        if threshold >= 0.0 {
+            self.contact_force_event_threshold = threshold;
+        } else {
+            log::warn!(
+                "Collider::set_contact_force_event_threshold ignored: {threshold} is no force"
+            );
+        }
+    }
+}
+
+/// Its surface.
+impl Collider {
+    /// Sets the largest ratio of the tangential to the normal contact force, 0 or more.
+    pub fn set_friction(&mut self, friction: Real) {
+        if accepts("set_friction", check_margin("friction", friction)) {
+            self.material.friction = friction;
+            self.changes |= ColliderChanges::MATERIAL;
+        }
+    }
+
+    /// Sets how its friction combines with that of another collider.
+    pub fn set_friction_combine_rule(&mut self, rule: CoefficientCombineRule) {
+        self.material.friction_combine_rule = rule;
+        self.changes |= ColliderChanges::MATERIAL;
+    }
+
+    /// Sets the ratio of the speeds of separation and approach, 0 or more.
+    pub fn set_restitution(&mut self, restitution: Real) {
+        if accepts("set_restitution", check_margin("restitution", restitution)) {
+            self.material.restitution = restitution;
+            self.changes |= ColliderChanges::MATERIAL;
+        }
+    }
+
+    /// Sets how its restitution combines with that of another collider.
+    pub fn set_restitution_combine_rule(&mut self, rule: CoefficientCombineRule) {
+        self.material.restitution_combine_rule = rule;
+        self.changes |= ColliderChanges::MATERIAL;
+    }
+
+    /// Sets the thickness (length units) of the invisible layer around the shape, 0 or more.
+    pub fn set_contact_skin(&mut self, skin: Real) {
+        if accepts("set_contact_skin", check_margin("contact_skin", skin)) {
+            self.contact_skin = skin;
+            self.changes |= ColliderChanges::SHAPE;
+        }
+    }
+}
+
+/// Its shape and mass.
+impl Collider {
+    /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
+    pub fn set_shape(&mut self, shape: SharedShape) {
+        if accepts("set_shape", check_shape(&*shape)) {
+            self.shape = shape;
+            self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        }
+    }
+
+    /// The shape, to be changed in place. A shape shared with other colliders is copied first.
+    ///
+    /// The next step looks at what became of it: a shape that cannot be simulated any more (a negative
+    /// radius, say) disables the collider, with a warning.
+    pub fn shape_mut(&mut self) -> &mut dyn Shape {
+        self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.shape.make_mut()
+    }
+
+    /// Looks at the shape after [`Self::shape_mut`]: if it became impossible, a small stand-in takes
+    /// its place and the collider is disabled.
+    pub(crate) fn replace_broken_shape(&mut self) {
+        if let Err(reason) = check_shape(&*self.shape) {
+            log::warn!(
+                "a collider's shape was made unusable, so the collider is disabled: {reason}"
+            );
+            self.shape = super::builder::stand_in_shape();
+            self.set_enabled(false);
+        }
+    }
+
+    /// Sets the mass per volume (per area in 2D), 0 or more.
+    pub fn set_density(&mut self, density: Real) {
+        if accepts("set_density", check_margin("density", density)) {
+            self.set_mass_props(ColliderMassProps::Density(density));
+        }
+    }
+
+    /// Sets the mass, spread evenly over the shape, 0 or more.
+    pub fn set_mass(&mut self, mass: Real) {
+        if accepts("set_mass", check_margin("mass", mass)) {
+            self.set_mass_props(ColliderMassProps::Mass(mass));
+        }
+    }
+
+    /// Sets mass, centre of mass and angular inertia, in the collider's frame.
+    pub fn set_mass_properties(&mut self, properties: MassProperties) {
+        if mass_is_valid(&properties) {
+            self.set_mass_props(properties.into());
+        } else {
+            log::warn!("Collider::set_mass_properties ignored: {properties:?} is not a mass");
+        }
+    }
+
+    fn set_mass_props(&mut self, mass_props: ColliderMassProps) {
+        if self.mass_props != mass_props {
+            self.mass_props = mass_props;
+            self.changes |= ColliderChanges::LOCAL_MASS_PROPERTIES;
+        }
+    }
+
+    /// Makes it the same as `other` in everything but its body, its enabled state's cause, and who has
+    /// noted its changes; an attached collider also keeps its place on its body.
+    pub fn copy_from(&mut self, other: &Collider) {
+        let noted = self.changes & ColliderChanges::IN_MODIFIED_SET;
+        let (parent, parent_type, pose) = (self.parent, self.parent_type, self.pose);
+        let by_parent = self.flags.enabled == ColliderEnabled::DisabledByParent;
+        *self = other.clone();
+        (self.parent, self.parent_type) = (parent, parent_type);
+        if parent.is_some() {
+            self.pose = pose;
+        }
+        self.flags.enabled = match (other.flags.enabled, by_parent) {
+            (ColliderEnabled::Disabled, _) => ColliderEnabled::Disabled,
+            (_, true) => ColliderEnabled::DisabledByParent,
+            (_, false) => ColliderEnabled::Enabled,
+        };
+        self.changes = noted
+            | (ColliderChanges::all()
+                - ColliderChanges::IN_MODIFIED_SET
+                - ColliderChanges::PARENT
+                - ColliderChanges::DEFORMED);
+    }
+}
