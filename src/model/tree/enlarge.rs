@@ -1,0 +1,67 @@
+//! How much larger than the collider its box is.
+//!
+//! A larger margin means fewer updates and more pairs. Pairs are what costs in piles, updates what
+//! costs in the air; so the margin on all sides is small, and a moving collider gets room ahead of it,
+//! for the next few steps, instead of room all around.
+
+use super::TreeKind;
+use crate::dim::math::{Real, Vector};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+
+/// Margin on all sides, as a share of the smallest half extent of the box. A tenth costs a pile of
+/// boxes no further neighbours, and a body that rocks a little does not leave it.
+const MARGIN_FRACTION: Real = 0.1;
+/// For how many steps a moving collider gets room ahead. More would sweep falling piles into pairs
+/// with everything below them.
+const STEPS_AHEAD: Real = 3.0;
+/// Room ahead is no longer than this many half extents: whatever is faster leaves its box in every
+/// step anyway, and a long box would only find more neighbours.
+const AHEAD_MAX: Real = 2.0;
+/// Boxes end here (length units). Products of three such lengths and the number of leaves, which the
+/// trees compute, stay within `f32`; half-spaces, whose boxes know no end, get this size.
+const BOX_LIMIT: Real = 1.0e10;
+
+/// What the size of the margin depends on.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct BoxMargin {
+    /// Distance at which contacts must be found, per collider: half the prediction distance plus the
+    /// contact skin (length units).
+    pub reach: Real,
+    /// Expected motion during the next step (length units, world space).
+    pub travel: Vector,
+}
+
+impl BoxMargin {
+    /// The margin of a collider that stays where it is.
+    pub fn at_rest(reach: Real) -> Self {
+        Self { reach, travel: Vector::ZERO }
+    }
+
+    /// The box in which contacts must be found; `None` if it is not finite.
+    pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
+        if !(tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite()) {
+            return None;
+        }
+        Some(limited(tight.loosened(self.reach.max(0.0))))
+    }
+
+    /// The box that goes into the tree.
+    pub fn enlarged(&self, needed: &Aabb, kind: TreeKind) -> Aabb {
+        if kind == TreeKind::Fixed {
+            return *needed; // seldom moves, so any margin would only find more neighbours
+        }
+        let half = needed.half_extents();
+        let margin = Vector::splat((MARGIN_FRACTION * half.min_element()).max(self.reach));
+        let travel = if self.travel.is_finite() { self.travel } else { Vector::ZERO };
+        let limit = Vector::splat(AHEAD_MAX * half.max_element());
+        let ahead = (travel * STEPS_AHEAD).clamp(-limit, limit);
+        let (back, forth) = (ahead.min(Vector::ZERO), ahead.max(Vector::ZERO));
+        limited(Aabb::new(needed.mins - margin + back, needed.maxs + margin + forth))
+    }
+}
+
+/// The box within the limits of the world.
+fn limited(aabb: Aabb) -> Aabb {
+    let limit = Vector::splat(BOX_LIMIT);
+    Aabb::new(aabb.mins.clamp(-limit, limit), aabb.maxs.clamp(-limit, limit))
+}

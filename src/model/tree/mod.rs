@@ -1,0 +1,175 @@
+//! Trees of boxes: which colliders may touch which.
+//!
+//! Each collider stands in one of two trees, with a box somewhat larger than itself. While it stays
+//! inside, nothing is done; when it leaves, it gets a new box and is noted as moved, and only moved
+//! colliders look for new neighbours. Fixed colliders have a tree of their own, so that they never
+//! find each other. A step costs nothing for colliders that rest, however many there are.
+
+mod enlarge;
+mod proxy;
+mod shape_box;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use enlarge::BoxMargin;
+pub(crate) use proxy::{ColliderProxy, TreeKind};
+pub(crate) use shape_box::shape_box;
+
+use crate::dim::math::Vector;
+use crate::model::collider::ColliderHandle;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
+
+/// Below this number of boxes the order of insertion does not matter.
+const REBUILD_MIN: u32 = 64;
+
+/// The enlarged boxes of all colliders.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct BroadPhaseBvh {
+    fixed: Tree,
+    movable: Tree,
+    /// Slots of the colliders that have a new box since the last search for pairs.
+    moved: Vec<u32>,
+    /// One bit for each slot: is it in `moved`?
+    moved_bits: Vec<u64>,
+}
+
+impl BroadPhaseBvh {
+    /// Knows no collider.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a collider its place in a tree: whatever it was before, afterwards its enlarged box
+    /// covers `tight` and it stands in the tree of its kind. Returns whether the enlarged box changed.
+    ///
+    /// A box that is not finite cannot be placed: the collider is left out, with a warning.
+    pub(crate) fn place(
+        &mut self,
+        handle: ColliderHandle,
+        proxy: &mut ColliderProxy,
+        kind: TreeKind,
+        tight: &Aabb,
+        margin: &BoxMargin,
+    ) -> bool {
+        let (slot, _) = handle.into_raw_parts();
+        let Some(needed) = margin.needed(tight) else {
+            log::warn!("collider {slot} is left out of the world: its box is {tight:?}");
+            return self.remove(slot, proxy);
+        };
+        if proxy.tree == Some(kind) && proxy.fat_aabb.contains(&needed) {
+            proxy.clearance = clearance(&needed, &proxy.fat_aabb);
+            return false;
+        }
+        // A stale entry may stand at the slot if its former tenant was removed: look in both trees.
+        self.fixed.boxes.remove(slot);
+        self.movable.boxes.remove(slot);
+        proxy.fat_aabb = margin.enlarged(&needed, kind);
+        proxy.clearance = clearance(&needed, &proxy.fat_aabb);
+        proxy.tree = Some(kind);
+        self.tree_mut(kind).insert(proxy.fat_aabb, slot);
+        self.mark_moved(slot);
+        true
+    }
+
+    /// Takes a collider out. Returns whether it was in.
+    pub(crate) fn remove(&mut self, slot: u32, proxy: &mut ColliderProxy) -> bool {
+        self.remove_slot(slot);
+        proxy.tree.take().is_some()
+    }
+
+    /// Takes out whatever stands at the slot, after the collider is gone.
+    pub(crate) fn remove_slot(&mut self, slot: u32) {
+        self.fixed.boxes.remove(slot);
+        self.movable.boxes.remove(slot);
+    }
+
+    /// Lets the next search look at all neighbours of the collider again, as after a change of its
+    /// groups.
+    pub(crate) fn mark_moved(&mut self, slot: u32) {
+        let (word, bit) = (slot as usize / 64, 1_u64 << (slot % 64));
+        if word >= self.moved_bits.len() {
+            self.moved_bits.resize(word + 1, 0);
+        }
+        if self.moved_bits[word] & bit == 0 {
+            self.moved_bits[word] |= bit;
+            self.moved.push(slot);
+        }
+    }
+
+    /// Slots of the colliders that must look for neighbours.
+    pub(crate) fn moved(&self) -> &[u32] {
+        &self.moved
+    }
+
+    /// Must the collider at this slot look for neighbours?
+    pub(crate) fn is_moved(&self, slot: u32) -> bool {
+        let word = self.moved_bits.get(slot as usize / 64).copied().unwrap_or(0);
+        word & (1 << (slot % 64)) != 0
+    }
+
+    /// All have looked for neighbours.
+    pub(crate) fn clear_moved(&mut self) {
+        for slot in self.moved.drain(..) {
+            self.moved_bits[slot as usize / 64] = 0;
+        }
+    }
+
+    /// The boxes of one kind of colliders, by slot.
+    pub(crate) fn boxes(&self, kind: TreeKind) -> &Bvh {
+        match kind {
+            TreeKind::Fixed => &self.fixed.boxes,
+            TreeKind::Movable => &self.movable.boxes,
+        }
+    }
+
+    /// Slots of the colliders of one kind whose enlarged boxes overlap a box.
+    pub(crate) fn overlapping(&self, kind: TreeKind, aabb: &Aabb) -> impl Iterator<Item = u32> {
+        let query = BvhNode::leaf(*aabb, 0);
+        self.boxes(kind).leaves(move |node| node.intersects(&query))
+    }
+
+    /// Puts the trees in good order after many colliders came in, at a cost that these colliders
+    /// have paid for: a tree is rebuilt only when half of its boxes are new.
+    pub(crate) fn tidy(&mut self) {
+        self.fixed.tidy();
+        self.movable.tidy();
+    }
+
+    fn tree_mut(&mut self, kind: TreeKind) -> &mut Tree {
+        match kind {
+            TreeKind::Fixed => &mut self.fixed,
+            TreeKind::Movable => &mut self.movable,
+        }
+    }
+}
+
+/// One tree and how much it grew.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Tree {
+    boxes: Bvh,
+    /// Number of boxes when the tree was last built as a whole.
+    built: u32,
+}
+
+impl Tree {
+    fn insert(&mut self, aabb: Aabb, slot: u32) {
+        self.boxes.insert(aabb, slot);
+    }
+
+    fn tidy(&mut self) {
+        let count = self.boxes.leaf_count();
+        if count >= REBUILD_MIN && count / 2 > self.built {
+            self.boxes.rebuild(&mut BvhWorkspace::default(), BvhBuildStrategy::Binned);
+            self.built = count;
+        }
+    }
+}
+
+/// How far a box may grow on all sides before it leaves another that contains it.
+fn clearance(inner: &Aabb, outer: &Aabb) -> crate::dim::math::Real {
+    let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
+    gaps.min_element().max(0.0)
+}

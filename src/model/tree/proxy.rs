@@ -1,0 +1,34 @@
+//! What a collider knows of its place in the trees.
+
+use crate::dim::math::Real;
+use parry::bounding_volume::Aabb;
+
+/// Which tree a collider stands in.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) enum TreeKind {
+    /// Colliders of fixed bodies and of none: they look for movable neighbours only.
+    Fixed,
+    /// Colliders of dynamic and kinematic bodies.
+    Movable,
+}
+
+/// A collider's place in the trees, kept inside the collider.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct ColliderProxy {
+    /// The enlarged box in world space, as it stands in the tree.
+    pub fat_aabb: Aabb,
+    /// The tree; `None` while the collider is disabled, not yet taken in, or not finite.
+    pub tree: Option<TreeKind>,
+    /// How far (length units) points of the collider may move before its box can leave the enlarged
+    /// one. Whoever moves the collider takes off a bound of the motion, and looks at the box when
+    /// nothing is left.
+    pub clearance: Real,
+}
+
+impl Default for ColliderProxy {
+    fn default() -> Self {
+        Self { fat_aabb: Aabb::new_invalid(), tree: None, clearance: 0.0 }
+    }
+}

@@ -1,0 +1,143 @@
+//! Tests of the trees.
+
+use super::{BoxMargin, BroadPhaseBvh, ColliderProxy, TreeKind, shape_box};
+use crate::base::random::Random;
+use crate::dim::collide::samples;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::ColliderHandle;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::shape::{HalfSpace, Shape};
+
+fn handle(slot: u32) -> ColliderHandle {
+    ColliderHandle::from_raw_parts(slot, 0)
+}
+
+fn cube(center: Vector) -> Aabb {
+    Aabb::from_half_extents(center, Vector::splat(0.5))
+}
+
+#[test]
+fn boxes_of_shapes_agree_with_parry() {
+    let mut random = Random(1);
+    for round in 0..200 {
+        let shape = samples::shape(round % samples::KINDS, &mut random, 1.0);
+        let pose = samples::pose(&mut random, 10.0);
+        let (ours, theirs) = (shape_box(&*shape, &pose), shape.compute_aabb(&pose));
+        assert!(
+            (ours.mins - theirs.mins).length() <= 1.0e-4,
+            "round {round}: {ours:?}, {theirs:?}"
+        );
+        assert!(
+            (ours.maxs - theirs.maxs).length() <= 1.0e-4,
+            "round {round}: {ours:?}, {theirs:?}"
+        );
+    }
+}
+
+#[test]
+fn a_small_motion_changes_nothing_and_a_large_one_does() {
+    let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
+    let margin = BoxMargin::at_rest(0.01);
+    assert!(tree.place(handle(3), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin));
+    assert_eq!(tree.moved(), [3]);
+    tree.clear_moved();
+
+    let clearance = proxy.clearance;
+    assert!(clearance > 0.0);
+    let near = cube(Vector::splat(0.9 * clearance));
+    assert!(!tree.place(handle(3), &mut proxy, TreeKind::Movable, &near, &margin));
+    assert!(proxy.clearance < clearance && tree.moved().is_empty());
+
+    let far = cube(Vector::splat(2.0));
+    assert!(tree.place(handle(3), &mut proxy, TreeKind::Movable, &far, &margin));
+    assert!(tree.is_moved(3) && !tree.is_moved(2) && !tree.is_moved(1_000));
+    assert_eq!(tree.overlapping(TreeKind::Movable, &cube(Vector::ZERO)).count(), 0);
+    assert_eq!(tree.overlapping(TreeKind::Movable, &far).collect::<Vec<_>>(), [3]);
+}
+
+#[test]
+fn motion_makes_room_ahead() {
+    let margin = BoxMargin { reach: 0.0, travel: Vector::X * 0.1 };
+    let fat = margin.enlarged(&cube(Vector::ZERO), TreeKind::Movable);
+    assert!(fat.maxs.x > 0.5 + 0.25 && fat.mins.x > -0.6);
+    let fast = BoxMargin { reach: 0.0, travel: Vector::X * 1.0e6 };
+    let fat = fast.enlarged(&cube(Vector::ZERO), TreeKind::Movable);
+    assert!(fat.maxs.x < 2.0, "a fast collider sweeps up to {}", fat.maxs.x);
+}
+
+#[test]
+fn a_collider_stands_in_one_tree() {
+    let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
+    let (margin, tight) = (BoxMargin::at_rest(0.01), cube(Vector::ZERO));
+    for kind in [TreeKind::Movable, TreeKind::Fixed, TreeKind::Movable] {
+        assert!(tree.place(handle(0), &mut proxy, kind, &tight, &margin));
+        let counts = [TreeKind::Fixed, TreeKind::Movable].map(|kind| tree.boxes(kind).leaf_count());
+        assert_eq!(
+            counts,
+            [u32::from(kind == TreeKind::Fixed), u32::from(kind == TreeKind::Movable)]
+        );
+    }
+    assert!(tree.remove(0, &mut proxy) && !tree.remove(0, &mut proxy));
+    assert!(tree.boxes(TreeKind::Movable).is_empty());
+}
+
+#[test]
+fn boxes_that_are_not_finite_are_left_out() {
+    let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
+    let margin = BoxMargin::at_rest(0.01);
+    for bad in [Real::NAN, Real::INFINITY] {
+        tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin);
+        assert!(proxy.tree.is_some());
+        tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::splat(bad)), &margin);
+        assert!(proxy.tree.is_none() && tree.boxes(TreeKind::Movable).is_empty());
+    }
+}
+
+#[test]
+fn half_spaces_and_far_colliders_work() {
+    let mut tree = BroadPhaseBvh::new();
+    let margin = BoxMargin::at_rest(0.01);
+    let ground = HalfSpace::new(Vector::Y).compute_aabb(&Pose::IDENTITY);
+    let mut proxies = [ColliderProxy::default(); 200];
+    tree.place(handle(0), &mut proxies[0], TreeKind::Fixed, &ground, &margin);
+    let mut random = Random(5);
+    for slot in 1..200 {
+        let tight = cube(samples::vector(&mut random, if slot < 100 { 10.0 } else { 1.0e12 }));
+        let kind = if slot % 2 == 0 { TreeKind::Fixed } else { TreeKind::Movable };
+        tree.place(handle(slot), &mut proxies[slot as usize], kind, &tight, &margin);
+    }
+    tree.tidy();
+    for (slot, proxy) in proxies.iter().enumerate().skip(1) {
+        let found: Vec<_> = tree.overlapping(TreeKind::Fixed, &proxy.fat_aabb).collect();
+        assert!(found.contains(&0), "collider {slot} does not find the ground");
+    }
+}
+
+#[test]
+fn trees_find_what_comparing_all_boxes_finds() {
+    let (mut tree, mut random) = (BroadPhaseBvh::new(), Random(9));
+    let mut proxies = vec![ColliderProxy::default(); 300];
+    for round in 0..5 {
+        for slot in 0..300_u32 {
+            let tight = cube(samples::vector(&mut random, 6.0));
+            let margin = BoxMargin { reach: 0.01, travel: samples::vector(&mut random, 0.2) };
+            let proxy = &mut proxies[slot as usize];
+            if random.below(3) == 0 {
+                tree.remove(slot, proxy);
+            } else {
+                tree.place(handle(slot), proxy, TreeKind::Movable, &tight, &margin);
+            }
+        }
+        tree.tidy();
+        for proxy in proxies.iter().filter(|proxy| proxy.tree.is_some()) {
+            let mut found: Vec<_> = tree.overlapping(TreeKind::Movable, &proxy.fat_aabb).collect();
+            found.sort_unstable();
+            let overlaps = |slot: &u32| {
+                let other = &proxies[*slot as usize];
+                other.tree.is_some() && other.fat_aabb.intersects(&proxy.fat_aabb)
+            };
+            let expected: Vec<_> = (0..300).filter(overlaps).collect();
+            assert_eq!(found, expected, "round {round}");
+        }
+    }
+}
