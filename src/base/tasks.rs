@@ -75,6 +75,21 @@ impl Tasks {
             }
         });
     }
+
+    /// Calls `work` with slices that together are all items, each item in one of them; `grain` as for
+    /// [`Self::par_for`].
+    pub fn par_chunks_mut<T: Send + Sync>(
+        &self,
+        items: &mut [T],
+        grain: usize,
+        work: impl Fn(&mut [T]) + Sync,
+    ) {
+        let shared = DisjointMut::new(items);
+        self.par_for(shared.len(), grain, |range| {
+            // SAFETY: `par_for` hands out each index below the length once.
+            work(unsafe { shared.range_mut(range) });
+        });
+    }
 }
 
 /// Halves the range until it is one piece, and offers the second half to other threads.

@@ -10,3 +10,4 @@ pub mod math;
 pub mod shapes;
 pub mod wide;
 mod surface;
+pub(crate) mod gyro;

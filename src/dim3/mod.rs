@@ -13,3 +13,4 @@ mod surface;
 
 pub(crate) mod contact;
 pub(crate) mod state;
+pub(crate) mod gyro;

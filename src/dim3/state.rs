@@ -71,6 +71,8 @@ impl BodyState {
 pub(crate) struct BodyPose([Real; POSE_LEN]);
 
 impl BodyPose {
+    /// The index under which constraints find [`Self::WORLD`].
+    pub const WORLD_INDEX: u32 = READ_ONLY;
     /// The world itself: at the origin, and of infinite mass.
     pub const WORLD: Self =
         Self([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);

@@ -1,2 +1,3 @@
 //! 
 mod narrow_phase;
+mod solver;

@@ -1,7 +1,7 @@
 //! The memory of contact constraints: what goes in, and what the passes read and write.
 
 use crate::base::wide::{LANES, Lane};
-use crate::dim3::math::MAX_MANIFOLD_POINTS;
+use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::{WideSymmetric, WideVector};
 
@@ -119,7 +119,7 @@ pub(crate) struct FrictionRow {
     pub center: WideVector<Lane>,
     pub coefficient: Lane,
     /// Inverse of the 2×2 effective-mass matrix of the tangents: 11, 12, 22.
-    pub tangent_mass: [Lane; 2 + 1],
+    pub tangent_mass: [Lane; 3],
     pub twist_mass: Lane,
     /// Mean distance of the points from the friction centre: the lever of twist friction.
     pub lever: Lane,
@@ -128,4 +128,52 @@ pub(crate) struct FrictionRow {
     /// Friction impulse of this substep along the two tangents.
     pub impulse: [Lane; 2],
     pub twist_impulse: Lane,
+}
+
+impl ContactBlock {
+    /// No constraint in any lane.
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        let vector = WideVector { x: zero, y: zero, z: zero };
+        let symmetric =
+            WideSymmetric { m11: zero, m12: zero, m13: zero, m22: zero, m23: zero, m33: zero };
+        let point = PointRow { x: zero, y: zero, separation: zero, mass: zero, impulse: zero };
+        let friction = FrictionRow {
+            center: vector,
+            coefficient: zero,
+            tangent_mass: [zero; 3],
+            twist_mass: zero,
+            lever: zero,
+            surface_velocity: [zero; 2],
+            impulse: [zero; 2],
+            twist_impulse: zero,
+        };
+        Self {
+            bodies: [[READ_ONLY; LANES]; 2],
+            normal: vector,
+            tangent: vector,
+            inv_mass: [vector; 2],
+            inv_inertia: [symmetric; 2],
+            offset: vector,
+            points: [point; MAX_MANIFOLD_POINTS],
+            coupling: [zero; COUPLINGS],
+            is_static: zero,
+            friction,
+            totals: [zero; MAX_MANIFOLD_POINTS],
+            restitution: zero,
+            approach: [zero; MAX_MANIFOLD_POINTS],
+        }
+    };
+
+    /// The friction impulse of one lane, in world space.
+    pub fn friction_impulse(&self, lane: usize) -> Vector {
+        let (n, t1) = (self.normal.lane(lane), self.tangent.lane(lane));
+        let [x, y] = self.friction.impulse;
+        t1 * x.0[lane] + n.cross(t1) * y.0[lane]
+    }
+
+    /// The twist impulse of one lane, about its normal.
+    pub fn twist_impulse(&self, lane: usize) -> Real {
+        self.friction.twist_impulse.0[lane]
+    }
 }

@@ -1,0 +1,260 @@
+//! Awake bodies as the solver sees them: dense, and in the order of the awake list.
+
+use crate::base::disjoint::DisjointMut;
+use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
+use crate::dim::gyro::Gyroscope;
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, ang_length_squared,
+    integrate_rotation, mul_inertia,
+};
+use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::island::{IslandManager, NONE};
+use crate::model::params::IntegrationParameters;
+
+/// What integrates a body; no constraint reads it.
+#[derive(Copy, Clone, Debug)]
+struct Motion {
+    rotation: Rotation,
+    /// Acceleration by gravity and the user's forces (length/s², rad/s²).
+    linear_acceleration: Vector,
+    angular_acceleration: AngVector,
+    linear_damping: Real,
+    angular_damping: Real,
+    /// For a body that tumbles.
+    gyroscope: Option<Gyroscope>,
+}
+
+/// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th awake body.
+#[derive(Default)]
+pub(super) struct SolverBodies {
+    pub poses: Vec<BodyPose>,
+    pub states: Vec<BodyState>,
+    /// Velocities before any impulse of the current substep.
+    pub before: Vec<BodyState>,
+    motions: Vec<Motion>,
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body. The
+    /// world's for bodies that are not awake.
+    indices: Vec<u32>,
+    /// The slots whose index is not the world's, to be cleared by the next step.
+    listed: Vec<u32>,
+}
+
+const WORLD: u32 = BodyPose::WORLD_INDEX;
+
+impl SolverBodies {
+    /// Gathers all awake bodies. Returns how many substeps they ask for beyond the usual.
+    pub fn load(
+        &mut self,
+        awake: &[RigidBodyHandle],
+        bodies: &mut RigidBodySet,
+        gravity: Vector,
+        params: &IntegrationParameters,
+    ) -> usize {
+        self.clear();
+        self.indices.resize(bodies.slot_count().max(self.indices.len()), WORLD);
+        let mut extra_substeps = 0;
+        for &handle in awake {
+            let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
+            let slot = handle.into_raw_parts().0;
+            let index = self.states.len() as u32;
+            self.indices[slot as usize] = if body.is_dynamic() { index } else { index | READ_ONLY };
+            self.listed.push(slot);
+            self.push(body, gravity, params);
+            extra_substeps = extra_substeps.max(body.additional_solver_iterations);
+        }
+        self.before.clone_from(&self.states);
+        extra_substeps
+    }
+
+    fn clear(&mut self) {
+        for slot in self.listed.drain(..) {
+            self.indices[slot as usize] = WORLD;
+        }
+        self.poses.clear();
+        self.states.clear();
+        self.motions.clear();
+        self.poses.push(BodyPose::WORLD);
+        self.states.push(BodyState::default());
+        self.motions.push(Motion::AT_REST);
+    }
+
+    fn push(&mut self, body: &mut RigidBody, gravity: Vector, params: &IntegrationParameters) {
+        let mprops = &body.mprops;
+        let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
+        self.poses.push(BodyPose::new(
+            body.pose.rotation,
+            mprops.world_com,
+            inv_mass,
+            inv_inertia,
+        ));
+        if body.body_type == RigidBodyType::KinematicPositionBased {
+            let velocity = body.velocity_to_next_position(params.inv_dt());
+            (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
+        }
+        self.states.push(BodyState::new(body.linvel, body.angvel));
+        self.motions.push(if body.is_dynamic() {
+            Motion::of(body, gravity, params.substep())
+        } else {
+            Motion { rotation: body.pose.rotation, ..Motion::AT_REST }
+        });
+    }
+
+    /// The solver's index of the body in a slot ([`NONE`]: no body).
+    pub fn index_of(&self, slot: u32) -> u32 {
+        if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
+    }
+
+    /// The states, to be shared among constraints of one colour.
+    pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>, &[BodyState]) {
+        (&self.poses, DisjointMut::new(&mut self.states), &self.before)
+    }
+
+    /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
+    ///
+    /// At the `first` substep the states hold the impulses of the last step already, which must not be
+    /// damped with the velocity.
+    pub fn integrate_velocities(&mut self, h: Real, params: &IntegrationParameters, first: bool) {
+        let warmth = params.warmstart_coefficient;
+        let speed_max = params.max_linear_velocity();
+        let bodies = self.states.iter_mut().zip(&mut self.before).zip(&mut self.motions);
+        for ((state, before), motion) in bodies.skip(1) {
+            let (old_v, old_w) = before.velocity();
+            let (v, w) = state.velocity();
+            let (impulse_v, impulse_w) = ((v - old_v) * warmth, (w - old_w) * warmth);
+            let (v, w) = if first { (old_v, old_w) } else { (v, w) };
+            let (v, w) = motion.accelerated(v, w, h, speed_max);
+            before.set_velocity(v, w);
+            state.set_velocity(v + impulse_v, w + impulse_w);
+        }
+    }
+
+    /// Moves all bodies by their velocities.
+    pub fn integrate_positions(&mut self, h: Real) {
+        let bodies = self.states.iter_mut().zip(&mut self.before).zip(&mut self.motions);
+        for ((state, before), motion) in bodies.skip(1) {
+            state.advance(h);
+            motion.tumble(state, before, h);
+        }
+    }
+
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved.
+    pub fn store(
+        &mut self,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+        params: &IntegrationParameters,
+    ) {
+        for position in 0..islands.awake.len() {
+            let handle = islands.awake[position];
+            let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
+            let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
+            let bound = match body.body_type {
+                RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
+                _ => commit(body, state, motion),
+            };
+            islands.set_motion(handle.into_raw_parts().0, bound);
+        }
+    }
+}
+
+/// Gives a body the pose and velocity that the solver found. Returns a bound of how far any point of
+/// it moved.
+///
+/// A body whose numbers overflowed stays where it was and comes to rest: one lost body is better than
+/// a world of NaN.
+fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> Real {
+    let (linvel, angvel) = state.velocity();
+    let (shift, turn) = state.displacement();
+    let rotation = match motion.gyroscope {
+        Some(_) => motion.rotation.normalize(),
+        None => integrate_rotation(motion.rotation, turn),
+    };
+    let center = body.mprops.world_com + shift;
+    let pose = Pose::from_parts(center - rotation * body.mprops.local.local_com, rotation);
+    if !(pose.is_finite() && linvel.is_finite() && ang_is_finite(angvel)) {
+        log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
+        (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
+        return 0.0;
+    }
+    (body.linvel, body.angvel) = (linvel, angvel);
+    body.pose = pose;
+    body.update_world_mass_properties();
+    motion_bound(shift, ang_length_squared(turn), body.extent)
+}
+
+/// Puts a position-based kinematic body where the user wants it.
+fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> Real {
+    let old_center = body.mprops.world_com;
+    body.pose = pose;
+    body.update_world_mass_properties();
+    let turn = body.angvel * dt;
+    motion_bound(body.mprops.world_com - old_center, ang_length_squared(turn), body.extent)
+}
+
+/// The centre moved by `shift`; a point at the distance `extent` from it moved by no more than the
+/// angle times that distance besides.
+fn motion_bound(shift: Vector, turn_squared: Real, extent: Real) -> Real {
+    shift.length() + if turn_squared > 0.0 { turn_squared.sqrt() * extent } else { 0.0 }
+}
+
+impl Motion {
+    /// Neither accelerates nor is damped.
+    const AT_REST: Self = Self {
+        rotation: Rotation::IDENTITY,
+        linear_acceleration: Vector::ZERO,
+        angular_acceleration: ANG_ZERO,
+        linear_damping: 0.0,
+        angular_damping: 0.0,
+        gyroscope: None,
+    };
+
+    fn of(body: &RigidBody, gravity: Vector, substep: Real) -> Self {
+        let mprops = &body.mprops;
+        // Gravity accelerates whatever can move, with or without mass.
+        let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
+        let turns_freely = !mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
+        let gyroscope = if body.gyroscopic_forces_enabled && turns_freely {
+            Gyroscope::new(&mprops.local, body.angvel, substep)
+        } else {
+            None
+        };
+        Self {
+            rotation: body.pose.rotation,
+            linear_acceleration: gravity * body.gravity_scale * free + body.force * mprops.inv_mass,
+            angular_acceleration: mul_inertia(&mprops.inv_inertia, body.torque),
+            linear_damping: body.linear_damping,
+            angular_damping: body.angular_damping,
+            gyroscope,
+        }
+    }
+
+    /// The velocities after `h` seconds without any constraint.
+    fn accelerated(
+        &mut self,
+        v: Vector,
+        w: AngVector,
+        h: Real,
+        speed_max: Real,
+    ) -> (Vector, AngVector) {
+        // Damping is integrated implicitly: v' = v + h a - h c v' never overshoots zero.
+        let v = (v + self.linear_acceleration * h) / (1.0 + h * self.linear_damping);
+        let mut w = (w + self.angular_acceleration * h) / (1.0 + h * self.angular_damping);
+        if let Some(gyroscope) = &mut self.gyroscope {
+            w = gyroscope.velocity_at_middle(self.rotation, w, h);
+        }
+        (v.clamp_length_max(speed_max), w)
+    }
+
+    /// Turns a tumbling body, and its angular velocity as its inertia turns.
+    fn tumble(&mut self, state: &mut BodyState, before: &mut BodyState, h: Real) {
+        let Some(gyroscope) = &self.gyroscope else { return };
+        let (v, w) = state.velocity();
+        self.rotation = integrate_rotation(self.rotation, w * h);
+        let end = gyroscope.velocity_at_end(self.rotation, w);
+        state.set_velocity(v, end);
+        // What turned the velocity was no impulse: the next substep must not start with it.
+        let (before_v, before_w) = before.velocity();
+        before.set_velocity(before_v, before_w + (end - w));
+    }
+}

@@ -1,0 +1,82 @@
+//! # Solver — make velocities obey
+//!
+//! Reads:   manifolds, the constraint graph, parameters
+//! Writes:  velocities and poses of awake bodies, impulses of manifolds
+//! Runs:    parallel within a colour; colours in order
+//! Never:   adds or removes anything: the structure is frozen
+//!
+//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in
+//! Physics Simulation": many small substeps with one visit of each constraint beat one step with many
+//! visits. Each substep solves the constraints with a soft bias that undoes overlap, moves the bodies,
+//! and relaxes: solves once more without bias, so that the velocity that undid the overlap does not
+//! stay. Bounces come once, at the end.
+//!
+//! **Warm starting without passes.** A substep should begin with the impulses of the last one. Lever
+//! arms and inertias are frozen during a step, so what those impulses do to a body is what they did to
+//! it in the last substep: the difference between its velocity at that substep's end and before any
+//! impulse. We keep the latter per body and add the difference, instead of visiting all constraints.
+
+mod bodies;
+mod contacts;
+
+use crate::base::tasks::Tasks;
+use crate::base::wide::Simd;
+use crate::dim::math::{Real, Vector};
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::SolverCounters;
+use crate::model::island::IslandManager;
+use crate::model::params::{ContactPass, IntegrationParameters};
+use bodies::SolverBodies;
+use contacts::SolverContacts;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(crate) struct SolverScratch {
+    bodies: SolverBodies,
+    contacts: SolverContacts,
+    simd: Simd,
+}
+
+/// Solves one step for all awake bodies.
+pub(crate) fn solve(
+    gravity: Vector,
+    params: &IntegrationParameters,
+    bodies: &mut RigidBodySet,
+    narrow_phase: &mut NarrowPhase,
+    islands: &mut IslandManager,
+    scratch: &mut SolverScratch,
+    counters: &mut SolverCounters,
+) {
+    let SolverScratch { bodies: states, contacts, simd } = scratch;
+    let tasks = Tasks::current();
+
+    counters.velocity_assembly_time.resume();
+    let extra = states.load(&islands.awake, bodies, gravity, params);
+    let substeps = params.num_solver_iterations + extra;
+    let h = params.dt / substeps as Real;
+    let pass = ContactPass::new(params, h);
+    contacts.load(&islands.graph, narrow_phase, states);
+    contacts.prepare(states, params, *simd, tasks);
+    counters.velocity_assembly_time.pause();
+
+    counters.velocity_resolution_time.resume();
+    for substep in 0..substeps {
+        states.integrate_velocities(h, params, substep == 0);
+        for _ in 0..params.num_internal_pgs_iterations {
+            contacts.solve(states, &pass, *simd, tasks);
+        }
+        states.integrate_positions(h);
+        for _ in 0..=params.num_additional_friction_iterations {
+            contacts.relax(states, &pass, *simd, tasks);
+        }
+    }
+    contacts.restitute(states, &pass, *simd, tasks);
+    counters.velocity_resolution_time.pause();
+
+    counters.velocity_writeback_time.resume();
+    contacts.store(&islands.graph, narrow_phase);
+    states.store(islands, bodies, params);
+    counters.velocity_writeback_time.pause();
+    counters.nconstraints = contacts.len();
+}
