@@ -1,7 +1,9 @@
 //! 2D rigid-body physics.
 
 #[cfg(feature = "parry2d-f64")]
-extern crate parry2d_f64 as parry;
+pub extern crate parry2d_f64 as parry;
+#[cfg(not(feature = "parry2d-f64"))]
+pub use ::parry;
 
 mod dim2;
 use dim2 as dim; // the one line that decides the dimension
@@ -12,3 +14,5 @@ mod step;
 #[cfg(feature = "debug-render")]
 mod debug_render;
 mod api;
+
+pub use api::{data, dynamics, geometry, math, pipeline, prelude};

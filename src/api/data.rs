@@ -1,0 +1,3 @@
+//! What handles are made of.
+
+pub use crate::base::arena::Index;

@@ -1,0 +1,30 @@
+//! Shapes, colliders, and the contacts between them.
+
+pub use crate::model::collider::{
+    ActiveCollisionTypes, Collider, ColliderBuilder, ColliderChanges, ColliderEnabled,
+    ColliderFlags, ColliderHandle, ColliderMassProps, ColliderMaterial, ColliderParent,
+    ColliderSet, Group, InteractionGroups, InteractionTestMode, InvalidCollider,
+};
+pub use crate::model::contact::{
+    Contact, ContactManifold, ContactManifoldData, ContactPair, IntersectionPair, NarrowPhase,
+    SolverFlags,
+};
+// The one glob of the house: the two dimensions list different names there.
+pub use crate::dim::names::*;
+pub use crate::model::event::{CollisionEvent, CollisionEventFlags, ContactForceEvent};
+pub use crate::model::tree::BroadPhaseBvh;
+pub use parry::bounding_volume::{Aabb, BoundingSphere, BoundingVolume};
+pub use parry::query::{
+    PointProjection, PointQuery, PointQueryWithLocation, Ray, RayCast, RayIntersection,
+    ShapeCastHit, ShapeCastOptions,
+};
+pub use parry::shape::{
+    AxisMask, Ball, Capsule, CompositeShape, CompositeShapeRef, Compound, CompoundFlags,
+    CompoundPseudoNormals, Cuboid, FeatureId, HalfSpace, HeightField, HeightFieldCellStatus,
+    OctantPattern, PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Polyline, PolylineFlags,
+    RoundCuboid, RoundShape, RoundTriangle, Segment, SegmentPointLocation, SegmentPseudoNormals,
+    Shape, ShapeType, SharedShape, SubShapeId, SupportMap, TopoFace, TopoHalfEdge, TopoVertex,
+    TopologyError, TriMesh, TriMeshBuilderError, TriMeshConnectedComponents, TriMeshFlags,
+    TriMeshTopology, Triangle, TriangleOrientation, TrianglePointLocation, TrianglePseudoNormals,
+    TypedCompositeShape, TypedShape, VoxelData, VoxelState, VoxelType, Voxels, VoxelsChunkRef,
+};

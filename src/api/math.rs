@@ -1,0 +1,33 @@
+//! Vectors, rotations, poses, and the number type under them.
+
+pub use crate::dim::math::{
+    ANG_DIM, AngVector, AngularInertia, DIM, Int, Isometry, MAX_MANIFOLD_POINTS, Matrix,
+    Orientation, Point, Pose, Real, Rotation, SPATIAL_DIM, Vector,
+};
+
+/// The components of a vector as a slice.
+pub trait AsSlice {
+    /// The components, `x` first.
+    fn as_slice(&self) -> &[Real];
+}
+
+impl AsSlice for Vector {
+    fn as_slice(&self) -> &[Real] {
+        let components: &[Real; DIM] = self.as_ref();
+        components
+    }
+}
+
+/// A [`Vector`](crate::math::Vector) from its components: `vector![1.0, 2.0, 3.0]` in 3D,
+/// `vector![1.0, 2.0]` in 2D.
+#[macro_export]
+macro_rules! vector {
+    ($($component:expr),+ $(,)?) => { $crate::math::Vector::new($($component),+) };
+}
+
+/// A [`Point`](crate::math::Point) from its coordinates: `point![1.0, 2.0, 3.0]` in 3D,
+/// `point![1.0, 2.0]` in 2D.
+#[macro_export]
+macro_rules! point {
+    ($($coordinate:expr),+ $(,)?) => { $crate::math::Point::new($($coordinate),+) };
+}

@@ -1,0 +1,11 @@
+//! The step, and where the user takes part in it.
+
+pub use crate::base::timer::Timer;
+pub use crate::model::collider::{ActiveEvents, ActiveHooks};
+pub use crate::model::counters::{
+    CCDCounters, CollisionDetectionCounters, Counters, SolverCounters, StagesCounters,
+};
+pub use crate::model::event::{ChannelEventCollector, DefaultEventHandler, EventHandler};
+pub use crate::model::hooks::{
+    ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
+};

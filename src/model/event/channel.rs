@@ -1,0 +1,49 @@
+//! The ready-made handler: events wait in channels until somebody reads them.
+
+use super::{CollisionEvent, ContactForceEvent, EventHandler};
+use crate::dim::math::Real;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::ColliderSet;
+use crate::model::contact::ContactPair;
+use std::sync::mpsc::Sender;
+
+/// Sends every event into a channel.
+#[derive(Clone, Debug)]
+pub struct ChannelEventCollector {
+    collisions: Sender<CollisionEvent>,
+    forces: Sender<ContactForceEvent>,
+}
+
+impl ChannelEventCollector {
+    /// Sends collision events into one channel and contact-force events into the other. Events whose
+    /// receiver is gone are dropped.
+    pub fn new(
+        collision_event_sender: Sender<CollisionEvent>,
+        contact_force_event_sender: Sender<ContactForceEvent>,
+    ) -> Self {
+        Self { collisions: collision_event_sender, forces: contact_force_event_sender }
+    }
+}
+
+impl EventHandler for ChannelEventCollector {
+    fn handle_collision_event(
+        &self,
+        _bodies: &RigidBodySet,
+        _colliders: &ColliderSet,
+        event: &CollisionEvent,
+        _contact_pair: Option<&ContactPair>,
+    ) {
+        // Not an error: whoever dropped the receiver does not want to know.
+        let _ = self.collisions.send(*event);
+    }
+
+    fn handle_contact_force_event(
+        &self,
+        _dt: Real,
+        event: &ContactForceEvent,
+        _bodies: &RigidBodySet,
+        _colliders: &ColliderSet,
+    ) {
+        let _ = self.forces.send(*event);
+    }
+}

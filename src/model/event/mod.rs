@@ -1,0 +1,159 @@
+//! What a step tells the user: pairs that begin or stop to touch, and strong contact forces.
+//!
+//! Events are sent at the end of a step, on the thread that called it, in the order of the pairs. Which
+//! pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents) of their
+//! colliders.
+
+mod channel;
+mod force;
+
+#[cfg(test)]
+mod tests;
+
+pub use channel::ChannelEventCollector;
+pub use force::ContactForceEvent;
+
+use crate::dim::math::Real;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::{ColliderHandle, ColliderSet};
+use crate::model::contact::ContactPair;
+
+bitflags::bitflags! {
+    /// Why a collision began or stopped.
+    #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+    pub struct CollisionEventFlags: u32 {
+        /// At least one of the colliders is a sensor: they intersect, without contact points.
+        const SENSOR = 1;
+        /// The collision stopped because one of the colliders was removed.
+        const REMOVED = 1 << 1;
+    }
+}
+
+/// Two colliders began or stopped to touch (or to intersect, if one is a sensor).
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum CollisionEvent {
+    /// They touch now, and did not in the step before.
+    Started(ColliderHandle, ColliderHandle, CollisionEventFlags),
+    /// They touched in the step before, and do not now. The handle of a removed collider is stale.
+    Stopped(ColliderHandle, ColliderHandle, CollisionEventFlags),
+}
+
+impl CollisionEvent {
+    fn parts(self) -> (ColliderHandle, ColliderHandle, CollisionEventFlags) {
+        match self {
+            Self::Started(collider1, collider2, flags) => (collider1, collider2, flags),
+            Self::Stopped(collider1, collider2, flags) => (collider1, collider2, flags),
+        }
+    }
+
+    /// Did the collision begin?
+    pub fn started(self) -> bool {
+        matches!(self, Self::Started(..))
+    }
+
+    /// Did the collision stop?
+    pub fn stopped(self) -> bool {
+        matches!(self, Self::Stopped(..))
+    }
+
+    /// The first collider.
+    pub fn collider1(self) -> ColliderHandle {
+        self.parts().0
+    }
+
+    /// The second collider.
+    pub fn collider2(self) -> ColliderHandle {
+        self.parts().1
+    }
+
+    /// Is one of the colliders a sensor?
+    pub fn sensor(self) -> bool {
+        self.parts().2.contains(CollisionEventFlags::SENSOR)
+    }
+
+    /// Did the collision stop because a collider was removed?
+    pub fn removed(self) -> bool {
+        self.parts().2.contains(CollisionEventFlags::REMOVED)
+    }
+}
+
+/// Receives the events of a step.
+///
+/// The bodies and colliders it gets are those at the end of the step; to change them, take a note and
+/// act on it after the step.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+///
+/// struct Announce;
+///
+/// impl EventHandler for Announce {
+///     fn handle_collision_event(
+///         &self,
+///         _bodies: &RigidBodySet,
+///         _colliders: &ColliderSet,
+///         event: &CollisionEvent,
+///         _contact_pair: Option<&ContactPair>,
+///     ) {
+///         if event.started() {
+///             println!("{:?} hit {:?}", event.collider1(), event.collider2());
+///         }
+///     }
+/// }
+/// ```
+pub trait EventHandler: Send + Sync {
+    /// Two colliders began or stopped to touch or intersect, and at least one of them has
+    /// [`COLLISION_EVENTS`](crate::model::collider::ActiveEvents::COLLISION_EVENTS).
+    ///
+    /// `contact_pair` is `None` if one of them is a sensor or was removed.
+    fn handle_collision_event(
+        &self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        event: &CollisionEvent,
+        contact_pair: Option<&ContactPair>,
+    );
+
+    /// The contact forces between two colliders sum up to more than the
+    /// `contact_force_event_threshold` of one that has
+    /// [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS). `dt` is the length of the
+    /// step (s). Does nothing unless implemented.
+    fn handle_contact_force_event(
+        &self,
+        dt: Real,
+        event: &ContactForceEvent,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let _ = (dt, event, bodies, colliders);
+    }
+}
+
+/// Ignores all events.
+impl EventHandler for () {
+    fn handle_collision_event(
+        &self,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        _: &CollisionEvent,
+        _: Option<&ContactPair>,
+    ) {
+    }
+}
+
+/// Ignores all events.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct DefaultEventHandler;
+
+impl EventHandler for DefaultEventHandler {
+    fn handle_collision_event(
+        &self,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        _: &CollisionEvent,
+        _: Option<&ContactPair>,
+    ) {
+    }
+}

@@ -1,0 +1,85 @@
+//! Where the user steps into a step: which pairs collide, and how contacts behave.
+//!
+//! A hook is called for pairs of which at least one collider asks for it with its
+//! [`ActiveHooks`](crate::model::collider::ActiveHooks); all others cost nothing.
+
+mod modification;
+
+#[cfg(test)]
+mod tests;
+
+pub use modification::ContactModificationContext;
+
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+
+/// The pair that a filter is asked about.
+#[derive(Copy, Clone)]
+pub struct PairFilterContext<'a> {
+    /// All bodies.
+    pub bodies: &'a RigidBodySet,
+    /// All colliders.
+    pub colliders: &'a ColliderSet,
+    /// The first collider.
+    pub collider1: ColliderHandle,
+    /// The second collider.
+    pub collider2: ColliderHandle,
+    /// Body of the first collider, if it has one.
+    pub rigid_body1: Option<RigidBodyHandle>,
+    /// Body of the second collider, if it has one.
+    pub rigid_body2: Option<RigidBodyHandle>,
+}
+
+/// Lets the user decide about single pairs and contacts.
+///
+/// Hooks may be called from several threads at once and in any order, so keep the answer a function of
+/// the context alone: then results repeat.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+///
+/// /// Everything is as slippery as ice.
+/// struct Ice;
+///
+/// impl PhysicsHooks for Ice {
+///     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
+///         context.set_friction(0.02);
+///     }
+/// }
+/// ```
+pub trait PhysicsHooks: Send + Sync {
+    /// Are contacts computed for this pair? Called for pairs with
+    /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes overlap and that
+    /// nothing else filters out. A pair that is refused neither collides nor sends events. Yes, unless
+    /// implemented.
+    fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
+        let _ = context;
+        true
+    }
+
+    /// Is the intersection computed for this pair, one collider of which is a sensor? Called for
+    /// pairs with
+    /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose boxes overlap
+    /// and that nothing else filters out. Yes, unless implemented.
+    fn filter_intersection_pair(&self, context: &PairFilterContext) -> bool {
+        let _ = context;
+        true
+    }
+
+    /// Changes the contacts of one manifold before they are solved. Called in every step for touching
+    /// pairs with
+    /// [`MODIFY_SOLVER_CONTACTS`](crate::model::collider::ActiveHooks::MODIFY_SOLVER_CONTACTS). Changes nothing
+    /// unless implemented.
+    fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
+        let _ = context;
+    }
+}
+
+/// Lets everything collide as it is.
+impl PhysicsHooks for () {}
+
+/// Lets everything collide as it is.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct DefaultHooks;
+
+impl PhysicsHooks for DefaultHooks {}

@@ -1,0 +1,161 @@
+//! What a hook may change about a manifold before it is solved.
+
+use crate::dim::math::{Real, Vector};
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+use crate::model::contact::{Contact, ContactManifold, SolverFlags};
+
+/// One manifold, offered for changes before it is solved.
+///
+/// Friction, restitution, tangent velocity and the points are those that the narrow phase has just
+/// computed; changes hold for this step. [`Self::user_data`] alone survives, as long as the two shapes keep touching.
+pub struct ContactModificationContext<'a> {
+    /// All bodies.
+    pub bodies: &'a RigidBodySet,
+    /// All colliders.
+    pub colliders: &'a ColliderSet,
+    /// Body of the first collider, if it has one.
+    pub rigid_body1: Option<RigidBodyHandle>,
+    /// Body of the second collider, if it has one.
+    pub rigid_body2: Option<RigidBodyHandle>,
+    /// The first collider.
+    pub collider1: ColliderHandle,
+    /// The second collider.
+    pub collider2: ColliderHandle,
+    /// The manifold. The methods of the context are the careful way to change it: they refuse what
+    /// cannot be solved.
+    pub manifold: &'a mut ContactManifold,
+}
+
+/// What [`ContactModificationContext::update_as_oneway_platform`] keeps in the user data. A new
+/// manifold has 0 there: nothing is decided yet.
+mod oneway {
+    pub const SOLID: u32 = 1;
+    pub const PASSING: u32 = 2;
+}
+
+impl ContactModificationContext<'_> {
+    /// Unit normal in world space, from the first collider to the second.
+    pub fn normal(&self) -> Vector {
+        self.manifold.data.normal
+    }
+
+    /// The contact points.
+    pub fn contacts(&self) -> &[Contact] {
+        self.manifold.contacts()
+    }
+
+    /// Keeps only the points for which `keep` says yes; the others are not solved in this step.
+    pub fn retain_contacts(&mut self, mut keep: impl FnMut(&Contact) -> bool) {
+        self.manifold.data.points.retain(|contact| keep(contact));
+    }
+
+    /// Drops all points: the two shapes pass through each other in this step.
+    pub fn clear_contacts(&mut self) {
+        self.manifold.data.points.clear();
+    }
+
+    /// The combined friction coefficient.
+    pub fn friction(&self) -> Real {
+        self.manifold.data.friction
+    }
+
+    /// Sets the combined friction coefficient. A negative or non-finite one is refused: the old one
+    /// stays, with a warning in the log.
+    pub fn set_friction(&mut self, friction: Real) {
+        if is_coefficient("friction", friction) {
+            self.manifold.data.friction = friction;
+        }
+    }
+
+    /// The combined restitution coefficient.
+    pub fn restitution(&self) -> Real {
+        self.manifold.data.restitution
+    }
+
+    /// Sets the combined restitution coefficient (1: bounces back as fast as it came). A negative or
+    /// non-finite one is refused: the old one stays, with a warning in the log.
+    pub fn set_restitution(&mut self, restitution: Real) {
+        if is_coefficient("restitution", restitution) {
+            self.manifold.data.restitution = restitution;
+        }
+    }
+
+    /// Velocity of the second surface relative to the first, in world space (length/s).
+    pub fn tangent_velocity(&self) -> Vector {
+        self.manifold.data.tangent_velocity
+    }
+
+    /// Makes the surfaces run like a conveyor belt: sets the velocity of the second surface relative to
+    /// the first, in world space (length/s). Only the part along the contact plane counts. A
+    /// non-finite velocity is refused: the old one stays, with a warning in the log.
+    pub fn set_tangent_velocity(&mut self, velocity: Vector) {
+        if velocity.is_finite() {
+            self.manifold.data.tangent_velocity = velocity;
+        } else {
+            log::warn!("tangent velocity {velocity:?} of a contact is not finite: ignored");
+        }
+    }
+
+    /// What the solver does with the manifold.
+    pub fn solver_flags(&self) -> SolverFlags {
+        self.manifold.data.solver_flags
+    }
+
+    /// Sets what the solver does with the manifold. Without
+    /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES) the contact is reported, but the bodies
+    /// pass through each other.
+    pub fn set_solver_flags(&mut self, flags: SolverFlags) {
+        self.manifold.data.solver_flags = flags;
+    }
+
+    /// The number that an earlier step's hook left here; 0 when the shapes begin to touch.
+    pub fn user_data(&self) -> u32 {
+        self.manifold.data.user_data
+    }
+
+    /// Leaves a number for the hooks of later steps.
+    pub fn set_user_data(&mut self, user_data: u32) {
+        self.manifold.data.user_data = user_data;
+    }
+
+    /// Makes the contact hold bodies from one side only, as a platform through which one can jump up
+    /// and on which one can then stand.
+    ///
+    /// The contact is solid while the normal in the frame of the first collider is within
+    /// `allowed_angle` (rad) of `allowed_local_n1`. A body that comes from elsewhere passes, until it
+    /// no longer overlaps and touches from the solid side. For a platform that is the second collider,
+    /// mirror the direction: it is always seen from the first one.
+    ///
+    /// Uses [`Self::user_data`], which the hook must not use for anything else. A zero or non-finite
+    /// argument is refused with a warning in the log, and the contact stays solid.
+    pub fn update_as_oneway_platform(&mut self, allowed_local_n1: Vector, allowed_angle: Real) {
+        let length = allowed_local_n1.length();
+        if !(length.is_finite() && length > 0.0 && allowed_angle.is_finite()) {
+            log::warn!(
+                "one-way platform of normal {allowed_local_n1:?}, angle {allowed_angle}: ignored"
+            );
+            return;
+        }
+        let cos = self.manifold.local_n1.dot(allowed_local_n1) / length;
+        let from_solid_side = cos >= allowed_angle.cos();
+        let apart = self.contacts().iter().all(|contact| contact.dist > 0.0);
+        let state = match self.user_data() {
+            oneway::PASSING if !(from_solid_side && apart) => oneway::PASSING,
+            _ if from_solid_side => oneway::SOLID,
+            _ => oneway::PASSING,
+        };
+        self.set_user_data(state);
+        if state == oneway::PASSING {
+            self.clear_contacts();
+        }
+    }
+}
+
+fn is_coefficient(what: &str, value: Real) -> bool {
+    let valid = value.is_finite() && value >= 0.0;
+    if !valid {
+        log::warn!("{what} {value} of a contact is not a finite number of 0 or more: ignored");
+    }
+    valid
+}
