@@ -1,3 +1,4 @@
 //! 
+mod broad_phase;
 mod narrow_phase;
 mod solver;

@@ -8,6 +8,7 @@ use super::{
     InteractionGroups, InvalidCollider,
 };
 use crate::dim::mass::mass_is_valid;
+use crate::model::tree::ColliderProxy;
 use crate::dim::math::{AngVector, Pose, Real, Vector, rotation_from_angle};
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
@@ -194,6 +195,7 @@ impl ColliderBuilder {
             },
             sensor: self.is_sensor,
             contact_skin: self.contact_skin,
+            proxy: ColliderProxy::default(),
             contact_force_event_threshold: self.contact_force_event_threshold,
             changes: ColliderChanges::all() - ColliderChanges::IN_MODIFIED_SET,
             user_data: self.user_data,

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
+use crate::model::tree::ColliderProxy;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, SharedShape};
@@ -33,6 +34,8 @@ pub struct Collider {
     pub(crate) contact_skin: Real,
     pub(crate) contact_force_event_threshold: Real,
     pub(crate) changes: ColliderChanges,
+    /// Its place in the trees of boxes.
+    pub(crate) proxy: ColliderProxy,
     /// Whatever the user wants to keep here. The engine does not look at it.
     pub user_data: u128,
 }

@@ -5,6 +5,7 @@ use crate::base::arena::Arena;
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::island::IslandManager;
+use crate::model::tree::ColliderProxy;
 
 /// What the step needs to know of a collider that was removed.
 #[derive(Copy, Clone, Debug)]
@@ -106,6 +107,7 @@ impl ColliderSet {
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
         collider.changes = ColliderChanges::all();
+        collider.proxy = ColliderProxy::default(); // it may be the copy of one that is in a set
         let handle = ColliderHandle(self.colliders.insert(collider));
         self.modified.push(handle);
         handle

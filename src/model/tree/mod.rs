@@ -7,6 +7,7 @@
 
 mod enlarge;
 mod proxy;
+mod refresh;
 mod shape_box;
 #[cfg(test)]
 mod tests;
@@ -33,6 +34,8 @@ pub struct BroadPhaseBvh {
     moved: Vec<u32>,
     /// One bit for each slot: is it in `moved`?
     moved_bits: Vec<u64>,
+    /// Has any collider of a fixed body ever asked for pairs with others of its kind?
+    fixed_meet: bool,
 }
 
 impl BroadPhaseBvh {
@@ -114,6 +117,11 @@ impl BroadPhaseBvh {
         for slot in self.moved.drain(..) {
             self.moved_bits[slot as usize / 64] = 0;
         }
+    }
+
+    /// Must a collider of this kind look for neighbours among those of the other?
+    pub(crate) fn may_meet(&self, kind1: TreeKind, kind2: TreeKind) -> bool {
+        self.fixed_meet || kind1 == TreeKind::Movable || kind2 == TreeKind::Movable
     }
 
     /// The boxes of one kind of colliders, by slot.

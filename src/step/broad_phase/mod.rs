@@ -1,0 +1,87 @@
+//! # Broad phase — who might touch whom?
+//!
+//! Reads:   enlarged boxes, collider flags, the pairs already known
+//! Writes:  the list of new pairs; the trees' notes of who moved
+//! Runs:    serial; the list is sorted by slots
+//! Never:   touches a collider that stayed in its enlarged box
+
+#[cfg(test)]
+mod tests;
+
+use crate::model::body::RigidBodyType;
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
+use crate::model::tree::{BroadPhaseBvh, TreeKind};
+
+/// Finds the pairs of colliders that began to overlap with their enlarged boxes.
+///
+/// Only colliders that have a new box look for neighbours; those that did not move are found by
+/// them. Pairs that `is_known` (asked with the two slots, the lower one first) are left out, and so
+/// are those that cannot interact: of the same body, of groups or kinds of bodies that do not meet.
+/// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
+pub(crate) fn find_pairs(
+    tree: &mut BroadPhaseBvh,
+    colliders: &ColliderSet,
+    is_known: impl Fn(u32, u32) -> bool,
+    out: &mut Vec<(ColliderHandle, ColliderHandle)>,
+) {
+    out.clear();
+    tree.tidy();
+    for &slot in tree.moved() {
+        // The collider may be gone since it moved, or disabled.
+        if let Some((handle, collider)) = colliders.at_slot(slot) {
+            find_neighbours(tree, colliders, (handle, collider), &is_known, out);
+        }
+    }
+    out.sort_unstable();
+    tree.clear_moved();
+}
+
+/// Adds the new pairs of one collider.
+fn find_neighbours(
+    tree: &BroadPhaseBvh,
+    colliders: &ColliderSet,
+    (handle, collider): (ColliderHandle, &Collider),
+    is_known: &impl Fn(u32, u32) -> bool,
+    out: &mut Vec<(ColliderHandle, ColliderHandle)>,
+) {
+    let Some(kind) = collider.proxy.tree else { return };
+    let (slot, _) = handle.into_raw_parts();
+    for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
+        if !tree.may_meet(kind, other_kind) {
+            continue;
+        }
+        for other_slot in tree.overlapping(other_kind, &collider.proxy.fat_aabb) {
+            // Of two that moved, each finds the other: the lower slot counts.
+            if other_slot == slot || (other_slot < slot && tree.is_moved(other_slot)) {
+                continue;
+            }
+            let Some((other_handle, other)) = colliders.at_slot(other_slot) else { continue };
+            if !may_interact(collider, other)
+                || is_known(slot.min(other_slot), slot.max(other_slot))
+            {
+                continue;
+            }
+            out.push(if slot < other_slot {
+                (handle, other_handle)
+            } else {
+                (other_handle, handle)
+            });
+        }
+    }
+}
+
+/// Is there any point in looking at the two colliders, wherever they are?
+pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
+    let (flags1, flags2) = (&collider1.flags, &collider2.flags);
+    if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent()) {
+        if body1 == body2 {
+            return false;
+        }
+    }
+    let type1 = collider1.parent_type.unwrap_or(RigidBodyType::Fixed);
+    let type2 = collider2.parent_type.unwrap_or(RigidBodyType::Fixed);
+    (flags1.active_collision_types | flags2.active_collision_types).test(type1, type2)
+        && flags1.collision_groups.test(flags2.collision_groups)
+        && collider1.is_enabled()
+        && collider2.is_enabled()
+}

@@ -1,0 +1,189 @@
+//! Tests of pair finding.
+
+use super::{find_pairs, may_interact};
+use crate::base::random::Random;
+use crate::dim::collide::samples;
+use crate::dim::math::{Pose, Vector};
+use crate::model::body::{RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::collider::{
+    ActiveCollisionTypes, ColliderBuilder, ColliderHandle, ColliderSet, InteractionGroups,
+};
+use crate::model::tree::BroadPhaseBvh;
+use parry::bounding_volume::BoundingVolume;
+use std::collections::BTreeSet;
+
+type Pair = (ColliderHandle, ColliderHandle);
+
+/// A world that is nothing but boxes.
+#[derive(Default)]
+struct Boxes {
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    tree: BroadPhaseBvh,
+    known: BTreeSet<(u32, u32)>,
+}
+
+impl Boxes {
+    fn body(&mut self, body_type: RigidBodyType) -> RigidBodyHandle {
+        self.bodies.insert(RigidBodyBuilder::new(body_type))
+    }
+
+    fn cube(&mut self, place: Vector, body: Option<RigidBodyHandle>) -> ColliderHandle {
+        let shape = samples::cuboid(Vector::splat(0.5));
+        let builder = ColliderBuilder::new(shape).position(Pose::from_translation(place));
+        let handle = match body {
+            Some(body) => self.colliders.insert_with_parent(builder, body, &mut self.bodies),
+            None => self.colliders.insert(builder),
+        };
+        self.put(handle, place);
+        handle
+    }
+
+    fn put(&mut self, handle: ColliderHandle, place: Vector) {
+        let collider = self.colliders.get_unnoted_mut(handle).unwrap();
+        collider.pose = Pose::from_translation(place);
+        self.tree.refresh(handle, collider, 0.01, Vector::ZERO);
+    }
+
+    /// The new pairs, which are known from then on.
+    fn find(&mut self) -> Vec<Pair> {
+        let mut found = Vec::new();
+        let known = &self.known;
+        find_pairs(&mut self.tree, &self.colliders, |a, b| known.contains(&(a, b)), &mut found);
+        self.known.extend(found.iter().map(|&(a, b)| (a.into_raw_parts().0, b.into_raw_parts().0)));
+        found
+    }
+}
+
+#[test]
+fn movable_colliders_find_each_other_and_the_fixed() {
+    let mut boxes = Boxes::default();
+    let (body, other) = (boxes.body(RigidBodyType::Dynamic), boxes.body(RigidBodyType::Dynamic));
+    let ground = boxes.cube(Vector::ZERO, None);
+    let wall = boxes.cube(Vector::ZERO, None);
+    let first = boxes.cube(Vector::splat(0.9), Some(body));
+    let second = boxes.cube(Vector::splat(0.9), Some(body));
+    let third = boxes.cube(Vector::splat(1.5), Some(other));
+    let expected = [
+        (ground, first),
+        (ground, second),
+        (wall, first),
+        (wall, second),
+        (first, third),
+        (second, third),
+    ];
+    assert_eq!(boxes.find(), expected);
+    assert_eq!(boxes.find(), [], "nobody moved");
+    boxes.put(third, Vector::splat(0.5));
+    assert_eq!(boxes.find(), [(ground, third), (wall, third)], "the others are known");
+}
+
+#[test]
+fn what_cannot_interact_is_no_pair() {
+    let mut boxes = Boxes::default();
+    let body = boxes.body(RigidBodyType::Dynamic);
+    let kinematic = boxes.body(RigidBodyType::KinematicVelocityBased);
+    let ground = boxes.cube(Vector::ZERO, None);
+    let first = boxes.cube(Vector::ZERO, Some(body));
+    let second = boxes.cube(Vector::ZERO, Some(kinematic));
+    let collider = boxes.colliders.get_mut(first).unwrap();
+    collider.set_collision_groups(InteractionGroups::none());
+    assert_eq!(boxes.find(), [], "groups do not meet, and kinematic meets fixed only on request");
+
+    boxes.colliders.get_mut(first).unwrap().set_collision_groups(InteractionGroups::all());
+    boxes.tree.mark_moved(first.into_raw_parts().0);
+    assert_eq!(boxes.find(), [(ground, first), (first, second)]);
+
+    let collider = boxes.colliders.get_mut(ground).unwrap();
+    collider.set_active_collision_types(ActiveCollisionTypes::all());
+    boxes.tree.mark_moved(ground.into_raw_parts().0);
+    assert_eq!(boxes.find(), [(ground, second)]);
+}
+
+#[test]
+fn fixed_colliders_meet_on_request() {
+    let mut boxes = Boxes::default();
+    let first = boxes.cube(Vector::ZERO, None);
+    let second = boxes.cube(Vector::ZERO, None);
+    assert_eq!(boxes.find(), []);
+    let collider = boxes.colliders.get_mut(second).unwrap();
+    collider.set_active_collision_types(ActiveCollisionTypes::all());
+    boxes.put(second, Vector::ZERO);
+    boxes.tree.mark_moved(second.into_raw_parts().0);
+    assert_eq!(boxes.find(), [(first, second)]);
+    let third = boxes.cube(Vector::ZERO, None);
+    assert_eq!(boxes.find(), [(second, third)], "the one that asked is found by the one that came");
+}
+
+#[test]
+fn the_disabled_and_the_removed_are_not_found() {
+    let mut boxes = Boxes::default();
+    let body = boxes.body(RigidBodyType::Dynamic);
+    let ground = boxes.cube(Vector::ZERO, None);
+    let first = boxes.cube(Vector::ZERO, Some(body));
+    boxes.colliders.get_mut(first).unwrap().set_enabled(false);
+    boxes.put(first, Vector::ZERO);
+    assert_eq!(boxes.find(), []);
+    boxes.colliders.get_mut(first).unwrap().set_enabled(true);
+    boxes.put(first, Vector::ZERO);
+    boxes.colliders.take(ground, true);
+    boxes.tree.remove_slot(ground.into_raw_parts().0);
+    assert_eq!(boxes.find(), []);
+    let tenant = boxes.cube(Vector::ZERO, None);
+    assert_eq!(boxes.find(), [(tenant, first)], "a new collider in the old slot");
+}
+
+#[test]
+fn a_slow_motion_is_noticed_when_it_adds_up() {
+    let mut boxes = Boxes::default();
+    let body = boxes.body(RigidBodyType::Dynamic);
+    let ground = boxes.cube(Vector::ZERO, None);
+    let first = boxes.cube(Vector::X * 3.0, Some(body));
+    assert_eq!(boxes.find(), []);
+    let (mut x, mut updates) = (3.0, 0);
+    while boxes.known.is_empty() {
+        x -= 0.01;
+        assert!(x > 0.9, "the boxes overlap and no pair was found");
+        let collider = boxes.colliders.get_unnoted_mut(first).unwrap();
+        collider.pose = Pose::from_translation(Vector::X * x);
+        let changed = boxes.tree.advance(first, collider, 0.01, 0.01, Vector::X * -0.01);
+        updates += u32::from(changed);
+        boxes.find();
+    }
+    assert!(boxes.known.contains(&(ground.into_raw_parts().0, first.into_raw_parts().0)));
+    assert!(x > 1.02 && updates < 40, "found at {x} after {updates} updates");
+}
+
+#[test]
+fn found_pairs_are_those_of_comparing_all() {
+    let (mut boxes, mut random) = (Boxes::default(), Random(11));
+    let mut handles = Vec::new();
+    for index in 0..150 {
+        let place = samples::vector(&mut random, 4.0);
+        let body = match index % 3 {
+            0 => None,
+            1 => Some(boxes.body(RigidBodyType::Dynamic)),
+            _ => Some(boxes.body(RigidBodyType::KinematicPositionBased)),
+        };
+        handles.push(boxes.cube(place, body));
+    }
+    for _ in 0..10 {
+        let found = boxes.find();
+        assert!(found.windows(2).all(|pair| pair[0] < pair[1]), "not sorted, or twice the same");
+        let overlapping = |a: &ColliderHandle, b: &ColliderHandle| {
+            let (a, b) = (&boxes.colliders[*a], &boxes.colliders[*b]);
+            may_interact(a, b) && a.proxy.fat_aabb.intersects(&b.proxy.fat_aabb)
+        };
+        for (index, a) in handles.iter().enumerate() {
+            for b in handles[index + 1..].iter().filter(|b| overlapping(a, b)) {
+                let slots = (a.into_raw_parts().0, b.into_raw_parts().0);
+                assert!(boxes.known.contains(&slots), "{slots:?} was not found");
+            }
+        }
+        for _ in 0..40 {
+            let handle = handles[random.below(handles.len())];
+            let place = boxes.colliders[handle].pose.translation;
+            boxes.put(handle, place + samples::vector(&mut random, 0.5));
+        }
+    }
+}
