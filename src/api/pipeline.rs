@@ -9,3 +9,8 @@ pub use crate::model::event::{ChannelEventCollector, DefaultEventHandler, EventH
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
 };
+#[cfg(feature = "debug-render")]
+pub use crate::debug_render::{
+    DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,
+    DebugRenderStyle,
+};

@@ -12,3 +12,5 @@ pub mod timer;
 pub mod wide;
 #[cfg(test)]
 pub mod random;
+#[cfg(feature = "debug-render")]
+pub(crate) mod outline;

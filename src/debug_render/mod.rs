@@ -1,1 +1,21 @@
-//! 
+//! # Debug rendering: a world as lines
+//!
+//! Reads:   bodies, colliders, contacts
+//! Writes:  nothing but lines, to a [`DebugRenderBackend`] of the user's
+//! Never:   changes the world; decides how a line is drawn
+//!
+//! [`DebugRenderPipeline`] goes through what [`DebugRenderMode`] selects, and gives every line the
+//! object that it belongs to and a colour of the [`DebugRenderStyle`]. How each shape is sketched
+//! stands in `dim2/outline.rs` and `dim3/outline.rs`.
+
+mod backend;
+mod outlines;
+mod pipeline;
+mod style;
+
+#[cfg(test)]
+mod tests;
+
+pub use backend::{DebugRenderBackend, DebugRenderObject};
+pub use pipeline::{DebugRenderMode, DebugRenderPipeline};
+pub use style::{DebugColor, DebugRenderStyle};

@@ -12,3 +12,5 @@ pub mod shapes;
 pub mod wide;
 mod surface;
 pub(crate) mod gyro;
+#[cfg(feature = "debug-render")]
+pub(crate) mod outline;

@@ -15,3 +15,5 @@ mod surface;
 pub(crate) mod contact;
 pub(crate) mod state;
 pub(crate) mod gyro;
+#[cfg(feature = "debug-render")]
+pub(crate) mod outline;

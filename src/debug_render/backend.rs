@@ -1,0 +1,73 @@
+//! What the user provides: something that draws a line.
+
+use super::style::DebugColor;
+use crate::dim::math::{Pose, Vector};
+use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::contact::ContactPair;
+use parry::bounding_volume::Aabb;
+
+/// What a line is part of.
+#[derive(Copy, Clone)]
+#[non_exhaustive]
+pub enum DebugRenderObject<'a> {
+    /// A rigid body: its axes.
+    RigidBody(RigidBodyHandle, &'a RigidBody),
+    /// A collider: its shape.
+    Collider(ColliderHandle, &'a Collider),
+    /// A collider's box in world space.
+    ColliderAabb(ColliderHandle, &'a Collider, &'a Aabb),
+    /// The contacts of two colliders.
+    ContactPair(&'a ContactPair, &'a Collider, &'a Collider),
+}
+
+/// Draws lines. Implement [`Self::draw_line`]; the rest follows from it.
+pub trait DebugRenderBackend {
+    /// Should the object be drawn at all? Called before any of its lines.
+    fn filter_object(&self, object: DebugRenderObject) -> bool {
+        let _ = object;
+        true
+    }
+
+    /// Draws a straight line between two points of the world.
+    fn draw_line(&mut self, object: DebugRenderObject, a: Vector, b: Vector, color: DebugColor);
+
+    /// Draws lines between pairs of `vertices`: `indices` are positions in it. A vertex `v` stands at
+    /// `transform * (v * scale)` in the world. A pair that points past the end is left out.
+    fn draw_polyline(
+        &mut self,
+        object: DebugRenderObject,
+        vertices: &[Vector],
+        indices: &[[u32; 2]],
+        transform: &Pose,
+        scale: &Vector,
+        color: DebugColor,
+    ) {
+        for &[a, b] in indices {
+            if let (Some(&a), Some(&b)) = (vertices.get(a as usize), vertices.get(b as usize)) {
+                let [a, b] = [a, b].map(|vertex| *transform * (vertex * *scale));
+                self.draw_line(object, a, b, color);
+            }
+        }
+    }
+
+    /// Draws lines from each vertex to the next, and from the last to the first if `closed`. A vertex
+    /// `v` stands at `transform * (v * scale)` in the world.
+    fn draw_line_strip(
+        &mut self,
+        object: DebugRenderObject,
+        vertices: &[Vector],
+        transform: &Pose,
+        scale: &Vector,
+        color: DebugColor,
+        closed: bool,
+    ) {
+        let place = |vertex: Vector| *transform * (vertex * *scale);
+        for pair in vertices.windows(2) {
+            self.draw_line(object, place(pair[0]), place(pair[1]), color);
+        }
+        if let (true, [first, _, .., last]) = (closed, vertices) {
+            self.draw_line(object, place(*last), place(*first), color);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Sketches of shapes, kept from one picture to the next where they are dear.
+
+use crate::base::outline::{Detail, Outline};
+use crate::dim::outline::outline;
+use parry::shape::SharedShape;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Sketches with more points than this are kept. A ball's or a box's is made as fast as it is found.
+const KEPT_FROM: usize = 128;
+
+/// A store of sketches.
+///
+/// Keyed by the address of the shared shape. The store holds on to the shape, so that no other one
+/// can come to that address, and nobody can change a shape that is shared.
+#[derive(Clone, Default)]
+pub(super) struct Outlines {
+    detail: Option<Detail>,
+    kept: HashMap<usize, (SharedShape, Outline)>,
+    fresh: Outline,
+}
+
+impl Outlines {
+    /// The sketch of a shape.
+    pub(super) fn of(&mut self, shape: &SharedShape, detail: Detail) -> &Outline {
+        if self.detail != Some(detail) {
+            self.kept.clear();
+            self.detail = Some(detail);
+        }
+        let address = Arc::as_ptr(&shape.0).cast::<()>() as usize;
+        if !self.kept.contains_key(&address) {
+            self.fresh = outline(&shape.as_typed_shape(), detail);
+            if self.fresh.points.len() >= KEPT_FROM {
+                let sketch = core::mem::take(&mut self.fresh);
+                self.kept.insert(address, (shape.clone(), sketch));
+            }
+        }
+        self.kept.get(&address).map_or(&self.fresh, |(_, sketch)| sketch)
+    }
+
+    #[cfg(test)]
+    pub(super) fn len(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// Drops the sketches of shapes that nobody else holds any more.
+    pub(super) fn forget_unused(&mut self) {
+        self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
+    }
+}
