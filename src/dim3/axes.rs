@@ -75,3 +75,46 @@ pub fn lock_rotations(locked: LockedAxes, mut k: AngularInertia) -> AngularInert
     }
     k
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dim::math::{AngVector, Matrix, Rotation};
+    use parry::mass_properties::MassProperties;
+
+    /// The world-space inverse inertia of a body whose principal axes stand askew.
+    fn askew() -> (Matrix, AngularInertia) {
+        let rotation = Rotation::from_scaled_axis(AngVector::new(0.3, -0.7, 0.5));
+        let moments = Vector::new(1.0, 2.0, 5.0);
+        let axes = Matrix::from_quat(rotation);
+        let inertia = axes * Matrix::from_diagonal(moments) * axes.transpose();
+        let mass = MassProperties::new(Vector::ZERO, 1.0, moments);
+        (inertia, mass.world_inv_inertia(&rotation))
+    }
+
+    #[test]
+    fn a_locked_axis_takes_no_part_and_the_rest_behaves_like_the_rest_of_the_inertia() {
+        let (inertia, inv_inertia) = askew();
+        let locked = lock_rotations(LockedAxes::ROTATION_LOCKED_Y, inv_inertia);
+        let torque = Vector::new(0.4, 100.0, -0.9);
+        let angvel = locked.mul_vec(torque);
+        assert_eq!(angvel.y, 0.0);
+        // What is left must balance the torque about the free axes.
+        let back = inertia * angvel;
+        assert!((back.x - torque.x).abs() < 1.0e-5 && (back.z - torque.z).abs() < 1.0e-5, "{back}");
+    }
+
+    #[test]
+    fn with_two_axes_locked_the_moment_about_the_third_is_left() {
+        let (inertia, inv_inertia) = askew();
+        let flags = LockedAxes::ROTATION_LOCKED_X | LockedAxes::ROTATION_LOCKED_Z;
+        let angvel = lock_rotations(flags, inv_inertia).mul_vec(Vector::new(3.0, 1.0, 7.0));
+        assert!(angvel.abs_diff_eq(Vector::Y / inertia.y_axis.y, 1.0e-6), "{angvel}");
+    }
+
+    #[test]
+    fn with_all_axes_locked_nothing_is_left() {
+        let (_, inv_inertia) = askew();
+        assert!(lock_rotations(LockedAxes::ROTATION_LOCKED, inv_inertia).is_zero());
+    }
+}

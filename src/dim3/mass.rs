@@ -107,3 +107,42 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     let to_world = rotation * mass.principal_inertia_local_frame;
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dim::math::Pose;
+    use parry::shape::{Cuboid, Shape};
+
+    #[test]
+    fn three_cubes_in_a_row_weigh_what_one_long_box_does() {
+        let cube = Cuboid::new(Vector::splat(0.5)).mass_properties(2.0);
+        let turn = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
+        let place = |y| cube.transform_by(&(turn * Pose::translation(0.0, y, 0.0)));
+        let total = total_mass(&[place(-1.0), place(0.0), place(1.0)]);
+        let whole = Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&turn);
+        let angvel = Vector::new(1.0, 2.0, -3.0);
+        let momentum = |mass| angular_momentum(mass, Rotation::IDENTITY, angvel);
+        assert!((total.mass() - 6.0).abs() < 1.0e-5);
+        assert!(total.local_com.length() < 1.0e-6);
+        assert!(momentum(&total).abs_diff_eq(momentum(&whole), 1.0e-4));
+        assert!(mass_is_valid(&total));
+    }
+
+    #[test]
+    fn principal_axes_rebuild_the_matrix() {
+        let columns = [[4.0, 1.0, -2.0], [1.0, 3.0, 0.5], [-2.0, 0.5, 6.0]];
+        let matrix = Matrix::from_cols_array_2d(&columns);
+        let (moments, axes) = principal_axes(matrix);
+        let rebuilt = axes * Matrix::from_diagonal(moments) * axes.transpose();
+        assert!(rebuilt.abs_diff_eq(matrix, 1.0e-5), "{rebuilt}");
+        assert!((axes.determinant() - 1.0).abs() < 1.0e-5);
+    }
+
+    #[test]
+    fn principal_axes_of_a_diagonal_matrix_are_those_of_the_frame() {
+        let moments = Vector::new(3.0, 1.0, 2.0);
+        let found = principal_axes(Matrix::from_diagonal(moments));
+        assert_eq!(found, (moments, Matrix::IDENTITY));
+    }
+}

@@ -1,6 +1,7 @@
 //! Which values the sets take in. Whoever sets a value that no simulation could survive is told so
 //! in the log, and the old value stays.
 
+use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Rotation, rotation_is_valid};
 use core::fmt::Debug;
 
@@ -27,8 +28,8 @@ pub(crate) fn checked_rotation(rotation: Rotation) -> Option<Rotation> {
     }
 }
 
-/// The pose with a rotation of unit length, or nothing if it is not finite.
+/// The pose with a rotation of unit length, or nothing if it is not finite or unusably far away.
 pub(crate) fn checked_pose(pose: Pose) -> Option<Pose> {
     let rotation = checked_rotation(pose.rotation)?;
-    pose.translation.is_finite().then(|| Pose::from_parts(pose.translation, rotation))
+    is_point(pose.translation).then(|| Pose::from_parts(pose.translation, rotation))
 }

@@ -60,3 +60,34 @@ impl RigidBody {
         self.locked_axes().contains(LockedAxes::ROTATION_LOCKED_Z)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dim::math::{Real, Rotation, Vector};
+
+    #[test]
+    fn axes_that_are_not_enabled_are_locked() {
+        let builder = RigidBodyBuilder::dynamic().additional_mass(1.0);
+        let mut body = builder.enabled_translations(true, false).enabled_rotations(false).build();
+        assert!(body.is_rotation_locked() && !body.is_translation_locked());
+        body.apply_impulse(Vector::ONE, true);
+        assert_eq!(body.linvel(), Vector::X);
+        body.set_enabled_translations(false, false, true);
+        body.set_enabled_rotations(true, true);
+        body.apply_impulse(Vector::ONE, true);
+        assert_eq!(body.linvel(), Vector::X);
+        assert!(!body.is_rotation_locked() && body.is_translation_locked());
+    }
+
+    #[test]
+    fn rotations_get_unit_length() {
+        let mut body = RigidBodyBuilder::dynamic().build();
+        body.set_rotation(Rotation::from_cos_sin_unchecked(0.802, 0.6), true);
+        assert!((body.rotation().length_squared() - 1.0).abs() < 4.0 * Real::EPSILON);
+        let before = *body.rotation();
+        body.set_rotation(Rotation::from_cos_sin_unchecked(0.0, 0.0), true);
+        body.set_rotation(Rotation::from_cos_sin_unchecked(1.0, 1.0), true);
+        assert_eq!(*body.rotation(), before);
+    }
+}

@@ -1,6 +1,8 @@
 //! Rigid bodies: which axes they can be pushed along and turned about, and gyroscopic forces.
 
 use crate::dim::axes::LockedAxes;
+use crate::dim::gyro::Gyroscope;
+use crate::dim::math::{AngVector, Real, ang_is_finite, integrate_rotation};
 use crate::model::body::{RigidBody, RigidBodyBuilder};
 
 /// `locked` with the translations replaced: those that are not enabled are locked.
@@ -95,5 +97,81 @@ impl RigidBody {
     /// tumbles. Without them the angular velocity stays constant instead.
     pub fn enable_gyroscopic_forces(&mut self, enabled: bool) {
         self.gyroscopic_forces_enabled = enabled;
+    }
+
+    /// The angular velocity (rad/s) that the body will have after turning freely for `dt` seconds under
+    /// gyroscopic forces, whether or not they are enabled.
+    pub fn angvel_with_gyroscopic_forces(&self, dt: Real) -> AngVector {
+        let (rotation, angvel) = (self.pose.rotation, self.angvel);
+        let Some(mut gyroscope) = Gyroscope::new(&self.mprops.local, angvel, dt) else {
+            return angvel;
+        };
+        let at_middle = gyroscope.velocity_at_middle(rotation, angvel, dt);
+        let end = integrate_rotation(rotation, at_middle * dt);
+        let at_end = gyroscope.velocity_at_end(end, at_middle);
+        if ang_is_finite(at_end) { at_end } else { angvel }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dim::mass::angular_momentum;
+    use crate::dim::math::{Rotation, Vector};
+    use parry::shape::{Cuboid, Shape};
+
+    #[test]
+    fn axes_that_are_not_enabled_are_locked() {
+        let builder = RigidBodyBuilder::dynamic().additional_mass(1.0);
+        let mut body = builder
+            .enabled_translations(true, false, true)
+            .enabled_rotations(false, true, true)
+            .build();
+        assert_eq!(body.is_rotation_locked(), [true, false, false]);
+        body.apply_impulse(Vector::ONE, true);
+        assert_eq!(body.linvel(), Vector::new(1.0, 0.0, 1.0));
+        body.set_enabled_translations(false, true, false, true);
+        body.apply_impulse(Vector::ONE, true);
+        assert_eq!(body.linvel(), Vector::ONE);
+        assert_eq!(body.is_rotation_locked(), [true, false, false]);
+    }
+
+    /// Euler's equation: the angular velocity of a free body changes by `I⁻¹ (-ω × I ω)` a second.
+    #[test]
+    fn a_free_body_obeys_eulers_equation() {
+        let mass = Cuboid::new(Vector::new(1.0, 0.6, 0.2)).mass_properties(1.0);
+        let builder = RigidBodyBuilder::dynamic().additional_mass_properties(mass);
+        let turned = builder.rotation(Vector::new(0.5, -1.0, 0.3));
+        let body = turned.angvel(Vector::new(3.0, 5.0, -2.0)).build();
+        let momentum = angular_momentum(&mass, *body.rotation(), body.angvel());
+        let inv_inertia = mass.world_inv_inertia(body.rotation());
+        let wanted = inv_inertia.mul_vec(-body.angvel().cross(momentum));
+        let dt = 1.0e-3;
+        let rate = (body.angvel_with_gyroscopic_forces(dt) - body.angvel()) / dt;
+        assert!(wanted.length() > 10.0);
+        assert!((rate - wanted).length() < 0.02 * wanted.length(), "{rate} is not {wanted}");
+    }
+
+    #[test]
+    fn a_turn_too_fast_for_the_numbers_leaves_them_finite() {
+        let mass = Cuboid::new(Vector::new(1.0, 0.6, 0.2)).mass_properties(1.0);
+        let mut body = RigidBodyBuilder::dynamic().additional_mass_properties(mass).build();
+        for speed in [1.0e3, 1.0e15, Real::MAX] {
+            body.set_angvel(Vector::ONE * speed, true);
+            for dt in [0.0, 1.0, Real::MAX, Real::NAN] {
+                assert!(body.angvel_with_gyroscopic_forces(dt).is_finite(), "{speed} {dt}");
+            }
+        }
+    }
+
+    #[test]
+    fn rotations_get_unit_length() {
+        let mut body = RigidBodyBuilder::dynamic().build();
+        body.set_rotation(Rotation::from_xyzw(0.0, 0.6, 0.0, 0.802), true);
+        assert!((body.rotation().length_squared() - 1.0).abs() < 4.0 * Real::EPSILON);
+        let before = *body.rotation();
+        body.set_rotation(Rotation::from_xyzw(0.0, 0.0, 0.0, 0.0), true);
+        body.set_rotation(Rotation::from_xyzw(1.0, 1.0, 1.0, 1.0), true);
+        assert_eq!(*body.rotation(), before);
     }
 }

@@ -8,6 +8,7 @@ mod activation;
 mod body_type;
 mod builder;
 mod changes;
+mod colliders;
 mod forces;
 mod handle;
 mod mass;
@@ -26,3 +27,6 @@ pub use mass::{RigidBodyAdditionalMassProps, RigidBodyMassProps};
 pub use rigid_body::RigidBody;
 pub use set::RigidBodySet;
 pub use velocity::RigidBodyVelocity;
+
+#[cfg(test)]
+mod tests;

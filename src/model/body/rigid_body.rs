@@ -1,6 +1,7 @@
 //! The record of one rigid body: its fields, and how they are read and set one by one.
 //!
-//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of the simulation in `settings.rs`.
+//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of its simulation in `settings.rs`, its
+//! colliders in `colliders.rs`.
 
 use super::mass::mass_is_usable;
 use super::{
@@ -193,27 +194,6 @@ impl RigidBody {
     /// Whatever the user wanted to find again.
     pub fn user_data(&self) -> u128 {
         self.user_data
-    }
-
-    /// The colliders attached to this body.
-    pub fn colliders(&self) -> &[ColliderHandle] {
-        &self.colliders
-    }
-
-    /// Notes that a collider is attached. Its mass is added by
-    /// [`Self::recompute_mass_properties_from_colliders`] or [`Self::add_collider_mass`].
-    pub(crate) fn attach_collider(&mut self, handle: ColliderHandle) {
-        debug_assert!(!self.colliders.contains(&handle), "{handle:?} is attached already");
-        self.colliders.push(handle);
-        self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
-    }
-
-    /// Notes that a collider is no longer attached. The next step takes its mass off.
-    pub(crate) fn detach_collider(&mut self, handle: ColliderHandle) {
-        if let Some(position) = self.colliders.iter().position(|attached| *attached == handle) {
-            self.colliders.remove(position);
-            self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
-        }
     }
 
     // ---- Sleep ----

@@ -2,7 +2,7 @@
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::Arena;
-use crate::model::collider::ColliderHandle;
+use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
 use crate::model::island::BodyLink;
 
 /// What the step needs to know of a body that was removed: its colliders, which go with it, and its
@@ -139,6 +139,20 @@ impl RigidBodySet {
             note(modified, handle, body);
             (handle, body)
         })
+    }
+
+    /// Takes the colliders of bodies that were moved since the last step along, so that queries find
+    /// them where they are before the next step does the same.
+    pub fn propagate_modified_body_positions_to_colliders(&self, colliders: &mut ColliderSet) {
+        let moved = self.modified.iter().filter_map(|handle| self.get(*handle));
+        for body in moved.filter(|body| body.changes.contains(RigidBodyChanges::POSITION)) {
+            for handle in &body.colliders {
+                let Some(collider) = colliders.get_mut(*handle) else { continue };
+                let Some(parent) = &collider.parent else { continue };
+                collider.pose = body.pose * parent.pos_wrt_parent;
+                collider.changes.insert(ColliderChanges::POSITION);
+            }
+        }
     }
 
     // ---- For the step ----

@@ -100,6 +100,7 @@ impl ColliderSet {
             return self.insert_new(collider);
         };
         collider.join_body(parent_handle, pos_wrt_parent, body);
+        body.add_collider_mass(&collider);
         let handle = self.insert_new(collider);
         body.attach_collider(handle);
         handle
@@ -145,6 +146,7 @@ impl ColliderSet {
             let place = old_parent.map_or(Pose::IDENTITY, |old| old.pos_wrt_parent);
             if let Some(body) = bodies.get_mut(parent_handle) {
                 collider.join_body(parent_handle, place, body);
+                body.add_collider_mass(collider);
                 body.attach_collider(handle);
                 body.wake_up(true);
             }
