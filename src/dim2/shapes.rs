@@ -1,8 +1,12 @@
-//! What the shapes are made of that only two dimensions have.
+//! What the shapes are made of that only two dimensions have, and how their mass is spread.
 
+use super::mass::no_mass;
 use super::math::{Real, Vector};
+use crate::base::hash::FastHashMap;
 use crate::base::measure::Measure;
-use parry::shape::TypedShape;
+use parry::mass_properties::MassProperties;
+use parry::shape::{ConvexPolygon, Triangle, TypedShape};
+use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
@@ -36,4 +40,61 @@ pub fn farthest(shape: TypedShape<'_>, center: Vector) -> Option<Real> {
 
 fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
+}
+
+/// Mass properties of the shapes for which parry's inertia is not about the centre of mass; `None` for
+/// the others.
+pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {
+    let one = |t: &Triangle| mass_covered(&[t.a, t.b, t.c], &[[0, 1, 2]], density);
+    match shape {
+        TypedShape::Triangle(triangle) => Some(one(triangle)),
+        TypedShape::RoundTriangle(round) => Some(one(&round.inner_shape)),
+        TypedShape::TriMesh(mesh) => Some(mass_covered(mesh.vertices(), mesh.indices(), density)),
+        _ => None,
+    }
+}
+
+/// Mass properties of what triangles cover, whichever way they are wound.
+///
+/// About the origin, the second moment of a triangle of area `A` and corners `a, b, c` is
+/// `A/12 (a² + b² + c² + s²)`, `s = a + b + c`.
+fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
+    let Some(&origin) = vertices.first() else { return no_mass() };
+    let (mut area, mut moment, mut second) = (0.0, Vector::ZERO, 0.0);
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| vertices[i as usize] - origin);
+        let sum = a + b + c;
+        let part = 0.5 * (b - a).perp_dot(c - a).abs();
+        let squares = a.length_squared() + b.length_squared() + c.length_squared();
+        area += part;
+        moment += sum * (part / 3.0);
+        second += (squares + sum.length_squared()) * (part / 12.0);
+    }
+    if area * density <= 0.0 {
+        return no_mass();
+    }
+    let com = moment / area;
+    let inertia = (second - area * com.length_squared()).max(0.0) * density;
+    MassProperties::new(origin + com, area * density, inertia)
+}
+
+/// The surface of what triangles cover, as parry's convex decomposition wants it: in 2D the sides that
+/// belong to one triangle alone, in the direction in which it is wound.
+pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let ordered = |[a, b]: [u32; 2]| (a.min(b), a.max(b));
+    let mut uses: FastHashMap<(u32, u32), u32> = FastHashMap::default();
+    for side in sides() {
+        *uses.entry(ordered(side)).or_default() += 1;
+    }
+    sides().filter(|side| uses[&ordered(*side)] == 1).collect()
+}
+
+/// The convex hull of what of a surface lies in one part of its convex decomposition.
+pub fn exact_hull(
+    part: &VoxelSet,
+    vertices: &[Vector],
+    segments: &[[u32; 2]],
+) -> Option<ConvexPolygon> {
+    super::hull::convex_hull(&part.compute_exact_convex_hull(vertices, segments))
 }

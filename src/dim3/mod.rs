@@ -5,6 +5,7 @@
 
 pub mod collide;
 pub mod axes;
+pub mod hull;
 pub mod names;
 pub mod mass;
 pub mod math;

@@ -1,8 +1,11 @@
-//! What the shapes are made of that only three dimensions have.
+//! What the shapes are made of that only three dimensions have, and how their mass is spread.
 
-use super::math::{Real, Vector};
+use super::mass::{no_mass, principal_axes};
+use super::math::{Matrix, Real, Rotation, Vector};
 use crate::base::measure::Measure;
-use parry::shape::{Cylinder, TypedShape};
+use parry::mass_properties::MassProperties;
+use parry::shape::{ConvexPolyhedron, Cylinder, TypedShape};
+use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
@@ -61,4 +64,69 @@ fn farthest_of_cylinder(cylinder: &Cylinder, center: Vector) -> Real {
 
 fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
+}
+
+/// Mass properties of the shapes for which parry goes through trigonometric functions, whose last bits
+/// differ between machines, to find the principal axes; `None` for the others.
+pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {
+    let polyhedron = |solid: &ConvexPolyhedron| {
+        let (vertices, triangles) = solid.to_trimesh();
+        mass_inside(&vertices, &triangles, density)
+    };
+    match shape {
+        TypedShape::ConvexPolyhedron(solid) => Some(polyhedron(solid)),
+        TypedShape::RoundConvexPolyhedron(round) => Some(polyhedron(&round.inner_shape)),
+        TypedShape::TriMesh(mesh) => Some(mass_inside(mesh.vertices(), mesh.indices(), density)),
+        _ => None,
+    }
+}
+
+/// Mass properties of the solid that triangles enclose, whichever way they are wound; none if they
+/// enclose nothing. Of a mesh that is not closed, the result is that of the solid between its
+/// triangles and its first vertex.
+///
+/// The solid is summed up from tetrahedra with their tips at one vertex. About its tip, the second
+/// moments of a tetrahedron of volume `V` and edges `a, b, c` are
+/// `V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ)`, `s = a + b + c`. Source: Blow and Binstock, "How to find the
+/// inertia tensor (or other mass properties) of a 3D solid body represented by a triangle mesh" (2004).
+fn mass_inside(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
+    let Some(&tip) = vertices.first() else { return no_mass() };
+    let (mut volume, mut moment, mut second) = (0.0, Vector::ZERO, Matrix::ZERO);
+    let outer = |v: Vector| Matrix::from_cols(v * v.x, v * v.y, v * v.z);
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| vertices[i as usize] - tip);
+        let sum = a + b + c;
+        let part = a.dot(b.cross(c)) / 6.0;
+        volume += part;
+        moment += sum * (part / 4.0);
+        second += (outer(a) + outer(b) + outer(c) + outer(sum)) * (part / 20.0);
+    }
+    let mass = volume.abs() * density;
+    if mass <= 0.0 {
+        return no_mass();
+    }
+    let com = moment / volume;
+    // About the centre of mass (parallel axes), and positive for either winding.
+    let second = (second - outer(com) * volume) * (density * volume.signum());
+    let trace = second.x_axis.x + second.y_axis.y + second.z_axis.z;
+    let inertia = Matrix::from_diagonal(Vector::splat(trace)) - second;
+    let (moments, axes) = principal_axes(inertia);
+    let frame = Rotation::from_mat3(&axes).normalize();
+    let moments = moments.max(Vector::ZERO);
+    MassProperties::with_principal_inertia_frame(tip + com, mass, moments, frame)
+}
+
+/// The surface of what triangles cover, as parry's convex decomposition wants it: in 3D they are it.
+pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    triangles.to_vec()
+}
+
+/// The convex hull of what of a surface lies in one part of its convex decomposition.
+pub fn exact_hull(
+    part: &VoxelSet,
+    vertices: &[Vector],
+    triangles: &[[u32; 3]],
+) -> Option<ConvexPolyhedron> {
+    let (corners, _) = part.compute_exact_convex_hull(vertices, triangles);
+    super::hull::convex_hull(&corners)
 }

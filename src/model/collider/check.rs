@@ -9,15 +9,18 @@ use crate::base::measure::{
 };
 use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
 use crate::dim::shapes;
-use parry::shape::{Shape, TypedShape};
+use parry::shape::{Shape, SharedShape, TypedShape, Voxels};
 use smallvec::{SmallVec, smallvec};
+
+/// A triangle less high than this, in parts of its longest side, is taken for a line.
+const HEIGHT_MIN: Real = 1.0e-6;
 
 type Verdict = Result<(), InvalidCollider>;
 
 /// Refuses shapes with sizes that are not positive, coordinates that are not finite, indices out of
 /// range, and nothing in them.
-pub(crate) fn check_shape(shape: &dyn Shape) -> Verdict {
-    let shape = shape.as_typed_shape();
+pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
+    let shape = raw.as_typed_shape();
     for measure in measures(shape) {
         check_measure(measure)?;
     }
@@ -29,11 +32,20 @@ pub(crate) fn check_shape(shape: &dyn Shape) -> Verdict {
             let t = &t.inner_shape;
             check_triangle([t.a, t.b, t.c])
         }
-        TypedShape::Polyline(p) => check_elements("indices", p.indices(), p.vertices().len()),
-        TypedShape::TriMesh(m) => check_elements("indices", m.indices(), m.vertices().len()),
+        TypedShape::Polyline(p) => {
+            check_elements("indices", p.indices(), p.vertices().len())?;
+            let any = p.segments().any(|s| s.a != s.b);
+            if any { Ok(()) } else { degenerate("polyline", "all segments have length 0") }
+        }
+        TypedShape::TriMesh(m) => {
+            check_elements("indices", m.indices(), m.vertices().len())?;
+            let any = m.triangles().any(|t| has_area([t.a, t.b, t.c]));
+            if any { Ok(()) } else { degenerate("triangle mesh", "no triangle has an area") }
+        }
+        TypedShape::HeightField(_) => check_box(raw),
         TypedShape::Voxels(v) => check_voxels(v),
         TypedShape::Compound(c) => check_parts(c.shapes()),
-        TypedShape::Custom(custom) => check_custom(custom),
+        TypedShape::Custom(custom) => check_box(custom),
         _ => Ok(()),
     }
 }
@@ -122,10 +134,14 @@ pub(crate) fn check_pose(pose: &Pose) -> Verdict {
 }
 
 fn check_triangle(corners: [Vector; 3]) -> Verdict {
-    let [ab, ac] = [corners[1] - corners[0], corners[2] - corners[0]];
-    // Gram determinant: four times the squared area, without a cross product.
-    let squared_area = ab.length_squared() * ac.length_squared() - ab.dot(ac) * ab.dot(ac);
-    if squared_area > 0.0 { Ok(()) } else { degenerate("triangle", "its corners are in line") }
+    if has_area(corners) { Ok(()) } else { degenerate("triangle", "its corners are in line") }
+}
+
+/// Is the triangle more than a line?
+fn has_area([a, b, c]: [Vector; 3]) -> bool {
+    let (along, other) = ((b - a).normalize_or_zero(), c - a);
+    let height = (other - along * other.dot(along)).length();
+    height > HEIGHT_MIN * other.length().max((c - b).length())
 }
 
 /// Refuses an empty list of elements and elements that name vertices which are not there.
@@ -145,7 +161,8 @@ pub(crate) fn check_elements<const N: usize>(
     Ok(())
 }
 
-fn check_voxels(voxels: &parry::shape::Voxels) -> Verdict {
+fn check_voxels(voxels: &Voxels) -> Verdict {
+    check_box(voxels)?;
     if voxels.voxels().any(|voxel| !voxel.state.is_empty()) {
         Ok(())
     } else {
@@ -154,7 +171,7 @@ fn check_voxels(voxels: &parry::shape::Voxels) -> Verdict {
 }
 
 /// Refuses compounds without parts, with invalid ones, and with parts that are themselves composite.
-pub(crate) fn check_parts(parts: &[(Pose, parry::shape::SharedShape)]) -> Verdict {
+pub(crate) fn check_parts(parts: &[(Pose, SharedShape)]) -> Verdict {
     if parts.is_empty() {
         return Err(InvalidCollider::TooFew { parameter: "shapes", count: 0, least: 1 });
     }
@@ -169,13 +186,14 @@ pub(crate) fn check_parts(parts: &[(Pose, parry::shape::SharedShape)]) -> Verdic
     Ok(())
 }
 
-/// Of a shape that the user defined, only the box around it can be judged.
-fn check_custom(shape: &dyn Shape) -> Verdict {
+/// Refuses a shape around which there is no usable box. Of a shape that the user defined, nothing else
+/// can be judged.
+fn check_box(shape: &dyn Shape) -> Verdict {
     let aabb = shape.compute_local_aabb();
     check_points("bounding box", &[aabb.mins, aabb.maxs])?;
     if aabb.mins.cmple(aabb.maxs).all() {
         Ok(())
     } else {
-        degenerate("custom shape", "its bounding box is inside out")
+        degenerate("shape", "its bounding box is inside out")
     }
 }

@@ -51,9 +51,9 @@ pub enum InvalidCollider {
         /// The parameter.
         parameter: &'static str,
         /// How many cells it leads to.
-        cells: f64,
+        cells: Real,
         /// How many are possible.
-        most: f64,
+        most: Real,
     },
     /// An element names a vertex that does not exist.
     #[error("element {position} of {parameter} names vertex {index}, but there are only {count}")]

@@ -1,9 +1,10 @@
 //! Where a collider's mass comes from.
 
-use crate::dim::mass::{mass_is_valid, no_mass};
+use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::Real;
+use crate::dim::shapes;
 use parry::mass_properties::MassProperties;
-use parry::shape::Shape;
+use parry::shape::{Shape, TypedShape, Voxels};
 
 /// Where a collider's mass comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,16 +39,40 @@ impl ColliderMassProps {
     pub fn mass_properties(&self, shape: &dyn Shape) -> MassProperties {
         match self {
             Self::Density(density) if *density == 0.0 => no_mass(),
-            Self::Density(density) => finite_or_zero(shape.mass_properties(*density)),
+            Self::Density(density) => of_shape(shape, *density),
             Self::Mass(mass) if *mass == 0.0 => no_mass(),
             Self::Mass(mass) => {
-                let mut properties = finite_or_zero(shape.mass_properties(1.0));
+                let mut properties = of_shape(shape, 1.0);
                 properties.set_mass(*mass, true);
                 finite_or_zero(properties)
             }
             Self::MassProperties(properties) => **properties,
         }
     }
+}
+
+/// Mass properties of a shape of the given density.
+fn of_shape(shape: &dyn Shape, density: Real) -> MassProperties {
+    let typed = shape.as_typed_shape();
+    if let TypedShape::Compound(compound) = typed {
+        let parts = compound.shapes().iter();
+        let parts: Vec<_> =
+            parts.map(|(pose, part)| of_shape(&**part, density).transform_by(pose)).collect();
+        return finite_or_zero(total_mass(&parts));
+    }
+    if let TypedShape::Voxels(voxels) = typed {
+        return finite_or_zero(of_voxels(voxels, density));
+    }
+    let ours = shapes::mass_properties(typed, density);
+    finite_or_zero(ours.unwrap_or_else(|| shape.mass_properties(density)))
+}
+
+fn of_voxels(voxels: &Voxels, density: Real) -> MassProperties {
+    let cell = MassProperties::from_cuboid(density, voxels.voxel_size() * 0.5);
+    let filled = voxels.voxels().filter(|voxel| !voxel.state.is_empty());
+    let cells: Vec<_> =
+        filled.map(|voxel| MassProperties { local_com: voxel.center, ..cell }).collect();
+    total_mass(&cells)
 }
 
 /// A shape so large or small that its mass leaves the range of numbers has none that could be used.

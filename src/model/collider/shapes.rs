@@ -1,11 +1,20 @@
 //! One constructor for each shape.
 //!
 //! Those whose parameters depend on the dimension (cuboids, for one) stand in `dim2/surface` and
-//! `dim3/surface`.
+//! `dim3/surface`. Where parry's constructor panics on what it is given, it is not given that: the
+//! checks stand before the call. What a shape without parts is made of is checked when it is built.
 
-use super::ColliderBuilder;
-use crate::dim::math::{Real, Vector};
-use parry::shape::{Ball, Capsule, HalfSpace, Segment, SharedShape, Triangle};
+use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
+use super::{ColliderBuilder, InvalidCollider, grid};
+use crate::base::guard::guarded;
+use crate::dim::hull;
+use crate::dim::math::{DIM, Pose, Real, Vector};
+use parry::math::{IVector, ivect_to_vect};
+use parry::shape::{
+    Ball, Capsule, Compound, HalfSpace, HeightField, Polyline, PolylineFlags, RoundShape, Segment,
+    SharedShape, TriMesh, TriMeshBuilderError, TriMeshFlags, Triangle, Voxels,
+};
+use parry::transformation::voxelization::FillMode;
 
 /// Simple shapes.
 impl ColliderBuilder {
@@ -35,7 +44,7 @@ impl ColliderBuilder {
     pub(crate) fn capsule_along(axis: Vector, half_height: Real, radius: Real) -> Self {
         let end = axis * half_height;
         let shape = SharedShape::new(Capsule::new(-end, end, radius));
-        Self::of(super::check::check_margin("half_height", half_height).map(|()| shape))
+        Self::of(check_margin("half_height", half_height).map(|()| shape))
     }
 
     /// A capsule: all points at most `radius` from the segment from `a` to `b`.
@@ -52,4 +61,174 @@ impl ColliderBuilder {
     pub fn triangle(a: Vector, b: Vector, c: Vector) -> Self {
         Self::new(SharedShape::new(Triangle::new(a, b, c)))
     }
+
+    /// A triangle, enlarged and rounded by `border_radius` on all sides.
+    pub fn round_triangle(a: Vector, b: Vector, c: Vector, border_radius: Real) -> Self {
+        let inner_shape = Triangle::new(a, b, c);
+        Self::new(SharedShape::new(RoundShape { inner_shape, border_radius }))
+    }
+}
+
+/// Shapes made of others.
+impl ColliderBuilder {
+    /// Several shapes as one rigid one, each with its pose in the frame of the whole. The parts cannot
+    /// be composite themselves (compounds, meshes, polylines, height fields).
+    pub fn compound(shapes: Vec<(Pose, SharedShape)>) -> Self {
+        let checked = check_parts(&shapes);
+        Self::of(checked.map(|()| SharedShape::new(Compound::new(shapes))))
+    }
+
+    /// A chain of segments. Without indices, each vertex is joined to the next one.
+    pub fn polyline(vertices: Vec<Vector>, indices: Option<Vec<[u32; 2]>>) -> Self {
+        Self::polyline_with_flags(vertices, indices, PolylineFlags::empty())
+    }
+
+    /// A chain of segments, with parry's options for it. Without indices, each vertex is joined to the
+    /// next one.
+    pub fn polyline_with_flags(
+        vertices: Vec<Vector>,
+        indices: Option<Vec<[u32; 2]>>,
+        flags: PolylineFlags,
+    ) -> Self {
+        let checked = check_points("vertices", &vertices).and_then(|()| match &indices {
+            Some(indices) => check_elements("indices", indices, vertices.len()),
+            None if vertices.len() < 2 => {
+                let count = vertices.len();
+                Err(InvalidCollider::TooFew { parameter: "vertices", count, least: 2 })
+            }
+            None => Ok(()),
+        });
+        let shape = checked.map(|()| Polyline::with_flags(vertices, indices, flags));
+        Self::of(shape.map(SharedShape::new))
+    }
+
+    /// A height field with `least` samples along its shorter side; less than two make none.
+    pub(crate) fn of_heights(least: usize, make: impl FnOnce() -> HeightField) -> Self {
+        if least < 2 {
+            let parameter = "heights along one side";
+            Self::of(Err(InvalidCollider::TooFew { parameter, count: least, least: 2 }))
+        } else {
+            Self::new(SharedShape::new(make()))
+        }
+    }
+
+    /// A surface of triangles. It is hollow: in 3D, what got inside is not pushed out.
+    ///
+    /// # Errors
+    /// If there is no triangle, an index is out of range, a coordinate is not finite, or all triangles
+    /// are degenerate.
+    pub fn trimesh(vertices: Vec<Vector>, indices: Vec<[u32; 3]>) -> Result<Self, InvalidCollider> {
+        Self::trimesh_with_flags(vertices, indices, TriMeshFlags::empty())
+    }
+
+    /// A surface of triangles, with parry's options for it.
+    ///
+    /// # Errors
+    /// As for [`Self::trimesh`], and if no triangle is left after the deletions asked for.
+    pub fn trimesh_with_flags(
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 3]>,
+        flags: TriMeshFlags,
+    ) -> Result<Self, InvalidCollider> {
+        trimesh_shape(vertices, indices, flags).map(Self::new)
+    }
+}
+
+pub(super) fn trimesh_shape(
+    vertices: Vec<Vector>,
+    indices: Vec<[u32; 3]>,
+    flags: TriMeshFlags,
+) -> Result<SharedShape, InvalidCollider> {
+    check_points("vertices", &vertices)?;
+    if indices.is_empty() {
+        return Err(TriMeshBuilderError::EmptyIndices.into());
+    }
+    check_elements("indices", &indices, vertices.len())?;
+    let mesh = TriMesh::with_flags(vertices, indices, flags)?;
+    if mesh.indices().is_empty() {
+        return Err(TriMeshBuilderError::EmptyIndices.into());
+    }
+    super::check::check_shape(&mesh)?;
+    Ok(SharedShape::new(mesh))
+}
+
+/// Convex shapes from points.
+impl ColliderBuilder {
+    /// The smallest convex shape around some points.
+    ///
+    /// `None` if a coordinate is not finite, or if the points span no volume (no area in 2D).
+    pub fn convex_hull(points: &[Vector]) -> Option<Self> {
+        hull_of(points).map(|shape| Self::new(SharedShape::new(shape)))
+    }
+
+    /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all
+    /// sides.
+    ///
+    /// `None` if a number is not finite, the border negative, or if the points span no volume (no area
+    /// in 2D).
+    pub fn round_convex_hull(points: &[Vector], border_radius: Real) -> Option<Self> {
+        Self::round(hull_of(points), border_radius)
+    }
+
+    /// A convex shape with a round border.
+    pub(crate) fn round(shape: Option<hull::ConvexShape>, border_radius: Real) -> Option<Self> {
+        check_margin("border_radius", border_radius).ok()?;
+        let round = RoundShape { inner_shape: shape?, border_radius };
+        Some(Self::new(SharedShape::new(round)))
+    }
+}
+
+pub(super) fn hull_of(points: &[Vector]) -> Option<hull::ConvexShape> {
+    check_points("points", points).ok()?;
+    hull::convex_hull(points)
+}
+
+/// Shapes made of equal boxes.
+impl ColliderBuilder {
+    /// Boxes of one size at integer positions of a grid: the one at `(0, 0, …)` reaches from the origin
+    /// to `voxel_size`.
+    pub fn voxels(voxel_size: Vector, grid_coordinates: &[IVector]) -> Self {
+        Self::of(
+            grid::check_cells(voxel_size, grid_coordinates.iter().map(|c| ivect_to_vect(*c)))
+                .map(|()| SharedShape::new(Voxels::new(voxel_size, grid_coordinates))),
+        )
+    }
+
+    /// Those boxes of a grid that hold at least one of the points.
+    pub fn voxels_from_points(voxel_size: Vector, points: &[Vector]) -> Self {
+        let checked = check_points("points", points).and_then(|()| {
+            grid::check_cells(voxel_size, points.iter().map(|point| *point / voxel_size))
+        });
+        Self::of(checked.map(|()| SharedShape::new(Voxels::from_points(voxel_size, points))))
+    }
+
+    /// The boxes of a grid that a surface passes through and, depending on `fill_mode`, those that it
+    /// encloses. The surface consists of segments in 2D and of triangles in 3D.
+    pub fn voxelized_mesh(
+        vertices: &[Vector],
+        indices: &[[u32; DIM]],
+        voxel_size: Real,
+        fill_mode: FillMode,
+    ) -> Self {
+        let checked = check_surface(vertices, indices)
+            .and_then(|()| check_length("voxel_size", voxel_size))
+            .and_then(|()| grid::check_fineness(vertices, voxel_size));
+        Self::of(checked.and_then(|()| {
+            guarded(|| SharedShape::voxelized_mesh(vertices, indices, voxel_size, fill_mode)).ok_or(
+                InvalidCollider::Degenerate {
+                    shape: "mesh",
+                    reason: "the geometry library cannot turn it into voxels",
+                },
+            )
+        }))
+    }
+}
+
+/// Refuses what is no surface of elements (segments in 2D, triangles in 3D).
+pub(super) fn check_surface(
+    vertices: &[Vector],
+    indices: &[[u32; DIM]],
+) -> Result<(), InvalidCollider> {
+    check_points("vertices", vertices)?;
+    check_elements("indices", indices, vertices.len())
 }

@@ -1,0 +1,94 @@
+//! Convex polygons from points.
+//!
+//! parry's own constructors measure with absolute tolerances and merge neighbouring edges by their
+//! angle alone, which dissolves a finely rounded outline; these measure relative to the size.
+
+use super::math::{Real, Vector};
+use parry::shape::ConvexPolygon;
+
+/// What convex hulls are.
+pub type ConvexShape = ConvexPolygon;
+
+/// A corner this close to the line through its neighbours, in parts of the size, is none.
+const FLATNESS: Real = 1.0e-5;
+/// A polygon with a smaller area than this, in parts of the squared size, has none.
+const AREA_MIN: Real = 1.0e-6;
+/// An outline whose area is this much smaller than its hull's, in parts of it, is not convex.
+const DENT_MAX: Real = 1.0e-3;
+
+/// The smallest convex polygon around finite points; `None` if they lie on a line.
+pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolygon> {
+    polygon(hull_corners(points))
+}
+
+/// The polygon with the given finite corners, in order, either way round; `None` if it is not convex
+/// or has no area.
+pub fn convex_outline(mut corners: Vec<Vector>) -> Option<ConvexPolygon> {
+    let hull_area = signed_area(&hull_corners(&corners));
+    let area = signed_area(&corners);
+    if area < 0.0 {
+        corners.reverse();
+    }
+    if area.abs() < (1.0 - DENT_MAX) * hull_area { None } else { polygon(corners) }
+}
+
+fn polygon(mut corners: Vec<Vector>) -> Option<ConvexPolygon> {
+    let lowest = corners.iter().copied().reduce(Vector::min)?;
+    let highest = corners.iter().copied().reduce(Vector::max)?;
+    let size = (highest - lowest).length();
+    drop_flat_corners(&mut corners, FLATNESS * size);
+    if corners.len() < 3 || signed_area(&corners) < AREA_MIN * size * size {
+        return None;
+    }
+    ConvexPolygon::from_convex_polyline_unmodified(corners)
+}
+
+/// The corners of the convex hull, counter-clockwise: Andrew's monotone chain.
+fn hull_corners(points: &[Vector]) -> Vec<Vector> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    sorted.dedup();
+    let mut corners = half_hull(sorted.iter().copied());
+    let mut upper = half_hull(sorted.iter().rev().copied());
+    corners.pop(); // Each half ends where the other begins.
+    upper.pop();
+    corners.append(&mut upper);
+    corners
+}
+
+/// Walks along sorted points and keeps those at which the way turns left.
+fn half_hull(sorted: impl Iterator<Item = Vector>) -> Vec<Vector> {
+    let mut way: Vec<Vector> = Vec::new();
+    for point in sorted {
+        while let [.., a, b] = way[..] {
+            if (b - a).perp_dot(point - b) > 0.0 {
+                break;
+            }
+            way.pop();
+        }
+        way.push(point);
+    }
+    way
+}
+
+/// Drops corners that lie within `tolerance` of the line from the corner kept before to the next.
+fn drop_flat_corners(corners: &mut Vec<Vector>, tolerance: Real) {
+    let mut kept: Vec<Vector> = Vec::with_capacity(corners.len());
+    for (i, &corner) in corners.iter().enumerate() {
+        let next = corners[(i + 1) % corners.len()];
+        let before = kept.last().copied().unwrap_or(corners[corners.len() - 1]);
+        let chord = next - before;
+        if chord.perp_dot(corner - before).abs() > tolerance * chord.length() {
+            kept.push(corner);
+        }
+    }
+    *corners = kept;
+}
+
+/// Area of a polygon, negative if its corners go round clockwise. Measured from one of its corners,
+/// so that far from the origin no digits are lost.
+fn signed_area(corners: &[Vector]) -> Real {
+    let Some(&origin) = corners.first() else { return 0.0 };
+    let fan = corners.windows(2).map(|side| (side[0] - origin).perp_dot(side[1] - origin));
+    0.5 * fan.sum::<Real>()
+}

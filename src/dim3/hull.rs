@@ -1,0 +1,195 @@
+//! Convex polyhedra from points.
+//!
+//! parry finds hulls by quickhull, with tolerances for points about the size of the unit box, and
+//! merges neighbouring triangles into faces by their angle alone, which dissolves a finely rounded
+//! surface. So points are scaled to the unit box first, and a polyhedron whose faces came out crooked
+//! is made again from fewer points.
+
+use super::math::{Real, Vector};
+use crate::base::guard::guarded;
+use crate::base::hash::FastHashMap;
+use parry::shape::ConvexPolyhedron;
+use parry::transformation::try_convex_hull;
+
+/// What convex hulls are.
+pub type ConvexShape = ConvexPolyhedron;
+
+/// Points whose box is thinner than this, in parts of its length, span no volume.
+const THINNESS: Real = 1.0e-6;
+/// A polyhedron with a smaller volume than this, in parts of its box, has none.
+const VOLUME_MIN: Real = 1.0e-4;
+/// Corners of a face may lie this far off its plane, in parts of the unit box.
+const CROOKEDNESS_MAX: Real = 0.02;
+/// Half the number of steps along an edge of the cube of directions that [`thin_out`] looks in.
+const DIRECTION_STEPS: i8 = 4;
+
+/// The smallest convex polyhedron around finite points; `None` if they lie in a plane.
+pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
+    let frame = UnitBox::around(points)?;
+    let scaled: Vec<Vector> = points.iter().map(|p| frame.scale(*p)).collect();
+    match hull_of_scaled(&scaled, points, &frame) {
+        Some(solid) => Some(solid),
+        None => {
+            let few = thin_out(&scaled);
+            let originals: Vec<Vector> = few.iter().map(|i| points[*i]).collect();
+            let scaled: Vec<Vector> = few.iter().map(|i| scaled[*i]).collect();
+            hull_of_scaled(&scaled, &originals, &frame)
+        }
+    }
+}
+
+/// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all
+/// with the same winding; `None` if they do not enclose anything. The indices must be in range.
+pub fn convex_mesh(points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
+    let frame = UnitBox::around(&points)?;
+    let in_range = |corner: &u32| (*corner as usize) < points.len();
+    if !triangles.iter().flatten().all(in_range) || !is_closed(triangles) {
+        return None;
+    }
+    match solid(&points, triangles, &frame) {
+        Solid::Fine(solid) => Some(*solid),
+        Solid::Empty => None,
+        Solid::Crooked => convex_hull(&points),
+    }
+}
+
+/// The hull, with the corners taken from `originals`, which stand in the same order as `scaled`.
+fn hull_of_scaled(
+    scaled: &[Vector],
+    originals: &[Vector],
+    frame: &UnitBox,
+) -> Option<ConvexPolyhedron> {
+    let (corners, triangles) = guarded(|| try_convex_hull(scaled))?.ok()?;
+    // The hull tells its corners' coordinates, not which points they are.
+    let key = |p: &Vector| p.to_array().map(Real::to_bits);
+    let by_place: FastHashMap<_, usize> =
+        scaled.iter().enumerate().rev().map(|(i, p)| (key(p), i)).collect();
+    let corners: Option<Vec<Vector>> =
+        corners.iter().map(|c| by_place.get(&key(c)).map(|i| originals[*i])).collect();
+    if !is_closed(&triangles) {
+        return None;
+    }
+    match solid(&corners?, &triangles, frame) {
+        Solid::Fine(solid) => Some(*solid),
+        Solid::Empty | Solid::Crooked => None,
+    }
+}
+
+/// Moves the box around some points to the origin and makes its half extents 1.
+///
+/// A different scale along each axis does not change which points are corners of the hull.
+struct UnitBox {
+    center: Vector,
+    half_extents: Vector,
+}
+
+impl UnitBox {
+    fn around(points: &[Vector]) -> Option<Self> {
+        let lowest = points.iter().copied().reduce(Vector::min)?;
+        let highest = points.iter().copied().reduce(Vector::max)?;
+        let half_extents = (highest - lowest) * 0.5;
+        let is_flat = half_extents.min_element() <= THINNESS * half_extents.max_element();
+        (!is_flat).then_some(Self { center: lowest + half_extents, half_extents })
+    }
+
+    fn scale(&self, point: Vector) -> Vector {
+        (point - self.center) / self.half_extents
+    }
+
+    /// Makes a plane's normal one of the scaled plane, of unit length.
+    fn scale_normal(&self, normal: Vector) -> Vector {
+        (normal * self.half_extents).normalize_or_zero()
+    }
+}
+
+/// What became of corners and triangles.
+enum Solid {
+    Fine(Box<ConvexPolyhedron>),
+    /// No volume.
+    Empty,
+    /// Triangles in different planes were merged into one face.
+    Crooked,
+}
+
+fn solid(points: &[Vector], triangles: &[[u32; 3]], frame: &UnitBox) -> Solid {
+    let scaled: Vec<Vector> = points.iter().map(|p| frame.scale(*p)).collect();
+    let volume = signed_volume(&scaled, triangles);
+    let triangles: Vec<[u32; 3]> = if volume < 0.0 {
+        triangles.iter().map(|t| [t[0], t[2], t[1]]).collect()
+    } else {
+        triangles.to_vec()
+    };
+    if volume.abs() < 8.0 * VOLUME_MIN {
+        return Solid::Empty;
+    }
+    let built = guarded(|| ConvexPolyhedron::from_convex_mesh(points.to_vec(), &triangles));
+    match built.flatten() {
+        Some(solid) if has_plane_faces(&solid, frame) => Solid::Fine(Box::new(solid)),
+        _ => Solid::Crooked,
+    }
+}
+
+/// Does each side of a triangle run along exactly one other triangle, in the opposite direction?
+fn is_closed(triangles: &[[u32; 3]]) -> bool {
+    let mut sides: FastHashMap<(u32, u32), bool> = FastHashMap::default();
+    for &[a, b, c] in triangles {
+        for side in [(a, b), (b, c), (c, a)] {
+            if side.0 == side.1 || sides.insert(side, true).is_some() {
+                return false;
+            }
+        }
+    }
+    triangles.iter().all(|&[a, b, c]| {
+        [(b, a), (c, b), (a, c)].iter().all(|opposite| sides.contains_key(opposite))
+    })
+}
+
+/// The volume that triangles enclose: positive if they are wound counter-clockwise seen from outside.
+fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
+    let tetrahedra = triangles.iter().map(|t| {
+        let [a, b, c] = t.map(|i| points[i as usize]);
+        a.dot(b.cross(c))
+    });
+    tetrahedra.sum::<Real>() / 6.0
+}
+
+/// Are there enough faces, and do all corners of each lie in its plane?
+fn has_plane_faces(solid: &ConvexPolyhedron, frame: &UnitBox) -> bool {
+    solid.faces().len() >= 4
+        && solid.faces().iter().all(|face| {
+            let first = face.first_vertex_or_edge as usize;
+            let corners = first..first + face.num_vertices_or_edges as usize;
+            let mut corners = solid.vertices_adj_to_face()[corners]
+                .iter()
+                .map(|corner| frame.scale(solid.points()[*corner as usize]));
+            let normal = frame.scale_normal(face.normal);
+            let Some(origin) = corners.next() else { return false };
+            corners.all(|c| (c - origin).dot(normal).abs() <= CROOKEDNESS_MAX)
+        })
+}
+
+/// The outermost points in some 400 directions, spread over the sphere, in rising order.
+fn thin_out(scaled: &[Vector]) -> Vec<usize> {
+    let steps = -DIRECTION_STEPS..=DIRECTION_STEPS;
+    let along = |step: i8| Real::from(step) / Real::from(DIRECTION_STEPS);
+    let mut outermost = Vec::new();
+    for u in steps.clone().map(along) {
+        for v in steps.clone().map(along) {
+            for side in [1.0, -1.0] {
+                outermost.push(Vector::new(side, u, v));
+                outermost.push(Vector::new(u, side, v));
+                outermost.push(Vector::new(u, v, side));
+            }
+        }
+    }
+    let mut found: Vec<usize> = outermost
+        .into_iter()
+        .filter_map(|direction| {
+            let reach = |i: &usize| scaled[*i].dot(direction);
+            (0..scaled.len()).max_by(|i, j| reach(i).total_cmp(&reach(j)).then(j.cmp(i)))
+        })
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}

@@ -1,0 +1,95 @@
+//! Ways to make one collider of a triangle mesh.
+
+use super::decomposition::decompose;
+use super::shapes::{hull_of, trimesh_shape};
+use super::{ColliderBuilder, InvalidCollider};
+use crate::dim::math::{Pose, Vector};
+use crate::dim::shapes;
+use parry::bounding_volume::Aabb;
+use parry::shape::{Cuboid, SharedShape, TriMeshFlags};
+use parry::transformation::vhacd::VHACDParameters;
+
+/// What a triangle mesh, as a program that draws it has it, is to become as a collider.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+pub enum MeshConverter {
+    /// A surface of the same triangles.
+    #[default]
+    TriMesh,
+    /// A surface of the same triangles, with parry's options for it.
+    TriMeshWithFlags(TriMeshFlags),
+    /// A box around it, turned to fit.
+    Obb,
+    /// A box around it, along the axes.
+    Aabb,
+    /// Its convex hull.
+    ConvexHull,
+    /// A compound of convex parts.
+    ConvexDecomposition,
+    /// A compound of convex parts, found with the given parameters.
+    ConvexDecompositionWithParams(VHACDParameters),
+}
+
+impl MeshConverter {
+    /// The shape, and its pose in the frame of the mesh.
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, an index out of range, or the mesh empty or, where the result
+    /// must have a volume, flat.
+    pub fn convert(
+        &self,
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 3]>,
+    ) -> Result<(SharedShape, Pose), InvalidCollider> {
+        // What is no mesh is none for any of the conversions, also for those that need no triangles.
+        let flags =
+            if let Self::TriMeshWithFlags(flags) = self { *flags } else { TriMeshFlags::empty() };
+        let mesh = trimesh_shape(vertices.clone(), indices.clone(), flags)?;
+        let shape = match self {
+            Self::TriMesh | Self::TriMeshWithFlags(_) => mesh,
+            Self::Obb => {
+                let (pose, cuboid) = parry::utils::obb(&vertices);
+                return Ok((checked_box(cuboid)?, pose));
+            }
+            Self::Aabb => {
+                let aabb = Aabb::from_points(vertices.iter().copied());
+                let cuboid = Cuboid::new(aabb.half_extents());
+                return Ok((checked_box(cuboid)?, Pose::from_translation(aabb.center())));
+            }
+            Self::ConvexHull => {
+                let hull = hull_of(&vertices).ok_or(InvalidCollider::Degenerate {
+                    shape: "convex hull",
+                    reason: "the vertices span no volume",
+                })?;
+                SharedShape::new(hull)
+            }
+            Self::ConvexDecomposition => {
+                return Self::ConvexDecompositionWithParams(VHACDParameters::default())
+                    .convert(vertices, indices);
+            }
+            Self::ConvexDecompositionWithParams(params) => {
+                decompose(&vertices, &shapes::surface_of(&indices), params, SharedShape::new)?
+            }
+        };
+        Ok((shape, Pose::IDENTITY))
+    }
+}
+
+fn checked_box(cuboid: Cuboid) -> Result<SharedShape, InvalidCollider> {
+    super::check::check_shape(&cuboid)?;
+    Ok(SharedShape::new(cuboid))
+}
+
+impl ColliderBuilder {
+    /// A collider made of a triangle mesh in the way that `converter` says.
+    ///
+    /// # Errors
+    /// See [`MeshConverter::convert`].
+    pub fn converted_trimesh(
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 3]>,
+        converter: MeshConverter,
+    ) -> Result<Self, InvalidCollider> {
+        let (shape, pose) = converter.convert(vertices, indices)?;
+        Ok(Self::new(shape).position(pose))
+    }
+}
