@@ -1,12 +1,12 @@
 //! Describes a rigid body before it is made.
 
 use super::mass::mass_is_usable;
-use super::{RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyType};
+use super::{
+    RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyType, RigidBodyVelocity,
+};
 use crate::dim::axes::LockedAxes;
 use crate::dim::mass::mass_is_valid;
-use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, rotation_from_angle,
-};
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, rotation_from_angle};
 use crate::model::check::{checked_pose, is_non_negative};
 use core::fmt::Debug;
 use parry::mass_properties::MassProperties;
@@ -317,8 +317,15 @@ impl RigidBodyBuilder {
         keep(is_non_negative(soft_ccd), "soft_ccd_prediction", &mut self.soft_ccd_prediction, 0.0);
 
         let (linvel, angvel) = (self.linvel, self.angvel);
-        keep_if(linvel.is_finite(), "linvel", &mut self.linvel, default.linvel, &mut errors);
-        keep_if(ang_is_finite(angvel), "angvel", &mut self.angvel, default.angvel, &mut errors);
+        let usable = |linvel, angvel| RigidBodyVelocity::new(linvel, angvel).is_usable();
+        keep_if(usable(linvel, ANG_ZERO), "linvel", &mut self.linvel, default.linvel, &mut errors);
+        keep_if(
+            usable(Vector::ZERO, angvel),
+            "angvel",
+            &mut self.angvel,
+            default.angvel,
+            &mut errors,
+        );
         let (field, valid) = match &self.additional_mass_properties {
             None => ("", true),
             Some(RigidBodyAdditionalMassProps::Mass(mass)) => {

@@ -94,7 +94,7 @@ impl RigidBody {
             linvel: self.linvel + impulse * self.mprops.inv_mass,
             angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, torque_impulse),
         };
-        if !struck.is_finite() {
+        if !struck.is_usable() {
             return refuse("the impulses on a rigid body", (impulse, torque_impulse));
         }
         (self.linvel, self.angvel) = (struck.linvel, struck.angvel);

@@ -2,8 +2,7 @@
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia,
-    rotation_to_angle,
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, mul_inertia, rotation_to_angle,
 };
 use crate::model::check::{checked_pose, checked_rotation, refuse};
 
@@ -132,31 +131,20 @@ impl RigidBody {
     /// Fixed bodies have none, and that of position-based kinematic bodies follows from their next
     /// position: both ignore it.
     pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
-        if !linvel.is_finite() {
-            return refuse("the linear velocity of a rigid body", linvel);
-        }
-        self.set_velocity(RigidBodyVelocity::new(linvel, self.angvel), wake_up);
+        self.set_vels(RigidBodyVelocity::new(linvel, self.angvel), wake_up);
     }
 
     /// Sets the world-space angular velocity (rad/s). Ignored by the same bodies as
     /// [`Self::set_linvel`].
     pub fn set_angvel(&mut self, angvel: AngVector, wake_up: bool) {
-        if !ang_is_finite(angvel) {
-            return refuse("the angular velocity of a rigid body", angvel);
-        }
-        self.set_velocity(RigidBodyVelocity::new(self.linvel, angvel), wake_up);
+        self.set_vels(RigidBodyVelocity::new(self.linvel, angvel), wake_up);
     }
 
     /// Sets linear and angular velocity together. Ignored by the same bodies as [`Self::set_linvel`].
     pub fn set_vels(&mut self, vels: RigidBodyVelocity, wake_up: bool) {
-        if !vels.is_finite() {
+        if !vels.is_usable() {
             return refuse("the velocity of a rigid body", vels);
         }
-        self.set_velocity(vels, wake_up);
-    }
-
-    /// Takes in a finite velocity, if this type of body can be given one.
-    fn set_velocity(&mut self, vels: RigidBodyVelocity, wake_up: bool) {
         let settable = matches!(
             self.body_type,
             RigidBodyType::Dynamic | RigidBodyType::KinematicVelocityBased

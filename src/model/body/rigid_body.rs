@@ -301,3 +301,10 @@ impl RigidBody {
         self.mprops.update_world(&self.pose, self.body_type);
     }
 }
+
+// What the solver reads of every awake body: four cache lines in single precision, twice that in double.
+const _: () = {
+    let first_cold = core::mem::offset_of!(RigidBody, mprops)
+        + core::mem::offset_of!(RigidBodyMassProps, locked_axes);
+    assert!(first_cold <= 4 * 64 * size_of::<Real>() / size_of::<f32>());
+};

@@ -1,7 +1,9 @@
 //! The velocity of a rigid body, and where it leads.
 
+use crate::base::measure::{SIZE_MAX, is_point};
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, cross, rotation_from_angle,
+    ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, ang_length_squared, cross,
+    rotation_from_angle,
 };
 
 /// How fast a body moves: the velocity of its centre of mass, and its rotation about it.
@@ -39,6 +41,11 @@ impl RigidBodyVelocity {
     /// Are all components finite?
     pub fn is_finite(&self) -> bool {
         self.linvel.is_finite() && ang_is_finite(self.angvel)
+    }
+
+    /// Are all components finite and so small that their squares are finite, too?
+    pub(super) fn is_usable(&self) -> bool {
+        is_point(self.linvel) && ang_length_squared(self.angvel) <= SIZE_MAX * SIZE_MAX
     }
 
     /// World-space velocity (length/s) of the body's point at `point`, if its centre of mass is at

@@ -116,6 +116,9 @@ fn values_that_are_not_finite_are_refused() {
     for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY] {
         set_everything(&mut body, bad);
     }
+    // Finite, but their squares are not.
+    body.set_linvel(Vector::X * Real::MAX.sqrt() * 2.0, true);
+    body.set_translation(Vector::X * Real::MAX.sqrt() * 2.0, true);
     body.set_linear_damping(-1.0);
     body.set_additional_mass(-1.0, true);
     assert_eq!(format!("{body:?}"), before);
