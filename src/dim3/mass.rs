@@ -57,17 +57,23 @@ fn inertia_about(part: &MassProperties, center: Vector) -> Matrix {
 /// The cyclic Jacobi method (Golub and Van Loan, "Matrix Computations", section 8.5): each rotation
 /// clears one off-diagonal element. A diagonal matrix comes back as it is.
 pub(crate) fn principal_axes(matrix: Matrix) -> (Vector, Matrix) {
-    let mut a = matrix.to_cols_array_2d();
-    let mut axes = Matrix::IDENTITY.to_cols_array_2d();
+    let (mut a, mut axes) = (matrix, Matrix::IDENTITY);
     for _ in 0..SWEEPS_MAX {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            if a[p][q] != 0.0 {
-                let (cos, sin) = clearing_rotation(a[p][p], a[q][q], a[p][q]);
-                rotate(&mut a, &mut axes, p, q, cos, sin);
+            let apq = a.col(q)[p];
+            if apq == 0.0 {
+                continue;
             }
+            let (cos, sin) = clearing_rotation(a.col(p)[p], a.col(q)[q], apq);
+            // a ← Jᵀ a J. The matrix is symmetric, so its rows are the columns of its transpose.
+            rotate_columns(&mut a, p, q, cos, sin);
+            a = a.transpose();
+            rotate_columns(&mut a, p, q, cos, sin);
+            (a.col_mut(q)[p], a.col_mut(p)[q]) = (0.0, 0.0);
+            rotate_columns(&mut axes, p, q, cos, sin);
         }
     }
-    (Vector::new(a[0][0], a[1][1], a[2][2]), Matrix::from_cols_array_2d(&axes))
+    (Vector::new(a.x_axis.x, a.y_axis.y, a.z_axis.z), axes)
 }
 
 /// Cosine and sine of the smaller angle that clears the off-diagonal element of
@@ -79,26 +85,11 @@ fn clearing_rotation(app: Real, aqq: Real, apq: Real) -> (Real, Real) {
     (cos, tan * cos)
 }
 
-/// `a ← Jᵀ a J` and `axes ← axes J` for the rotation `J` in the plane of `p` and `q`.
-fn rotate(
-    a: &mut [[Real; 3]; 3],
-    axes: &mut [[Real; 3]; 3],
-    p: usize,
-    q: usize,
-    cos: Real,
-    sin: Real,
-) {
-    let mix = |x: Real, y: Real| (cos * x - sin * y, sin * x + cos * y);
-    for row in 0..3 {
-        (a[p][row], a[q][row]) = mix(a[p][row], a[q][row]);
-    }
-    for column in a.iter_mut() {
-        (column[p], column[q]) = mix(column[p], column[q]);
-    }
-    (a[p][q], a[q][p]) = (0.0, 0.0);
-    for row in 0..3 {
-        (axes[p][row], axes[q][row]) = mix(axes[p][row], axes[q][row]);
-    }
+/// `m ← m J` for the rotation `J` in the plane of the axes `p` and `q`.
+fn rotate_columns(m: &mut Matrix, p: usize, q: usize, cos: Real, sin: Real) {
+    let (column_p, column_q) = (m.col(p), m.col(q));
+    *m.col_mut(p) = column_p * cos - column_q * sin;
+    *m.col_mut(q) = column_p * sin + column_q * cos;
 }
 
 /// The angular momentum about the centre of mass (mass·length²/s) of a body with the world-space
@@ -120,7 +111,8 @@ mod tests {
         let turn = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
         let place = |y| cube.transform_by(&(turn * Pose::translation(0.0, y, 0.0)));
         let total = total_mass(&[place(-1.0), place(0.0), place(1.0)]);
-        let whole = Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&turn);
+        let whole =
+            Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&turn);
         let angvel = Vector::new(1.0, 2.0, -3.0);
         let momentum = |mass| angular_momentum(mass, Rotation::IDENTITY, angvel);
         assert!((total.mass() - 6.0).abs() < 1.0e-5);
