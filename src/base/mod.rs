@@ -14,3 +14,4 @@ pub mod wide;
 pub mod random;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;
+pub(crate) mod pool;

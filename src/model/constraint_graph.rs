@@ -79,12 +79,16 @@ impl ConstraintGraph {
     }
 
     /// Takes a manifold out. Returns the one that now stands in its slot, whose owner must be told.
+    ///
+    /// `bodies` are the slots of both bodies, dynamic or not: the bits of others are not set anyway,
+    /// and one that was removed can no longer tell what it was.
     #[must_use]
-    pub fn remove(&mut self, slot: ColorSlot, dynamic: [Option<u32>; 2]) -> Option<ManifoldRef> {
+    pub fn remove(&mut self, slot: ColorSlot, bodies: [u32; 2]) -> Option<ManifoldRef> {
         if slot.color != OVERFLOW {
-            for body in dynamic.into_iter().flatten() {
-                debug_assert_ne!(self.colors_of_body[body as usize] & (1 << slot.color), 0);
-                self.colors_of_body[body as usize] &= !(1 << slot.color);
+            for body in bodies {
+                if let Some(colors) = self.colors_of_body.get_mut(body as usize) {
+                    *colors &= !(1 << slot.color);
+                }
             }
         }
         let list = &mut self.colors[slot.color as usize];
@@ -148,7 +152,7 @@ mod tests {
         let first = graph.add(edge(7), [Some(0), None]);
         let second = graph.add(edge(8), [Some(1), None]);
         assert_eq!((first.color, second.color), (DYNAMIC_COLORS, DYNAMIC_COLORS));
-        assert_eq!(graph.remove(first, [Some(0), None]), Some(edge(8)));
+        assert_eq!(graph.remove(first, [0, 9]), Some(edge(8)));
         assert_eq!(graph.add(edge(9), [Some(0), None]).color, DYNAMIC_COLORS);
     }
 

@@ -14,7 +14,7 @@ use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::collider::ColliderHandle;
-use crate::model::contact::{ContactPair, IntersectionPair, NarrowPhase, PairId};
+use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, IslandManager, NONE};
 
 /// Mutable access to everything that the structure spans.
@@ -65,18 +65,30 @@ impl Structure<'_> {
         }
     }
 
-    /// Takes a body out of all lists. Its pairs must have been detached. `link` is what the body knew
-    /// of its place: the body itself may be gone already.
-    pub fn remove_body(&mut self, handle: RigidBodyHandle, link: BodyLink) {
-        if link.awake != NONE {
-            self.unlist_awake(link.awake);
+    /// Takes a body out of all lists, but leaves it in its set. Its pairs must have been detached.
+    pub fn unlist_body(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        let link = core::mem::take(&mut body.link);
+        self.forget_bodies(&mut [(handle, link)]);
+    }
+
+    /// Takes bodies that are gone from their set out of all lists. Each comes with what it knew of its
+    /// place.
+    pub fn forget_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
+        // Highest position first: what swap-removal moves into a gap then never is one of these,
+        // which could no longer be told.
+        removed.sort_unstable_by_key(|(_, link)| core::cmp::Reverse(link.awake));
+        for (handle, link) in removed.iter() {
+            self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+            if link.awake != NONE {
+                self.unlist_awake(link.awake);
+            }
         }
-        if link.island != NONE {
-            self.leave_island(link);
-        }
-        self.islands.set_motion(handle.into_raw_parts().0, 0.0);
-        if let Some(body) = self.bodies.get_unnoted_mut(handle) {
-            body.link = BodyLink::default();
+        removed.sort_unstable_by_key(|(_, link)| core::cmp::Reverse(link.island_position));
+        for (_, link) in removed.iter() {
+            if link.island != NONE {
+                self.leave_island(*link);
+            }
         }
     }
 
@@ -116,9 +128,10 @@ impl Structure<'_> {
 
     // --- waking and sleeping --------------------------------------------------------------------
 
-    /// Wakes the body in a slot, with its island if it has one.
+    /// Wakes a body, with its island if it has one; one that is awake stays so for a while longer.
     pub fn wake_body(&mut self, handle: RigidBodyHandle) {
-        let Some(body) = self.bodies.get(handle) else { return };
+        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
+        body.activation.wake_up(true);
         match body.link.island {
             NONE if body.is_kinematic() && body.is_enabled() => {
                 self.list_awake(handle);
@@ -276,10 +289,89 @@ impl Structure<'_> {
         }
     }
 
+    /// Wakes and puts to sleep the pairs of a body whose own place has changed; all are computed anew.
+    pub fn refresh_pairs_of(&mut self, handle: RigidBodyHandle) {
+        for c in 0..self.collider_count(handle) {
+            if let Some(slot) = self.collider_slot(handle, c) {
+                self.refresh_pairs(slot);
+            }
+        }
+    }
+
+    /// The same for the pairs of one collider.
+    pub fn refresh_pairs(&mut self, collider_slot: u32) {
+        for i in 0..self.narrow_phase.contacts.ids_of(collider_slot).len() {
+            let id = self.narrow_phase.contacts.ids_of(collider_slot)[i];
+            let bodies = self.narrow_phase.contacts.bodies(id);
+            self.update_colors(id);
+            if bodies.iter().any(|&body| self.is_awake(body)) {
+                self.narrow_phase.contacts.wake(id);
+                self.narrow_phase.contacts.invalidate(id);
+                self.wake_kinematic_of(bodies);
+            } else {
+                self.narrow_phase.contacts.sleep(id);
+            }
+        }
+        for i in 0..self.narrow_phase.intersections.ids_of(collider_slot).len() {
+            let id = self.narrow_phase.intersections.ids_of(collider_slot)[i];
+            let bodies = self.narrow_phase.intersections.bodies(id);
+            if bodies.iter().any(|&body| self.is_awake(body)) {
+                self.narrow_phase.intersections.wake(id);
+                self.narrow_phase.intersections.invalidate(id);
+            } else {
+                self.narrow_phase.intersections.sleep(id);
+            }
+        }
+    }
+
+    /// Cuts all links of a body, which is about to change what it is.
+    pub fn detach_pairs_of(&mut self, handle: RigidBodyHandle) {
+        for c in 0..self.collider_count(handle) {
+            let Some(slot) = self.collider_slot(handle, c) else { continue };
+            for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
+                self.detach(self.narrow_phase.contacts.ids_of(slot)[i]);
+            }
+        }
+    }
+
+    /// Wakes all bodies that touch a collider.
+    pub fn wake_touching(&mut self, collider_slot: u32) {
+        for i in 0..self.narrow_phase.contacts.ids_of(collider_slot).len() {
+            let id = self.narrow_phase.contacts.ids_of(collider_slot)[i];
+            if self.narrow_phase.contacts[id].is_touching() {
+                for slot in self.narrow_phase.contacts.bodies(id) {
+                    if let Some((handle, _)) = self.bodies.at_slot(slot) {
+                        self.wake_body(handle);
+                    }
+                }
+            }
+        }
+    }
+
     /// Two colliders are too far apart to be watched, or one of them goes.
     pub fn remove_contact_pair(&mut self, id: PairId) -> ContactPair {
         self.detach(id);
         self.narrow_phase.contacts.remove(id)
+    }
+
+    /// A pair was computed: its manifolds may be more or fewer, its bodies may have begun or stopped
+    /// to touch. Manifolds that lost all their points go.
+    pub fn follow_contact(&mut self, id: PairId) {
+        let manifolds = &self.narrow_phase.contacts[id].manifolds;
+        let left = manifolds.iter().take_while(|manifold| !manifold.contacts().is_empty()).count();
+        for index in left..manifolds.len() {
+            self.uncolor(ManifoldRef { pair: id, manifold: index as u32 });
+        }
+        let pair = &mut self.narrow_phase.contacts[id];
+        pair.manifolds.truncate(left);
+        pair.has_any_active_contact = left > 0;
+        let wanted = pair.manifolds.iter().any(ContactManifold::is_solved);
+        match (wanted, pair.attached) {
+            (true, false) => self.attach(id),
+            (false, true) => self.detach(id),
+            (true, true) => self.update_colors(id),
+            (false, false) => {}
+        }
     }
 
     // --- touching pairs -------------------------------------------------------------------------
@@ -320,9 +412,10 @@ impl Structure<'_> {
         let wanted = awake && self.narrow_phase.contacts[id].attached;
         for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
             let manifold = ManifoldRef { pair: id, manifold: index as u32 };
-            if !wanted {
+            let state = &self.narrow_phase.contacts[id].manifolds[index];
+            if !(wanted && state.is_solved()) {
                 self.uncolor(manifold);
-            } else if self.narrow_phase.contacts[id].manifolds[index].slot.is_none() {
+            } else if state.slot.is_none() {
                 let slot = self.islands.graph.add(manifold, dynamic);
                 self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
             }
@@ -331,10 +424,10 @@ impl Structure<'_> {
 
     /// Takes a manifold out of the constraint graph, if it is there.
     pub fn uncolor(&mut self, manifold: ManifoldRef) {
-        let dynamic = self.dynamic_slots(self.narrow_phase.contacts.bodies(manifold.pair));
+        let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
         let pair = &mut self.narrow_phase.contacts[manifold.pair];
         let Some(slot) = pair.manifolds[manifold.manifold as usize].slot.take() else { return };
-        if let Some(moved) = self.islands.graph.remove(slot, dynamic) {
+        if let Some(moved) = self.islands.graph.remove(slot, bodies) {
             let pair = &mut self.narrow_phase.contacts[moved.pair];
             pair.manifolds[moved.manifold as usize].slot = Some(slot);
         }
@@ -481,6 +574,7 @@ impl Structure<'_> {
                 }
                 let wanted = solved && dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
                 for (index, manifold) in pair.manifolds.iter().enumerate() {
+                    let wanted = wanted && manifold.is_solved();
                     assert_eq!(manifold.slot.is_some(), wanted, "colour of pair {id}");
                     let Some(slot) = manifold.slot else { continue };
                     let here = ManifoldRef { pair: id, manifold: index as u32 };

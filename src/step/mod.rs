@@ -1,4 +1,182 @@
-//! 
+//! # Step — the verbs, in the order they happen
+//!
+//! [`step`] is the whole pipeline; each stage's signature says what it may read and write, and its
+//! module's first lines say what it does and never does. Stages do not import each other: they leave
+//! [`notes`].
+
+mod notes;
+
+// In the order in which they run.
+mod user_changes;
 mod broad_phase;
 mod narrow_phase;
+mod islands;
 mod solver;
+mod advance;
+mod events;
+
+use crate::dim::math::Vector;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::{ColliderHandle, ColliderSet};
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::Counters;
+use crate::model::event::EventHandler;
+use crate::model::hooks::PhysicsHooks;
+use crate::model::island::IslandManager;
+use crate::model::params::IntegrationParameters;
+use crate::model::structure::Structure;
+use crate::model::tree::BroadPhaseBvh;
+use narrow_phase::{NarrowPhaseScratch, Surroundings};
+use notes::StepNotes;
+use solver::SolverScratch;
+use user_changes::Digest;
+
+/// A world, taken apart.
+pub(crate) struct StepParts<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
+    pub islands: &'a mut IslandManager,
+    pub broad_phase: &'a mut BroadPhaseBvh,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub bodies: &'a mut RigidBodySet,
+    pub colliders: &'a mut ColliderSet,
+    pub hooks: &'a dyn PhysicsHooks,
+    pub events: &'a dyn EventHandler,
+    pub counters: &'a mut Counters,
+}
+
+/// Buffers that are reused from step to step. They hold nothing that the next step needs to know.
+#[derive(Default)]
+pub(crate) struct StepScratch {
+    notes: StepNotes,
+    pairs: Vec<(ColliderHandle, ColliderHandle)>,
+    narrow_phase: NarrowPhaseScratch,
+    solver: SolverScratch,
+    sleep: islands::SleepScratch,
+}
+
+/// One step of the world. The parameters must be valid.
+pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
+    parts.counters.reset();
+    parts.counters.step_time.resume();
+    scratch.notes.clear();
+    take_in_user_changes(&mut parts, scratch);
+    find_contacts(&mut parts, scratch);
+    if parts.params.dt > 0.0 {
+        move_bodies(&mut parts, scratch);
+        put_to_sleep(&mut parts, scratch);
+    }
+    report(&parts, scratch);
+    parts.counters.step_time.pause();
+}
+
+/// The collision detection of a step, without any motion. What the user edited is taken in first if
+/// `take_in_changes`; else it waits for the next call that does.
+pub(crate) fn detect_collisions(
+    mut parts: StepParts<'_>,
+    scratch: &mut StepScratch,
+    take_in_changes: bool,
+) {
+    parts.counters.reset();
+    parts.counters.step_time.resume();
+    scratch.notes.clear();
+    if take_in_changes {
+        take_in_user_changes(&mut parts, scratch);
+    }
+    find_contacts(&mut parts, scratch);
+    report(&parts, scratch);
+    parts.counters.step_time.pause();
+}
+
+fn take_in_user_changes(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    parts.counters.stages.user_changes.resume();
+    let params = parts.params;
+    let (structure, tree) = parts.structure();
+    Digest { structure, tree, params, events: &mut scratch.notes.events }.run();
+    parts.counters.stages.user_changes.pause();
+}
+
+fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    let StepScratch { notes, pairs, narrow_phase, .. } = scratch;
+    parts.counters.stages.collision_detection_time.resume();
+    parts.counters.cd.broad_phase_time.resume();
+    let known = &*parts.narrow_phase;
+    let is_known = |slot1, slot2| known.knows(slot1, slot2);
+    broad_phase::find_pairs(parts.broad_phase, parts.colliders, is_known, pairs);
+    let (mut structure, _) = parts.structure();
+    for &(collider1, collider2) in pairs.iter() {
+        structure.add_pair(collider1, collider2);
+    }
+    parts.counters.cd.broad_phase_time.pause();
+
+    parts.counters.cd.narrow_phase_time.resume();
+    let around = Surroundings {
+        bodies: parts.bodies,
+        colliders: parts.colliders,
+        islands: parts.islands,
+        params: parts.params,
+        hooks: parts.hooks,
+    };
+    narrow_phase::update(around, parts.narrow_phase, narrow_phase, notes);
+    parts.counters.cd.narrow_phase_time.pause();
+    parts.counters.cd.ncontact_pairs = parts.narrow_phase.contacts.len();
+    parts.counters.stages.collision_detection_time.pause();
+
+    parts.counters.stages.island_construction_time.resume();
+    let (mut structure, _) = parts.structure();
+    islands::update(&mut structure, notes);
+    #[cfg(debug_assertions)]
+    structure.validate();
+    parts.counters.stages.island_construction_time.pause();
+}
+
+fn move_bodies(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    parts.counters.stages.solver_time.resume();
+    solver::solve(
+        parts.gravity,
+        parts.params,
+        parts.bodies,
+        parts.narrow_phase,
+        parts.islands,
+        &mut scratch.solver,
+        &mut parts.counters.solver,
+    );
+    parts.counters.stages.solver_time.pause();
+
+    parts.counters.stages.update_time.resume();
+    advance::advance(
+        parts.bodies,
+        parts.colliders,
+        parts.islands,
+        parts.broad_phase,
+        parts.params,
+    );
+    parts.counters.stages.update_time.pause();
+}
+
+fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    parts.counters.stages.island_construction_time.resume();
+    let (mut structure, _) = parts.structure();
+    islands::put_to_sleep(&mut structure, &mut scratch.sleep);
+    #[cfg(debug_assertions)]
+    structure.validate();
+    parts.counters.stages.island_construction_time.pause();
+}
+
+fn report(parts: &StepParts<'_>, scratch: &StepScratch) {
+    let StepParts { bodies, colliders, narrow_phase, params, events, .. } = parts;
+    events::report(bodies, colliders, narrow_phase, &scratch.notes.events, params.dt, *events);
+}
+
+impl StepParts<'_> {
+    /// The parts that know of each other, and the trees.
+    fn structure(&mut self) -> (Structure<'_>, &mut BroadPhaseBvh) {
+        let structure = Structure {
+            bodies: self.bodies,
+            colliders: self.colliders,
+            narrow_phase: self.narrow_phase,
+            islands: self.islands,
+        };
+        (structure, self.broad_phase)
+    }
+}

@@ -5,6 +5,7 @@
 //! kept out here, by [`ColliderBuilder`] and by the setters, so that no stage of the step has to ask.
 //! Setters leave a note of what changed, so that the next step looks at changed colliders alone.
 
+mod interact;
 mod active;
 mod builder;
 mod check;
@@ -36,3 +37,5 @@ pub use mesh_converter::MeshConverter;
 pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
 pub use set::ColliderSet;
 pub(crate) use set::RemovedCollider;
+
+pub(crate) use interact::may_interact;

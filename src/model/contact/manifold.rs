@@ -193,6 +193,12 @@ impl ContactManifold {
         &self.data.points
     }
 
+    /// Does the solver keep the two colliders apart here?
+    pub(crate) fn is_solved(&self) -> bool {
+        !self.data.points.is_empty()
+            && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
+    }
+
     /// Sum of the normal impulses of the last step.
     pub(crate) fn impulse(&self) -> Real {
         self.data.points.iter().map(|contact| contact.impulse).sum()

@@ -8,4 +8,4 @@ mod store;
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
 pub use narrow_phase::NarrowPhase;
 pub use pair::{ContactPair, IntersectionPair};
-pub(crate) use store::{AwakePair, DUE, PairId, PairStore};
+pub(crate) use store::{AwakePair, DUE, Pair, PairId, PairStore};

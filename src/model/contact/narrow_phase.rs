@@ -23,6 +23,11 @@ impl NarrowPhase {
         Self::default()
     }
 
+    /// Do the colliders in these two slots have a pair of either kind?
+    pub(crate) fn knows(&self, slot1: u32, slot2: u32) -> bool {
+        self.contacts.contains(slot1, slot2) || self.intersections.contains(slot1, slot2)
+    }
+
     /// All contact pairs, as (first collider, second collider, pair), in an order that depends on the
     /// world's history alone.
     pub fn contact_pairs(

@@ -36,11 +36,13 @@ pub(crate) struct AwakePair {
     /// How far (length units) the two may still move against each other before the pair must be
     /// computed again. Every step takes off a bound of what the two bodies moved.
     pub slack: Real,
+    /// Does somebody want to hear of strong contact forces of this pair?
+    pub reports_force: bool,
 }
 
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-struct Entry<P> {
+pub(crate) struct Entry<P> {
     pair: P,
     bodies: [u32; 2],
     /// Positions in the `of_collider` lists of the two colliders.
@@ -167,7 +169,7 @@ impl<P: Pair> PairStore<P> {
         if entry.awake == NONE {
             entry.awake = position;
             let bodies = entry.bodies;
-            self.awake.push(AwakePair { id, bodies, slack: DUE });
+            self.awake.push(AwakePair { id, bodies, slack: DUE, reports_force: false });
         }
     }
 
@@ -205,6 +207,16 @@ impl<P: Pair> PairStore<P> {
     /// What the narrow phase visits.
     pub fn awake(&self) -> &[AwakePair] {
         &self.awake
+    }
+
+    /// What the narrow phase visits, and all entries by id.
+    pub fn awake_and_pairs(&mut self) -> (&[AwakePair], &mut [Option<Entry<P>>]) {
+        (&self.awake, &mut self.entries)
+    }
+
+    /// The pair of an entry; `None` if there is none with this id.
+    pub fn pair_mut(entry: &mut Option<Entry<P>>) -> Option<&mut P> {
+        entry.as_mut().map(|entry| &mut entry.pair)
     }
 
     /// What the narrow phase visits.

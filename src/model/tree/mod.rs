@@ -6,6 +6,7 @@
 //! find each other. A step costs nothing for colliders that rest, however many there are.
 
 mod enlarge;
+mod placement;
 mod proxy;
 mod refresh;
 mod shape_box;

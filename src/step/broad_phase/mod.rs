@@ -8,8 +8,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::model::body::RigidBodyType;
-use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
 /// Finds the pairs of colliders that began to overlap with their enlarged boxes.
@@ -68,20 +67,4 @@ fn find_neighbours(
             });
         }
     }
-}
-
-/// Is there any point in looking at the two colliders, wherever they are?
-pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
-    let (flags1, flags2) = (&collider1.flags, &collider2.flags);
-    if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent()) {
-        if body1 == body2 {
-            return false;
-        }
-    }
-    let type1 = collider1.parent_type.unwrap_or(RigidBodyType::Fixed);
-    let type2 = collider2.parent_type.unwrap_or(RigidBodyType::Fixed);
-    (flags1.active_collision_types | flags2.active_collision_types).test(type1, type2)
-        && flags1.collision_groups.test(flags2.collision_groups)
-        && collider1.is_enabled()
-        && collider2.is_enabled()
 }

@@ -1,10 +1,23 @@
 //! # Narrow phase — where exactly do they touch?
+//!
+//! Reads:   collider poses and shapes, bounds of how far bodies moved, last step's manifolds
+//! Writes:  manifolds of awake pairs; notes of what was computed
+//! Runs:    parallel over pairs; notes are in the order of the awake pairs
+//! Never:   moves a body; links islands; gives colours
+//!
+//! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair
+//! has *slack*: how far its bodies may still move against each other before it must be computed again.
+//! A step takes off a bound of what the two bodies moved, which costs two loads, and only pairs whose
+//! slack is used up are looked at more closely: [`update`].
 
 mod ball;
 mod convex;
 mod generate;
 mod matching;
 mod parts;
+mod update;
 mod voxels;
 #[cfg(test)]
 mod tests;
+
+pub(crate) use update::{NarrowPhaseScratch, Surroundings, update};

@@ -1,0 +1,23 @@
+//! Buffers that threads borrow and give back.
+
+use std::sync::{Mutex, PoisonError};
+
+/// Things that are dear to make and may be used by one thread at a time. Holds as many as were ever
+/// out at the same time.
+#[derive(Debug, Default)]
+pub(crate) struct Pool<T> {
+    idle: Mutex<Vec<T>>,
+}
+
+impl<T: Default> Pool<T> {
+    /// One of the idle things, or a new one.
+    pub fn take(&self) -> T {
+        let mut idle = self.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        idle.pop().unwrap_or_default()
+    }
+
+    /// Gives a thing back.
+    pub fn put(&self, thing: T) {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(thing);
+    }
+}

@@ -1,0 +1,23 @@
+//! Which colliders have anything to do with each other.
+
+use super::Collider;
+use crate::model::body::RigidBodyType;
+
+/// Is there any point in looking at the two colliders, wherever they are?
+///
+/// No if they belong to the same body, if neither wants to collide with the other's kind of body, if
+/// their groups do not meet, or if one is disabled. A collider without a body counts as fixed.
+pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
+    let (flags1, flags2) = (&collider1.flags, &collider2.flags);
+    if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent()) {
+        if body1 == body2 {
+            return false;
+        }
+    }
+    let type1 = collider1.parent_type.unwrap_or(RigidBodyType::Fixed);
+    let type2 = collider2.parent_type.unwrap_or(RigidBodyType::Fixed);
+    (flags1.active_collision_types | flags2.active_collision_types).test(type1, type2)
+        && flags1.collision_groups.test(flags2.collision_groups)
+        && collider1.is_enabled()
+        && collider2.is_enabled()
+}

@@ -1,0 +1,37 @@
+//! Where a collider's box goes.
+
+use super::{BoxMargin, BroadPhaseBvh, TreeKind, shape_box};
+use crate::dim::math::{Real, Vector};
+use crate::model::body::RigidBody;
+use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::params::IntegrationParameters;
+
+impl BroadPhaseBvh {
+    /// Lets a collider's box follow the collider. `body` is the one that it is attached to.
+    pub(crate) fn follow(
+        &mut self,
+        handle: ColliderHandle,
+        collider: &mut Collider,
+        body: Option<&RigidBody>,
+        params: &IntegrationParameters,
+    ) {
+        if !collider.is_enabled() {
+            self.remove(handle.into_raw_parts().0, &mut collider.proxy);
+            return;
+        }
+        let movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
+        let kind = if movable { TreeKind::Movable } else { TreeKind::Fixed };
+        let soft_ccd = body.map_or(0.0, |body| body.soft_ccd_prediction);
+        let margin = BoxMargin {
+            reach: reach(params, collider.contact_skin, soft_ccd),
+            travel: body.map_or(Vector::ZERO, |body| body.linvel * params.dt),
+        };
+        let tight = shape_box(collider.shape(), &collider.pose);
+        self.place(handle, &mut collider.proxy, kind, &tight, &margin);
+    }
+}
+
+/// One collider's share of the distance at which contacts must be found.
+fn reach(params: &IntegrationParameters, contact_skin: Real, soft_ccd: Real) -> Real {
+    0.5 * params.prediction_distance() + contact_skin + soft_ccd
+}

@@ -1,0 +1,53 @@
+//! # Events — tell the user
+//!
+//! Reads:   notes of what began and stopped touching, impulses
+//! Writes:  nothing but what the user's handler does
+//! Runs:    serial, in the order of the notes and of the awake pairs
+//! Never:   changes the world
+
+use crate::dim::math::Real;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::{ActiveEvents, Collider, ColliderSet};
+use crate::model::contact::{ContactPair, NarrowPhase};
+use crate::model::event::{CollisionEvent, ContactForceEvent, EventHandler};
+
+/// Sends all events of a step.
+pub(crate) fn report(
+    bodies: &RigidBodySet,
+    colliders: &ColliderSet,
+    narrow_phase: &NarrowPhase,
+    events: &[CollisionEvent],
+    dt: Real,
+    handler: &dyn EventHandler,
+) {
+    for event in events {
+        let pair = narrow_phase.contact_pair(event.collider1(), event.collider2());
+        handler.handle_collision_event(bodies, colliders, event, pair);
+    }
+    if dt <= 0.0 {
+        return;
+    }
+    for awake in narrow_phase.contacts.awake().iter().filter(|awake| awake.reports_force) {
+        let pair = &narrow_phase.contacts[awake.id];
+        let Some(threshold) = force_threshold(pair, colliders) else { continue };
+        let total = pair.total_impulse_magnitude() / dt;
+        if total > 0.0 && total >= threshold {
+            let event = ContactForceEvent::from_contact_pair(dt, pair, total);
+            handler.handle_contact_force_event(dt, &event, bodies, colliders);
+        }
+    }
+}
+
+/// From which force on the pair is to be reported: the lower of the thresholds of those colliders that
+/// want to hear of forces. `None` if neither does.
+fn force_threshold(pair: &ContactPair, colliders: &ColliderSet) -> Option<Real> {
+    let threshold = |collider: &Collider| {
+        let wants = collider.active_events().contains(ActiveEvents::CONTACT_FORCE_EVENTS);
+        wants.then_some(collider.contact_force_event_threshold)
+    };
+    let of = |handle| colliders.get(handle).and_then(threshold);
+    match (of(pair.collider1), of(pair.collider2)) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}

@@ -1,0 +1,114 @@
+//! # Islands — who is connected, who wakes, who sleeps
+//!
+//! Reads:   the narrow phase's notes, sleep timers
+//! Writes:  islands, the list of awake bodies, colours, pairs that are no more; notes for events
+//! Runs:    serial, in the order of the notes
+//! Never:   changes a manifold's points or moves a body
+
+mod sleep;
+
+pub(crate) use sleep::{SleepScratch, put_to_sleep};
+
+use crate::model::body::RigidBodyHandle;
+use crate::model::collider::{ActiveEvents, ColliderHandle, ColliderSet};
+use crate::model::contact::PairId;
+use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::structure::Structure;
+use crate::step::notes::{PairChange, StepNotes};
+
+/// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.
+pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
+    let StepNotes { contacts, intersections, events } = notes;
+    for &(id, change) in contacts.iter() {
+        follow_contact(structure, id, change, events);
+    }
+    for &(id, change) in intersections.iter() {
+        follow_intersection(structure, id, change, events);
+    }
+    wake_what_kinematics_move(structure);
+}
+
+fn follow_contact(
+    structure: &mut Structure<'_>,
+    id: PairId,
+    change: PairChange,
+    events: &mut Vec<CollisionEvent>,
+) {
+    let none = CollisionEventFlags::empty();
+    if change == PairChange::Apart {
+        let pair = structure.remove_contact_pair(id);
+        if pair.start_event_emitted {
+            events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, none));
+        }
+        return;
+    }
+    structure.follow_contact(id);
+    let pair = &mut structure.narrow_phase.contacts[id];
+    let (colliders, touching) = ([pair.collider1, pair.collider2], pair.is_touching());
+    report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, none, events);
+}
+
+fn follow_intersection(
+    structure: &mut Structure<'_>,
+    id: PairId,
+    change: PairChange,
+    events: &mut Vec<CollisionEvent>,
+) {
+    let sensor = CollisionEventFlags::SENSOR;
+    let store = &mut structure.narrow_phase.intersections;
+    if change == PairChange::Apart {
+        let pair = store.remove(id);
+        if pair.start_event_emitted {
+            events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, sensor));
+        }
+        return;
+    }
+    let pair = &mut store[id];
+    let (colliders, touching) = ([pair.collider1, pair.collider2], pair.intersecting);
+    report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, sensor, events);
+}
+
+/// Notes an event if the pair began or stopped touching since the last one.
+fn report(
+    set: &ColliderSet,
+    [collider1, collider2]: [ColliderHandle; 2],
+    touching: bool,
+    reported: &mut bool,
+    flags: CollisionEventFlags,
+    events: &mut Vec<CollisionEvent>,
+) {
+    if touching == *reported {
+        return;
+    }
+    let wants = |handle| {
+        set.get(handle)
+            .is_some_and(|collider| collider.active_events().contains(ActiveEvents::COLLISION_EVENTS))
+    };
+    if touching && (wants(collider1) || wants(collider2)) {
+        *reported = true;
+        events.push(CollisionEvent::Started(collider1, collider2, flags));
+    } else if !touching {
+        *reported = false;
+        events.push(CollisionEvent::Stopped(collider1, collider2, flags));
+    }
+}
+
+/// A kinematic body that moves keeps everything awake that it touches.
+fn wake_what_kinematics_move(structure: &mut Structure<'_>) {
+    for position in 0..structure.islands.awake.len() {
+        let handle = structure.islands.awake[position];
+        let Some(body) = structure.bodies.get(handle) else { continue };
+        if body.is_kinematic() && body.is_moving() {
+            wake_touching(structure, handle);
+        }
+    }
+}
+
+fn wake_touching(structure: &mut Structure<'_>, kinematic: RigidBodyHandle) {
+    let Some(body) = structure.bodies.get(kinematic) else { return };
+    for index in 0..body.colliders.len() {
+        let Some(body) = structure.bodies.get(kinematic) else { return };
+        let slot = body.colliders[index].into_raw_parts().0;
+        structure.wake_touching(slot);
+    }
+}

@@ -1,0 +1,413 @@
+//! Which pairs are due, and what becomes of them.
+
+use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
+use super::matching::inherit_impulses;
+use crate::base::disjoint::DisjointMut;
+use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::collider::{
+    ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle, ColliderSet,
+};
+use crate::model::contact::{
+    AwakePair, ContactManifold, ContactPair, DUE, IntersectionPair, NarrowPhase, Pair, PairId, PairStore,
+    SolverFlags,
+};
+use crate::model::hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
+use crate::model::island::IslandManager;
+use crate::model::params::IntegrationParameters;
+use crate::step::notes::{PairChange, StepNotes};
+use parry::bounding_volume::BoundingVolume;
+use smallvec::SmallVec;
+
+/// Pairs that are worth handing over to another thread together.
+const PAIRS_PER_TASK: usize = 16;
+
+/// What the narrow phase reads.
+#[derive(Copy, Clone)]
+pub(crate) struct Surroundings<'a> {
+    pub bodies: &'a RigidBodySet,
+    pub colliders: &'a ColliderSet,
+    pub islands: &'a IslandManager,
+    pub params: &'a IntegrationParameters,
+    pub hooks: &'a dyn PhysicsHooks,
+}
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(crate) struct NarrowPhaseScratch {
+    /// Positions in the list of awake pairs.
+    due: Vec<u32>,
+    outcomes: Vec<Outcome>,
+    /// One for each task that runs at the same time.
+    workers: Pool<Worker>,
+}
+
+/// What one thread needs to compute manifolds.
+#[derive(Default)]
+struct Worker {
+    scratch: ManifoldScratch,
+    fresh: SmallVec<[ContactManifold; 1]>,
+}
+
+/// What a look at one pair found.
+#[derive(Copy, Clone, Debug)]
+struct Outcome {
+    change: Option<PairChange>,
+    slack: Real,
+    /// Does somebody want to hear of strong contact forces?
+    reports_force: bool,
+}
+
+impl Outcome {
+    /// The pair is as it was, and stays so for this far.
+    fn unchanged(slack: Real, reports_force: bool) -> Self {
+        Self { change: None, slack, reports_force }
+    }
+
+    /// The boxes no longer overlap.
+    const APART: Self =
+        Self { change: Some(PairChange::Apart), slack: DUE, reports_force: false };
+}
+
+/// Brings all awake pairs up to date.
+pub(crate) fn update(
+    around: Surroundings<'_>,
+    narrow_phase: &mut NarrowPhase,
+    scratch: &mut NarrowPhaseScratch,
+    notes: &mut StepNotes,
+) {
+    update_store(around, &mut narrow_phase.contacts, scratch, &mut notes.contacts);
+    update_store(around, &mut narrow_phase.intersections, scratch, &mut notes.intersections);
+}
+
+/// A kind of pair, and how it is computed.
+trait Update: Sized + Send + Sync {
+    fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome;
+}
+
+fn update_store<P: Update + Pair>(
+    around: Surroundings<'_>,
+    store: &mut PairStore<P>,
+    scratch: &mut NarrowPhaseScratch,
+    notes: &mut Vec<(PairId, PairChange)>,
+) {
+    let NarrowPhaseScratch { due, outcomes, workers } = scratch;
+    due.clear();
+    for (position, pair) in store.awake_mut().iter_mut().enumerate() {
+        let [body1, body2] = pair.bodies;
+        pair.slack -= around.islands.motion_of(body1) + around.islands.motion_of(body2);
+        if pair.slack < 0.0 {
+            due.push(position as u32);
+        }
+    }
+
+    outcomes.clear();
+    outcomes.resize(due.len(), Outcome::APART);
+    let (awake, pairs) = store.awake_and_pairs();
+    let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
+    let due = &*due;
+    Tasks::current().par_for(due.len(), PAIRS_PER_TASK, |range| {
+        let mut worker = workers.take();
+        for index in range {
+            let AwakePair { id, slack, reports_force, .. } = awake[due[index] as usize];
+            // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
+            let (slot, result) =
+                unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
+            let Some(pair) = PairStore::pair_mut(slot) else { continue };
+            let last = Outcome::unchanged(slack, reports_force);
+            *result = look_at(around, pair, last, &mut worker);
+        }
+        workers.put(worker);
+    });
+
+    for (&position, outcome) in due.iter().zip(outcomes.iter()) {
+        let pair = &mut store.awake_mut()[position as usize];
+        pair.slack = outcome.slack;
+        pair.reports_force = outcome.reports_force;
+        if let Some(change) = outcome.change {
+            notes.push((pair.id, change));
+        }
+    }
+}
+
+fn look_at<P: Update + Pair>(
+    around: Surroundings<'_>,
+    pair: &mut P,
+    last: Outcome,
+    worker: &mut Worker,
+) -> Outcome {
+    match PairView::of(around, pair.colliders()) {
+        Some(view) => pair.update(&view, last, worker),
+        None => Outcome::APART,
+    }
+}
+
+/// The two colliders of a pair and their bodies.
+struct PairView<'a> {
+    around: Surroundings<'a>,
+    colliders: [&'a Collider; 2],
+    bodies: [Option<&'a RigidBody>; 2],
+    pose12: Pose,
+}
+
+impl<'a> PairView<'a> {
+    fn of(
+        around: Surroundings<'a>,
+        handles: [ColliderHandle; 2],
+    ) -> Option<Self> {
+        let collider1 = around.colliders.get(handles[0])?;
+        let collider2 = around.colliders.get(handles[1])?;
+        let body = |collider: &Collider| around.bodies.get(collider.parent()?);
+        Some(Self {
+            around,
+            colliders: [collider1, collider2],
+            bodies: [body(collider1), body(collider2)],
+            pose12: collider1.pose.inv_mul(&collider2.pose),
+        })
+    }
+
+    fn boxes_overlap(&self) -> bool {
+        let [c1, c2] = self.colliders;
+        c1.proxy.fat_aabb.intersects(&c2.proxy.fat_aabb)
+    }
+
+    fn has_hooks(&self, hooks: ActiveHooks) -> bool {
+        let [c1, c2] = self.colliders;
+        (c1.active_hooks() | c2.active_hooks()).intersects(hooks)
+    }
+
+    fn filter_context(&self, pair: [ColliderHandle; 2]) -> PairFilterContext<'a> {
+        PairFilterContext {
+            bodies: self.around.bodies,
+            colliders: self.around.colliders,
+            collider1: pair[0],
+            collider2: pair[1],
+            rigid_body1: self.colliders[0].parent(),
+            rigid_body2: self.colliders[1].parent(),
+        }
+    }
+
+    /// Gap below which contacts are wanted.
+    fn prediction(&self) -> Real {
+        let soft_ccd = |body: Option<&RigidBody>| body.map_or(0.0, |body| body.soft_ccd_prediction);
+        let soft = soft_ccd(self.bodies[0]).max(soft_ccd(self.bodies[1]));
+        let prediction = self.around.params.prediction_distance();
+        if soft == 0.0 {
+            return prediction;
+        }
+        // No farther than the two can come together in a step.
+        let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
+        let approach = (velocity(self.bodies[1]) - velocity(self.bodies[0])).length();
+        prediction.max(soft.min(approach * self.around.params.dt))
+    }
+
+    fn skin(&self) -> Real {
+        self.colliders[0].contact_skin + self.colliders[1].contact_skin
+    }
+}
+
+impl Update for IntersectionPair {
+    fn update(&mut self, view: &PairView<'_>, _: Outcome, _: &mut Worker) -> Outcome {
+        if !view.boxes_overlap() {
+            return Outcome::APART;
+        }
+        let [c1, c2] = view.colliders;
+        let wanted = !view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR) || {
+            let context = view.filter_context([self.collider1, self.collider2]);
+            view.around.hooks.filter_intersection_pair(&context)
+        };
+        self.intersecting = wanted && shapes_intersect(&view.pose12, c1.shape(), c2.shape());
+        // Any motion may begin or end an intersection; without motion nothing can.
+        let filtered = view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR);
+        Outcome {
+            change: Some(PairChange::Computed),
+            slack: if filtered { DUE } else { 0.0 },
+            reports_force: false,
+        }
+    }
+}
+
+impl Update for ContactPair {
+    fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome {
+        let recycle_distance = view.around.params.contact_recycle_distance();
+        if last.slack != DUE {
+            let left = recycle_distance - self.drift(&view.pose12);
+            if left > 0.0 && self.is_touching() {
+                return Outcome::unchanged(left, last.reports_force);
+            }
+        }
+        if !view.boxes_overlap() {
+            return Outcome::APART;
+        }
+        let gap = self.compute(view, worker);
+        let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
+        let slack = if view.has_hooks(hooks) {
+            DUE
+        } else if self.is_touching() {
+            recycle_distance
+        } else {
+            gap
+        };
+        let [c1, c2] = view.colliders;
+        let reports_force =
+            (c1.active_events() | c2.active_events()).contains(ActiveEvents::CONTACT_FORCE_EVENTS);
+        Outcome { change: Some(PairChange::Computed), slack, reports_force }
+    }
+}
+
+impl ContactPair {
+    /// How far the contact points moved against each other since they were computed.
+    fn drift(&self, pose12: &Pose) -> Real {
+        let contacts = self.manifolds.iter().flat_map(ContactManifold::contacts);
+        let moved = contacts.map(|contact| {
+            (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
+        });
+        moved.fold(0.0, Real::max).sqrt()
+    }
+
+    /// Computes the manifolds. Returns how far apart the shapes are beyond the prediction distance: no
+    /// contact can appear before they have moved that far.
+    ///
+    /// Manifolds that vanish stay, without points, until whoever gave them colours takes those away.
+    fn compute(&mut self, view: &PairView<'_>, worker: &mut Worker) -> Real {
+        let Worker { scratch, fresh } = worker;
+        let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
+            let context = view.filter_context([self.collider1, self.collider2]);
+            view.around.hooks.filter_contact_pair(&context)
+        };
+        let mut gap = 0.0;
+        if wanted {
+            let (prediction, skin) = (view.prediction(), view.skin());
+            let [shape1, shape2] = view.colliders.map(Collider::shape);
+            let reach = prediction + skin;
+            let old = &self.manifolds;
+            let distance =
+                compute_manifolds(&view.pose12, shape1, shape2, reach, old, scratch, fresh);
+            gap = (distance - reach).max(0.0);
+            inherit_impulses(fresh, old);
+            for manifold in fresh.iter_mut() {
+                finish(manifold, view, skin);
+                modify(manifold, self.collider1, self.collider2, view);
+            }
+            fresh.retain(|manifold| !manifold.contacts().is_empty());
+        } else {
+            fresh.clear();
+        }
+        self.pose12 = view.pose12;
+        self.replace_manifolds(fresh);
+        gap
+    }
+
+    fn replace_manifolds(&mut self, fresh: &mut SmallVec<[ContactManifold; 1]>) {
+        let kept = fresh.len();
+        for (index, mut manifold) in fresh.drain(..).enumerate() {
+            match self.manifolds.get_mut(index) {
+                Some(old) => {
+                    manifold.slot = old.slot;
+                    *old = manifold;
+                }
+                None => self.manifolds.push(manifold),
+            }
+        }
+        for surplus in &mut self.manifolds[kept..] {
+            surplus.data.points.clear();
+        }
+    }
+}
+
+/// Completes a manifold with what the solver needs to know.
+fn finish(manifold: &mut ContactManifold, view: &PairView<'_>, skin: Real) {
+    let [c1, c2] = view.colliders;
+    let frames = [Frame::of(c1, view.bodies[0]), Frame::of(c2, view.bodies[1])];
+    let data = &mut manifold.data;
+    data.rigid_body1 = c1.parent();
+    data.rigid_body2 = c2.parent();
+    data.normal = c1.pose.rotation * manifold.local_n1;
+    data.body_normal = frames[0].vector(manifold.local_n1);
+    data.tangent_velocity = Vector::ZERO;
+    let (m1, m2) = (c1.material(), c2.material());
+    data.friction = CoefficientCombineRule::combine(
+        m1.friction,
+        m1.friction_combine_rule,
+        m2.friction,
+        m2.friction_combine_rule,
+    );
+    data.restitution = CoefficientCombineRule::combine(
+        m1.restitution,
+        m1.restitution_combine_rule,
+        m2.restitution,
+        m2.restitution_combine_rule,
+    );
+    let dominance = |body: Option<&RigidBody>| body.map_or(0, RigidBody::effective_dominance);
+    data.relative_dominance = dominance(view.bodies[0]) - dominance(view.bodies[1]);
+    data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
+        SolverFlags::COMPUTE_RIGID_IMPULSES
+    } else {
+        SolverFlags::empty()
+    };
+    for contact in &mut data.points {
+        // The skin is a layer on each surface: it brings the surfaces closer, and outward.
+        contact.dist -= skin;
+        let (skin1, skin2) = (c1.contact_skin, c2.contact_skin);
+        contact.anchor1 = frames[0].point(contact.local_p1 + manifold.local_n1 * skin1);
+        contact.anchor2 = frames[1].point(contact.local_p2 + manifold.local_n2 * skin2);
+        contact.point = (c1.pose * contact.local_p1 + c2.pose * contact.local_p2) * 0.5;
+    }
+}
+
+/// From a collider's frame to the frame in which the solver knows its body: that of the body, from
+/// the centre of mass; or the world, if there is no body or a fixed one.
+struct Frame {
+    pose: Pose,
+    origin: Vector,
+}
+
+impl Frame {
+    fn of(collider: &Collider, body: Option<&RigidBody>) -> Self {
+        match (body, collider.parent) {
+            (Some(body), Some(parent)) if body.is_dynamic_or_kinematic() => {
+                Self { pose: parent.pos_wrt_parent, origin: body.local_center_of_mass() }
+            }
+            _ => Self { pose: collider.pose, origin: Vector::ZERO },
+        }
+    }
+
+    fn point(&self, local: Vector) -> Vector {
+        self.pose * local - self.origin
+    }
+
+    fn vector(&self, local: Vector) -> Vector {
+        self.pose.rotation * local
+    }
+}
+
+/// Lets the user change the contacts.
+fn modify(
+    manifold: &mut ContactManifold,
+    collider1: ColliderHandle,
+    collider2: ColliderHandle,
+    view: &PairView<'_>,
+) {
+    if !view.has_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS) {
+        return;
+    }
+    let old_normal = manifold.data.normal;
+    let mut context = ContactModificationContext {
+        bodies: view.around.bodies,
+        colliders: view.around.colliders,
+        rigid_body1: view.colliders[0].parent(),
+        rigid_body2: view.colliders[1].parent(),
+        collider1,
+        collider2,
+        manifold,
+    };
+    view.around.hooks.modify_solver_contact(&mut context);
+    let normal = manifold.data.normal;
+    if normal != old_normal {
+        let local = view.colliders[0].pose.rotation.inverse() * normal;
+        let frame = Frame::of(view.colliders[0], view.bodies[0]);
+        manifold.data.body_normal = frame.vector(local);
+    }
+}

@@ -1,0 +1,107 @@
+//! Bodies that are new or were edited.
+
+use super::Digest;
+use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
+use crate::model::collider::ColliderEnabled;
+use crate::model::island::NONE;
+
+impl Digest<'_> {
+    /// Gives a body that is new, or changed its type, or was enabled or disabled, its place in the
+    /// lists.
+    pub(super) fn reclassify(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.structure.bodies.get(handle) else { return };
+        let kind = RigidBodyChanges::TYPE | RigidBodyChanges::ENABLED_OR_DISABLED;
+        if !body.changes.intersects(kind) {
+            return;
+        }
+        self.structure.detach_pairs_of(handle);
+        self.structure.unlist_body(handle);
+        if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
+            body.update_world_mass_properties();
+        }
+        self.structure.add_body(handle);
+        self.inform_colliders(handle);
+        self.structure.refresh_pairs_of(handle);
+    }
+
+    /// Colliders know the type of their body, and do not take part without it.
+    fn inform_colliders(&mut self, handle: RigidBodyHandle) {
+        let Some(body) = self.structure.bodies.get(handle) else { return };
+        let (body_type, enabled) = (body.body_type, body.enabled);
+        for index in 0..body.colliders.len() {
+            let Some(body) = self.structure.bodies.get(handle) else { return };
+            let collider_handle = body.colliders[index];
+            let colliders = &mut *self.structure.colliders;
+            let Some(collider) = colliders.get_unnoted_mut(collider_handle) else { continue };
+            collider.parent_type = Some(body_type);
+            collider.flags.enabled = match (collider.flags.enabled, enabled) {
+                (ColliderEnabled::DisabledByParent, true) => ColliderEnabled::Enabled,
+                (ColliderEnabled::Enabled, false) => ColliderEnabled::DisabledByParent,
+                (unchanged, _) => unchanged,
+            };
+            self.drop_forbidden_pairs(collider_handle);
+            self.place(collider_handle);
+            self.tree.mark_moved(collider_handle.into_raw_parts().0);
+        }
+    }
+
+    /// Follows a body's other changes.
+    pub(super) fn take_in_body(
+        &mut self,
+        handle: RigidBodyHandle,
+        reweighed: &mut Vec<RigidBodyHandle>,
+    ) {
+        let Some(body) = self.structure.bodies.get_unnoted_mut(handle) else { return };
+        let changes = core::mem::replace(&mut body.changes, RigidBodyChanges::empty());
+        if changes.contains(RigidBodyChanges::POSITION) {
+            body.update_world_mass_properties();
+            for index in 0..body.colliders.len() {
+                let Some(body) = self.structure.bodies.get(handle) else { return };
+                let collider = body.colliders[index];
+                self.structure.wake_touching(collider.into_raw_parts().0);
+                self.place(collider);
+            }
+        }
+        if changes.intersects(RigidBodyChanges::POSITION | RigidBodyChanges::DOMINANCE) {
+            self.structure.refresh_pairs_of(handle);
+        }
+        let mass = RigidBodyChanges::LOCAL_MASS_PROPERTIES | RigidBodyChanges::COLLIDERS;
+        if changes.intersects(mass) {
+            self.note_mass(handle, reweighed);
+        }
+        let asleep =
+            self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping);
+        if changes.contains(RigidBodyChanges::SLEEP) && !asleep {
+            self.structure.wake_body(handle);
+        }
+    }
+
+    /// Puts bodies to sleep that the user sent to sleep: all bodies of an island or none, since the
+    /// others would hold them awake.
+    pub(super) fn take_in_sleepers(&mut self, modified: &[RigidBodyHandle]) {
+        for &handle in modified {
+            let Some(body) = self.structure.bodies.get(handle) else { continue };
+            if !body.activation.sleeping || body.link.awake == NONE {
+                continue;
+            }
+            match body.link.island {
+                NONE => self.structure.sleep_kinematic(handle),
+                island if self.all_want_to_sleep(island) => self.structure.sleep_island(island),
+                _ => {
+                    if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
+                        // Awake, but the first to be ready when the others are.
+                        body.activation.sleeping = false;
+                        body.activation.time_since_can_sleep = body.activation.time_until_sleep;
+                    }
+                }
+            }
+        }
+    }
+
+    fn all_want_to_sleep(&self, island: u32) -> bool {
+        let bodies = &self.structure.islands.island(island).bodies;
+        bodies.iter().all(|&handle| {
+            self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping)
+        })
+    }
+}

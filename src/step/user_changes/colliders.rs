@@ -1,0 +1,90 @@
+//! Colliders that are new or were edited.
+
+use super::Digest;
+use crate::model::body::RigidBodyHandle;
+use crate::model::collider::{ColliderChanges, ColliderHandle, may_interact};
+use crate::model::event::{CollisionEvent, CollisionEventFlags};
+
+impl Digest<'_> {
+    /// Follows a collider's changes.
+    pub(super) fn take_in_collider(
+        &mut self,
+        handle: ColliderHandle,
+        reweighed: &mut Vec<RigidBodyHandle>,
+    ) {
+        let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
+        let changes = core::mem::replace(&mut collider.changes, ColliderChanges::empty());
+        let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
+
+        // What is another kind of pair, or of other bodies, cannot be kept.
+        let identity =
+            ColliderChanges::PARENT | ColliderChanges::TYPE | ColliderChanges::ENABLED_OR_DISABLED;
+        if changes.intersects(identity) {
+            self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
+        }
+        if changes.needs_broad_phase_update() {
+            self.structure.wake_touching(slot);
+            self.place(handle);
+        }
+        let company = ColliderChanges::GROUPS | ColliderChanges::INTERACTIONS;
+        if changes.intersects(company) {
+            self.drop_forbidden_pairs(handle);
+        }
+        if changes.intersects(company | identity) {
+            self.tree.mark_moved(slot);
+        }
+        if changes.needs_narrow_phase_update() {
+            self.structure.refresh_pairs(slot);
+        }
+        let weight = identity
+            | ColliderChanges::LOCAL_MASS_PROPERTIES
+            | ColliderChanges::SHAPE
+            | ColliderChanges::POSITION;
+        if let (Some(parent), true) = (parent, changes.intersects(weight)) {
+            self.note_mass(parent, reweighed);
+        }
+    }
+
+    /// Takes away the pairs that may no longer interact.
+    pub(super) fn drop_forbidden_pairs(&mut self, handle: ColliderHandle) {
+        let slot = handle.into_raw_parts().0;
+        let contacts = self.structure.narrow_phase.contacts.ids_of(slot).to_vec();
+        for id in contacts {
+            let pair = &self.structure.narrow_phase.contacts[id];
+            if !self.may_interact(pair.collider1, pair.collider2) {
+                let pair = self.structure.remove_contact_pair(id);
+                if pair.start_event_emitted {
+                    let flags = CollisionEventFlags::empty();
+                    self.events.push(CollisionEvent::Stopped(
+                        pair.collider1,
+                        pair.collider2,
+                        flags,
+                    ));
+                }
+            }
+        }
+        let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
+        for id in intersections {
+            let pair = &self.structure.narrow_phase.intersections[id];
+            if !self.may_interact(pair.collider1, pair.collider2) {
+                let pair = self.structure.narrow_phase.intersections.remove(id);
+                if pair.start_event_emitted {
+                    let flags = CollisionEventFlags::SENSOR;
+                    self.events.push(CollisionEvent::Stopped(
+                        pair.collider1,
+                        pair.collider2,
+                        flags,
+                    ));
+                }
+            }
+        }
+    }
+
+    fn may_interact(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> bool {
+        let colliders = &self.structure.colliders;
+        match (colliders.get(collider1), colliders.get(collider2)) {
+            (Some(collider1), Some(collider2)) => may_interact(collider1, collider2),
+            _ => false,
+        }
+    }
+}

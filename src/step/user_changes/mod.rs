@@ -1,0 +1,102 @@
+//! # User changes — take in what was edited since the last step
+//!
+//! Reads:   the notes that the sets keep of edits
+//! Writes:  bodies, colliders, trees, pairs, islands
+//! Runs:    serial, in the order of the edits
+//! Never:   looks at anything that was not edited, or does not touch what was
+//!
+//! Removals come first, because slots of removed bodies and colliders may have new tenants already.
+
+mod bodies;
+mod colliders;
+mod removals;
+
+use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
+use crate::model::collider::ColliderHandle;
+use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::params::IntegrationParameters;
+use crate::model::structure::Structure;
+use crate::model::tree::BroadPhaseBvh;
+
+/// All that an edit can affect.
+pub(crate) struct Digest<'a> {
+    pub structure: Structure<'a>,
+    pub tree: &'a mut BroadPhaseBvh,
+    pub params: &'a IntegrationParameters,
+    pub events: &'a mut Vec<CollisionEvent>,
+}
+
+impl Digest<'_> {
+    /// Takes in all edits.
+    pub fn run(mut self) {
+        self.take_in_removals();
+        let bodies = self.structure.bodies.take_modified();
+        let colliders = self.structure.colliders.take_modified();
+        let mut reweighed = Vec::new();
+        for &handle in &bodies {
+            self.reclassify(handle);
+        }
+        for &handle in &colliders {
+            self.take_in_collider(handle, &mut reweighed);
+        }
+        for &handle in &bodies {
+            self.take_in_body(handle, &mut reweighed);
+        }
+        for handle in reweighed {
+            self.reweigh(handle);
+        }
+        self.take_in_sleepers(&bodies);
+    }
+
+    /// Notes, once, that a body's mass must be summed up again.
+    fn note_mass(&mut self, handle: RigidBodyHandle, reweighed: &mut Vec<RigidBodyHandle>) {
+        let Some(body) = self.structure.bodies.get_unnoted_mut(handle) else { return };
+        let noted = RigidBodyChanges::LOCAL_MASS_PROPERTIES | RigidBodyChanges::IN_MODIFIED_SET;
+        if !body.changes.contains(noted) {
+            body.changes.insert(noted);
+            reweighed.push(handle);
+        }
+    }
+
+    fn reweigh(&mut self, handle: RigidBodyHandle) {
+        let Structure { bodies, colliders, .. } = &mut self.structure;
+        if let Some(body) = bodies.get_unnoted_mut(handle) {
+            body.recompute_mass_properties_from_colliders(colliders);
+            body.changes = RigidBodyChanges::empty();
+            // Contact points are kept relative to the centre of mass.
+            self.structure.refresh_pairs_of(handle);
+        }
+    }
+
+    /// Puts a collider where its body is, and its box where the collider is.
+    fn place(&mut self, handle: ColliderHandle) {
+        let Structure { bodies, colliders, .. } = &mut self.structure;
+        let Some(collider) = colliders.get_unnoted_mut(handle) else { return };
+        let body = collider.parent().and_then(|parent| bodies.get(parent));
+        if let (Some(body), Some(parent)) = (body, collider.parent) {
+            collider.pose = body.pose * parent.pos_wrt_parent;
+        }
+        self.tree.follow(handle, collider, body, self.params);
+    }
+
+    /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.
+    fn remove_pairs_of(&mut self, handle: ColliderHandle, wake_up: bool, flags: CollisionEventFlags) {
+        let slot = handle.into_raw_parts().0;
+        if wake_up {
+            self.structure.wake_touching(slot);
+        }
+        while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
+            let pair = self.structure.remove_contact_pair(id);
+            if pair.start_event_emitted {
+                self.events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, flags));
+            }
+        }
+        while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
+            let pair = self.structure.narrow_phase.intersections.remove(id);
+            if pair.start_event_emitted {
+                let flags = flags | CollisionEventFlags::SENSOR;
+                self.events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, flags));
+            }
+        }
+    }
+}

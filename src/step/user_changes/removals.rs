@@ -1,0 +1,23 @@
+//! Bodies and colliders that are gone.
+
+use super::Digest;
+use crate::model::event::CollisionEventFlags;
+
+impl Digest<'_> {
+    /// Takes what was removed out of all lists; the colliders of removed bodies go with them.
+    pub(super) fn take_in_removals(&mut self) {
+        let removed = self.structure.bodies.take_removed();
+        let mut links = Vec::with_capacity(removed.len());
+        for (handle, colliders, link) in removed {
+            links.push((handle, link));
+            for collider in colliders {
+                self.structure.colliders.take(collider, true);
+            }
+        }
+        self.structure.forget_bodies(&mut links);
+        for removed in self.structure.colliders.take_removed() {
+            self.remove_pairs_of(removed.handle, removed.wake_up, CollisionEventFlags::REMOVED);
+            self.tree.remove_slot(removed.handle.into_raw_parts().0);
+        }
+    }
+}
