@@ -54,10 +54,11 @@ pub fn rotation_from_angle(angle: AngVector) -> Rotation {
     Rotation::from_scaled_axis(angle)
 }
 
-/// Angle and axis of a rotation as one vector (radians).
+/// Angle and axis of a rotation as one vector (radians), the shorter way round: at most half a turn.
 #[inline]
 pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
-    rotation.to_scaled_axis()
+    // A quaternion and its negative are the same rotation; the one with w < 0 says the longer way.
+    if rotation.w < 0.0 { (-*rotation).to_scaled_axis() } else { rotation.to_scaled_axis() }
 }
 
 /// Rotates `rotation` by the small world-space angle `angle` (radians), to first order in the angle

@@ -164,6 +164,15 @@ mod tests {
         }
     }
 
+    /// A quaternion and its negative are one rotation: no reason to turn all the way round.
+    #[test]
+    fn a_kinematic_body_turns_the_shorter_way() {
+        let mut body = RigidBodyBuilder::kinematic_position_based().build();
+        body.set_next_kinematic_rotation(-Rotation::from_rotation_z(0.1));
+        let velocity = body.velocity_to_next_position(10.0);
+        assert!(velocity.angvel.abs_diff_eq(Vector::Z, 1.0e-5), "{}", velocity.angvel);
+    }
+
     #[test]
     fn rotations_get_unit_length() {
         let mut body = RigidBodyBuilder::dynamic().build();

@@ -96,6 +96,10 @@ impl RigidBody {
     /// The velocity that takes the body from its pose to the next one in `1 / inv_dt` seconds.
     pub(crate) fn velocity_to_next_position(&self, inv_dt: Real) -> RigidBodyVelocity {
         let next_pose = self.next_position();
+        if next_pose == &self.pose {
+            // Exactly at rest: the difference of two equal rotations has rounding in it.
+            return RigidBodyVelocity::zero();
+        }
         let next_com = next_pose * self.mprops.local.local_com;
         let turn = next_pose.rotation * self.pose.rotation.inverse();
         RigidBodyVelocity {

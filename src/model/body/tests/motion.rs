@@ -62,6 +62,8 @@ fn kinematic_bodies_reach_their_target() {
     let reached = velocity.integrate(dt, body.position(), body.local_center_of_mass());
     assert_near(reached.translation, target.translation);
     assert_near(reached.rotation * Vector::X, target.rotation * Vector::X);
+    body.set_next_kinematic_position(*body.position());
+    assert!(body.velocity_to_next_position(4.0).is_zero());
 }
 
 #[test]
