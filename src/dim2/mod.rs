@@ -12,6 +12,9 @@ pub mod math;
 pub mod shapes;
 pub mod wide;
 mod surface;
+
+pub(crate) mod contact;
+pub(crate) mod state;
 pub(crate) mod gyro;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

@@ -63,6 +63,11 @@ impl ContactInput {
             separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
         }
     };
+
+    /// Sets the twist impulse about the normal with which one lane starts.
+    pub fn set_twist_impulse(&mut self, lane: usize, impulse: Real) {
+        self.twist_impulse.0[lane] = impulse;
+    }
 }
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.

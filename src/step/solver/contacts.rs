@@ -191,7 +191,7 @@ fn load_lane(
     input.restitution.0[lane] = data.restitution;
     input.tangent_velocity.set_lane(lane, data.tangent_velocity);
     input.friction_impulse.set_lane(lane, data.warmstart_friction);
-    input.twist_impulse.0[lane] = data.warmstart_twist;
+    input.set_twist_impulse(lane, data.warmstart_twist);
     for k in 0..input.present.len() {
         let Some(point) = data.points.get(k) else {
             input.present[k].0[lane] = 0.0;

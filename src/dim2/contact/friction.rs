@@ -1,0 +1,129 @@
+//! Friction of a whole manifold: one tangential row at the friction centre.
+//!
+//! The friction centre is the mean of the points, weighted by how close they are to touching. At it
+//! acts a tangential impulse `λ`, bounded by the sum `N` of the normal impulses:
+//!
+//! ```text
+//! |λ| ≤ μ N
+//!
+//! Ċ = t·(v2 - v1) - (ρₙ + cₙ) ω2 + ρₙ ω1 - surface velocity
+//! K = t·(M1⁻¹ + M2⁻¹) t + ρₙ² I1⁻¹ + (ρₙ + cₙ)² I2⁻¹
+//! ```
+//!
+//! An impulse along a line acts the same wherever on the line it attacks. So of the friction centre
+//! only its height `ρₙ` matters, and one row does what a row per point would do, but for points of
+//! different heights.
+//!
+//! Source: Catto, "Modeling and Solving Constraints" (GDC 2009); the central row is Bepu's.
+
+use super::block::{ContactBlock, ContactInput, FrictionRow};
+use super::prepare::{Pair, Point};
+use super::rows::{Frame, invert, push};
+use crate::base::wide::Wide;
+use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim2::state::WideMotion;
+use crate::dim2::wide::WideVector;
+
+/// A [`FrictionRow`] in registers.
+#[derive(Copy, Clone)]
+pub(super) struct WideFriction<W> {
+    pub height: W,
+    pub coefficient: W,
+    pub mass: W,
+    pub surface_velocity: W,
+    pub impulse: W,
+}
+
+/// The row of a block's friction.
+#[inline(always)]
+pub(super) fn prepare<W: Wide>(
+    input: &ContactInput,
+    pair: &Pair<W>,
+    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    prediction: W,
+) -> WideFriction<W> {
+    let t = pair.frame.t;
+    let height = center_height(points, prediction);
+    let height2 = height + pair.offset.y;
+    let [p1, p2] = &pair.poses;
+    let linear = t.dot(t.component_mul(p1.inv_mass + p2.inv_mass));
+    let angular = height * height * p1.inv_inertia + height2 * height2 * p2.inv_inertia;
+    WideFriction {
+        height,
+        coefficient: W::load(&input.friction),
+        mass: invert(linear + angular),
+        surface_velocity: t.dot(WideVector::load(&input.tangent_velocity)),
+        impulse: t.dot(WideVector::load(&input.friction_impulse)),
+    }
+}
+
+/// The coordinate of the friction centre along the normal.
+#[inline(always)]
+fn center_height<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> W {
+    // Weights fade out as points move apart; the floor keeps a manifold that hovers well defined.
+    let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
+    let (mut sum, mut height) = (W::zero(), W::zero());
+    for point in points {
+        let closeness = (prediction - point.separation).min(prediction).max(floor);
+        let weight = closeness * point.present;
+        sum = sum + weight;
+        height = height + weight * point.local.y;
+    }
+    height * invert(sum)
+}
+
+impl<W: Wide> WideFriction<W> {
+    #[inline(always)]
+    pub fn load(row: &FrictionRow) -> Self {
+        Self {
+            height: W::load(&row.height),
+            coefficient: W::load(&row.coefficient),
+            mass: W::load(&row.mass),
+            surface_velocity: W::load(&row.surface_velocity),
+            impulse: W::load(&row.impulse),
+        }
+    }
+
+    #[inline(always)]
+    pub fn store(&self, row: &mut FrictionRow) {
+        self.height.store(&mut row.height);
+        self.coefficient.store(&mut row.coefficient);
+        self.mass.store(&mut row.mass);
+        self.surface_velocity.store(&mut row.surface_velocity);
+        self.impulse.store(&mut row.impulse);
+    }
+
+    /// Solves the row once under a normal impulse and returns what it added.
+    #[inline(always)]
+    pub fn solve(
+        &mut self,
+        frame: &Frame<W>,
+        c: WideVector<W>,
+        [m1, m2]: [WideMotion<W>; 2],
+        normal_impulse: W,
+    ) -> W {
+        let slip = frame.t.dot(m2.linear - m1.linear) + self.height * m1.angular
+            - (self.height + c.y) * m2.angular
+            - self.surface_velocity;
+        let limit = self.coefficient * normal_impulse;
+        let wanted = self.impulse - self.mass * slip;
+        let clamped = wanted.min(limit).max(-limit);
+        let added = clamped - self.impulse;
+        self.impulse = clamped;
+        added
+    }
+
+    /// The velocities after a tangential impulse at the friction centre has acted.
+    #[inline(always)]
+    pub fn apply(
+        &self,
+        impulse: W,
+        block: &ContactBlock,
+        frame: &Frame<W>,
+        velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        let c = WideVector::<W>::load(&block.offset);
+        let moments = [-(impulse * self.height), -(impulse * (self.height + c.y))];
+        push(block, frame.t * impulse, moments, velocities)
+    }
+}

@@ -1,0 +1,215 @@
+//! From manifolds to constraints: once per step.
+
+use super::block::{COUPLINGS, ContactBlock, ContactInput};
+use super::friction::{self, WideFriction};
+use super::rows::{Frame, NormalImpulse, NormalRow, invert};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Lane, Wide};
+use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim2::state::{
+    BodyPose, BodyState, WidePose, gather_poses, gather_states, gather_velocities, scatter_states,
+};
+use crate::dim2::wide::WideVector;
+
+/// One contact point on its way from a manifold to a row.
+#[derive(Copy, Clone)]
+pub(super) struct Point<W> {
+    /// In the contact frame, from the first centre of mass.
+    pub local: WideVector<W>,
+    pub separation: W,
+    pub present: W,
+    pub impulse: W,
+}
+
+/// The bodies of a block and the frame of its contacts.
+pub(super) struct Pair<W> {
+    pub frame: Frame<W>,
+    pub poses: [WidePose<W>; 2],
+    /// `c = x1 - x2` in the contact frame.
+    pub offset: WideVector<W>,
+}
+
+/// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
+///
+/// `before` holds the velocities before any such impulse; `prediction` is how far apart points may be.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn prepare<W: Wide>(
+    input: &mut ContactInput,
+    block: &mut ContactBlock,
+    poses: &[BodyPose],
+    states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+    prediction: Real,
+) {
+    let (pair, points) = read_geometry::<W>(input, poses);
+    write_pair(block, input, &pair);
+    write_points(block, &pair, &points);
+    let friction = friction::prepare(input, &pair, &points, W::splat(prediction));
+    friction.store(&mut block.friction);
+    write_approach(block, &pair, &points, before);
+    // SAFETY: the caller's promise.
+    unsafe { warm_start(block, &pair, &points, &friction, states) };
+}
+
+/// Where the points are in the world and in the contact frame, as the bodies stand now.
+///
+/// Positions in the world are subtracted from each other before anything small is added: far from the
+/// origin they have few digits behind the point, and their differences have all that are left.
+#[inline(always)]
+fn read_geometry<W: Wide>(
+    input: &mut ContactInput,
+    poses: &[BodyPose],
+) -> (Pair<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
+    let poses = [
+        scaled(gather_poses::<W>(poses, &input.bodies[0]), &input.mass_factors[0]),
+        scaled(gather_poses::<W>(poses, &input.bodies[1]), &input.mass_factors[1]),
+    ];
+    let rotations = [poses[0].rotation, poses[1].rotation];
+    let n = rotations[0].rotate(WideVector::load(&input.normal));
+    n.store(&mut input.world_normal);
+    let frame = Frame::about(n);
+    let (origins, shifts) = origins(input, &poses);
+    let c = origins[0] - origins[1];
+
+    let zero = W::zero();
+    let absent =
+        Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
+    let mut points = [absent; MAX_MANIFOLD_POINTS];
+    for k in 0..MAX_MANIFOLD_POINTS {
+        let r1 = rotations[0].rotate(WideVector::load(&input.anchors[0][k])) - shifts[0];
+        let r2 = rotations[1].rotate(WideVector::load(&input.anchors[1][k])) - shifts[1];
+        let gap = r2 - (r1 + c);
+        let middle = r1 + gap * W::splat(0.5);
+        let separation = gap.dot(n);
+        (origins[0] + middle).store(&mut input.points[k]);
+        separation.store(&mut input.separations[k]);
+        points[k] = Point {
+            local: frame.local(middle),
+            separation,
+            present: W::load(&input.present[k]),
+            impulse: W::load(&input.impulses[k]),
+        };
+    }
+    (Pair { frame, poses, offset: frame.local(c) }, points)
+}
+
+/// From where the levers of the two bodies are measured, and where that is in the frame of anchors.
+///
+/// Usually from the centre of mass. The world has none; the other body's makes all levers as short as
+/// they can be.
+#[inline(always)]
+fn origins<W: Wide>(
+    input: &ContactInput,
+    poses: &[WidePose<W>; 2],
+) -> ([WideVector<W>; 2], [WideVector<W>; 2]) {
+    let half = W::splat(0.5);
+    let is_world = [half.lt(W::load(&input.is_world[0])), half.lt(W::load(&input.is_world[1]))];
+    let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
+    let zero = WideVector::zero();
+    (
+        [WideVector::select(is_world[0], x2, x1), WideVector::select(is_world[1], x1, x2)],
+        [WideVector::select(is_world[0], x2, zero), WideVector::select(is_world[1], x1, zero)],
+    )
+}
+
+/// The pose with its inverse masses scaled: a dominated body cannot move a dominant one.
+#[inline(always)]
+fn scaled<W: Wide>(mut pose: WidePose<W>, factor: &Lane) -> WidePose<W> {
+    let factor = W::load(factor);
+    pose.inv_mass = pose.inv_mass * factor;
+    pose.inv_inertia = pose.inv_inertia * factor;
+    pose
+}
+
+#[inline(always)]
+fn write_pair<W: Wide>(block: &mut ContactBlock, input: &ContactInput, pair: &Pair<W>) {
+    block.bodies = input.bodies;
+    pair.frame.n.store(&mut block.normal);
+    pair.offset.store(&mut block.offset);
+    for side in 0..2 {
+        pair.poses[side].inv_mass.store(&mut block.inv_mass[side]);
+        pair.poses[side].inv_inertia.store(&mut block.inv_inertia[side]);
+    }
+    block.restitution = input.restitution;
+    block.totals = [Lane::ZERO; MAX_MANIFOLD_POINTS];
+}
+
+/// The rows of the points, and how they act on each other: `K_ij = J_i M⁻¹ J_jᵀ`.
+#[inline(always)]
+fn write_points<W: Wide>(
+    block: &mut ContactBlock,
+    pair: &Pair<W>,
+    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+) {
+    let n = pair.frame.n;
+    let linear = n.dot(n.component_mul(pair.poses[0].inv_mass + pair.poses[1].inv_mass));
+    let mut pairs = 0;
+    for i in 0..MAX_MANIFOLD_POINTS {
+        let point = &points[i];
+        let mass = invert(linear + angular_part(pair, point, point)) * point.present;
+        point.local.x.store(&mut block.points[i].x);
+        point.separation.store(&mut block.points[i].separation);
+        mass.store(&mut block.points[i].mass);
+        point.impulse.store(&mut block.points[i].impulse);
+        for other in &points[i + 1..] {
+            (linear + angular_part(pair, point, other)).store(&mut block.coupling[pairs]);
+            pairs += 1;
+        }
+    }
+    debug_assert_eq!(pairs, COUPLINGS);
+}
+
+/// The angular part of `J_i M⁻¹ J_jᵀ`, with `ρ × n = ρₜ`.
+#[inline(always)]
+fn angular_part<W: Wide>(pair: &Pair<W>, i: &Point<W>, j: &Point<W>) -> W {
+    let (a, b, c) = (i.local.x, j.local.x, pair.offset.x);
+    pair.poses[0].inv_inertia * a * b + pair.poses[1].inv_inertia * (a + c) * (b + c)
+}
+
+/// Relative normal velocities before anything acts: what restitution will reverse.
+#[inline(always)]
+fn write_approach<W: Wide>(
+    block: &mut ContactBlock,
+    pair: &Pair<W>,
+    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    before: &[BodyState],
+) {
+    if block.restitution == Lane::ZERO {
+        return;
+    }
+    let velocities = [
+        gather_velocities::<W>(before, &block.bodies[0]),
+        gather_velocities::<W>(before, &block.bodies[1]),
+    ];
+    let row = NormalRow::new(&pair.frame, pair.offset, velocities);
+    for (point, approach) in points.iter().zip(&mut block.approach) {
+        row.at(point.local.x).store(approach);
+    }
+}
+
+/// Applies the impulses that the last step ended with.
+#[inline(always)]
+unsafe fn warm_start<W: Wide>(
+    block: &ContactBlock,
+    pair: &Pair<W>,
+    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    friction: &WideFriction<W>,
+    states: &DisjointMut<BodyState>,
+) {
+    let mut impulse = NormalImpulse::zero();
+    for point in points {
+        impulse.add(point.impulse, point.local.x);
+    }
+    // SAFETY: the caller's promise.
+    unsafe {
+        let [v1, d1] = gather_states::<W>(states, &block.bodies[0]);
+        let [v2, d2] = gather_states::<W>(states, &block.bodies[1]);
+        let velocities = friction.apply(friction.impulse, block, &pair.frame, [v1, v2]);
+        let [v1, v2] = impulse.apply(block, &pair.frame, velocities);
+        scatter_states(states, &block.bodies[0], [v1, d1]);
+        scatter_states(states, &block.bodies[1], [v2, d2]);
+    }
+}

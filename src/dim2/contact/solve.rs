@@ -1,0 +1,234 @@
+//! The passes over a block: solve and relax in each substep, restitution once at the end.
+
+use super::block::ContactBlock;
+use super::friction::WideFriction;
+use super::rows::{Frame, NormalImpulse, NormalRow};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Lane, Wide};
+use crate::dim2::math::MAX_MANIFOLD_POINTS;
+use crate::dim2::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim2::wide::WideVector;
+use crate::model::params::{ContactPass, Softness};
+
+/// Velocities and displacements of a block's two bodies.
+struct Bodies<W> {
+    velocities: [WideMotion<W>; 2],
+    displacements: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> Bodies<W> {
+    /// # Safety
+    /// As [`gather_states`], for both bodies.
+    #[inline(always)]
+    unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
+        // SAFETY: the caller's promise.
+        let ([v1, d1], [v2, d2]) = unsafe {
+            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
+        };
+        Self { velocities: [v1, v2], displacements: [d1, d2] }
+    }
+
+    /// # Safety
+    /// As [`scatter_states`], for both bodies.
+    #[inline(always)]
+    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &ContactBlock) {
+        let (v, d) = (self.velocities, self.displacements);
+        // SAFETY: the caller's promise.
+        unsafe {
+            scatter_states(states, &block.bodies[0], [v[0], d[0]]);
+            scatter_states(states, &block.bodies[1], [v[1], d[1]]);
+        }
+    }
+}
+
+/// The normal rows with their bias: pushes overlapping bodies apart, and lets those that are apart
+/// come no closer than to touch.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn solve<W: Wide>(
+    block: &mut ContactBlock,
+    states: &DisjointMut<BodyState>,
+    pass: &ContactPass,
+) {
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    solve_normals::<W, true>(block, &mut bodies, pass);
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+}
+
+/// Friction, then the normal rows without bias: takes out the velocity that the bias of the solve
+/// pass put in to move bodies apart.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn relax<W: Wide>(
+    block: &mut ContactBlock,
+    states: &DisjointMut<BodyState>,
+    pass: &ContactPass,
+) {
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    solve_friction(block, &mut bodies);
+    solve_normals::<W, false>(block, &mut bodies, pass);
+    for k in 0..MAX_MANIFOLD_POINTS {
+        let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
+        total.store(&mut block.totals[k]);
+    }
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+}
+
+/// Solves the friction row once, under the normal impulses as they are.
+#[inline(always)]
+fn solve_friction<W: Wide>(block: &mut ContactBlock, bodies: &mut Bodies<W>) {
+    let frame = Frame::load(block);
+    let c = WideVector::load(&block.offset);
+    let mut normal_impulse = W::load(&block.points[0].impulse);
+    for point in &block.points[1..] {
+        normal_impulse = normal_impulse + W::load(&point.impulse);
+    }
+    let mut friction = WideFriction::load(&block.friction);
+    let added = friction.solve(&frame, c, bodies.velocities, normal_impulse);
+    friction.impulse.store(&mut block.friction.impulse);
+    bodies.velocities = friction.apply(added, block, &frame, bodies.velocities);
+}
+
+/// Gauss–Seidel over the points of each lane.
+#[inline(always)]
+fn solve_normals<W: Wide, const BIAS: bool>(
+    block: &mut ContactBlock,
+    bodies: &mut Bodies<W>,
+    pass: &ContactPass,
+) {
+    let frame = Frame::load(block);
+    let c = WideVector::load(&block.offset);
+    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
+    let displacement = NormalRow::new(&frame, c, bodies.displacements);
+    let soft = SoftRow::<W>::new(pass);
+    let mut sum = NormalImpulse::zero();
+    let mut coupling = 0;
+    for k in 0..MAX_MANIFOLD_POINTS {
+        let point = &mut block.points[k];
+        let x = W::load(&point.x);
+        let separation = W::load(&point.separation) + displacement.at(x);
+        let old = W::load(&point.impulse);
+        let wanted = soft.wanted::<BIAS>(rows[k], separation, W::load(&point.mass), old);
+        let new = (old - wanted).max(W::zero());
+        let added = new - old;
+        new.store(&mut point.impulse);
+        sum.add(added, x);
+        for row in &mut rows[k + 1..] {
+            *row = *row + W::load(&block.coupling[coupling]) * added;
+            coupling += 1;
+        }
+    }
+    bodies.velocities = sum.apply(block, &frame, bodies.velocities);
+}
+
+/// The relative normal velocities at the points.
+#[inline(always)]
+fn velocities_at<W: Wide>(block: &ContactBlock, row: NormalRow<W>) -> [W; MAX_MANIFOLD_POINTS] {
+    let mut velocities = [W::zero(); MAX_MANIFOLD_POINTS];
+    for (velocity, point) in velocities.iter_mut().zip(&block.points) {
+        *velocity = row.at(W::load(&point.x));
+    }
+    velocities
+}
+
+/// A [`ContactPass`] in registers.
+struct SoftRow<W> {
+    /// Bias rate times mass scale (1/s).
+    rate: W,
+    mass_scale: W,
+    impulse_scale: W,
+    inv_substep: W,
+    /// Overlap that is left alone.
+    allowed: W,
+    /// Fastest that overlap is undone, downwards.
+    push: W,
+}
+
+impl<W: Wide> SoftRow<W> {
+    #[inline(always)]
+    fn new(pass: &ContactPass) -> Self {
+        let Softness { bias_rate, mass_scale, impulse_scale } = pass.softness;
+        Self {
+            rate: W::splat(bias_rate * mass_scale),
+            mass_scale: W::splat(mass_scale),
+            impulse_scale: W::splat(impulse_scale),
+            inv_substep: W::splat(pass.inv_substep),
+            allowed: W::splat(pass.allowed_error),
+            push: W::splat(-pass.push_velocity_max),
+        }
+    }
+
+    /// By how much the impulse of a point should fall.
+    #[inline(always)]
+    fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
+        let zero = W::zero();
+        let apart = zero.lt(separation);
+        // Those that are apart may close the gap within the substep, and no more.
+        let closing = separation * self.inv_substep;
+        if !BIAS {
+            return mass * (velocity + W::select(apart, closing, zero));
+        }
+        let error = (separation + self.allowed).min(zero);
+        let opening = (error * self.rate).max(self.push);
+        let bias = W::select(apart, closing, opening);
+        let mass_scale = W::select(apart, W::splat(1.0), self.mass_scale);
+        let impulse_scale = W::select(apart, zero, self.impulse_scale);
+        mass * (velocity * mass_scale + bias) + impulse * impulse_scale
+    }
+}
+
+/// Makes the points that hit separate at `restitution` times the speed at which they came.
+///
+/// Done once after the last substep, so that it cannot fight the bias. Points that approached more
+/// slowly than the threshold, or that no impulse ever stopped, are left alone: else resting bodies
+/// would hop.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn restitute<W: Wide>(
+    block: &mut ContactBlock,
+    states: &DisjointMut<BodyState>,
+    pass: &ContactPass,
+) {
+    if block.restitution == Lane::ZERO {
+        return;
+    }
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let frame = Frame::load(block);
+    let c = WideVector::load(&block.offset);
+    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
+    let (zero, threshold) = (W::zero(), W::splat(-pass.restitution_threshold));
+    let restitution = W::load(&block.restitution);
+    let mut sum = NormalImpulse::zero();
+    let mut coupling = 0;
+    for k in 0..MAX_MANIFOLD_POINTS {
+        let approach = W::load(&block.approach[k]);
+        let total = W::load(&block.totals[k]);
+        let point = &mut block.points[k];
+        let hit = approach.lt(threshold) & zero.lt(total) & zero.lt(restitution);
+        let old = W::load(&point.impulse);
+        let wanted = W::load(&point.mass) * (rows[k] + restitution * approach);
+        let new = W::select(hit, (old - wanted).max(zero), old);
+        let added = new - old;
+        new.store(&mut point.impulse);
+        (total + added).store(&mut block.totals[k]);
+        sum.add(added, W::load(&point.x));
+        for row in &mut rows[k + 1..] {
+            *row = *row + W::load(&block.coupling[coupling]) * added;
+            coupling += 1;
+        }
+    }
+    bodies.velocities = sum.apply(block, &frame, bodies.velocities);
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+}

@@ -1,0 +1,193 @@
+//! What the solver knows of a body, in 2D: two records of whole registers.
+//!
+//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads
+//! whole registers: so records are arrays of numbers, with the meaning of each stated here and
+//! nowhere else.
+
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{LANES, Wide, gather, scatter};
+
+/// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
+/// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
+pub(crate) const READ_ONLY: u32 = 1 << 31;
+
+/// Numbers in a velocity or displacement: two linear, one angular, one unused.
+const MOTION_LEN: usize = 4;
+const STATE_LEN: usize = 2 * MOTION_LEN;
+const POSE_LEN: usize = 8;
+
+/// How much of a state a write covers: its velocity and, where a register is longer than that (single
+/// precision), the displacement behind it.
+const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
+
+/// What changes from substep to substep; read and written by every constraint in every pass.
+///
+/// One register in single precision, one cache line in double precision.
+#[derive(Copy, Clone, Debug, Default)]
+#[repr(C, align(32))]
+pub(crate) struct BodyState([Real; STATE_LEN]);
+
+const _: () = assert!(size_of::<BodyState>() == 8 * size_of::<Real>());
+
+impl BodyState {
+    /// A body with these velocities that has not moved yet.
+    pub fn new(linvel: Vector, angvel: AngVector) -> Self {
+        let mut state = Self::default();
+        state.set_velocity(linvel, angvel);
+        state
+    }
+
+    /// Velocity of the centre of mass and angular velocity, in world space.
+    #[inline]
+    pub fn velocity(&self) -> (Vector, AngVector) {
+        let s = &self.0;
+        (Vector::new(s[0], s[1]), s[2])
+    }
+
+    /// Replaces both velocities.
+    #[inline]
+    pub fn set_velocity(&mut self, linvel: Vector, angvel: AngVector) {
+        self.0[0..2].copy_from_slice(&linvel.to_array());
+        self.0[2] = angvel;
+    }
+
+    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    #[inline]
+    pub fn displacement(&self) -> (Vector, AngVector) {
+        let s = &self.0[MOTION_LEN..];
+        (Vector::new(s[0], s[1]), s[2])
+    }
+
+    /// Adds `h` times the velocity to the displacement.
+    #[inline]
+    pub fn advance(&mut self, h: Real) {
+        for k in 0..MOTION_LEN {
+            self.0[MOTION_LEN + k] += h * self.0[k];
+        }
+    }
+}
+
+/// What stays as it is during a step; read when constraints are prepared.
+#[derive(Copy, Clone, Debug)]
+#[repr(C, align(32))]
+pub(crate) struct BodyPose([Real; POSE_LEN]);
+
+impl BodyPose {
+    /// The index under which constraints find [`Self::WORLD`].
+    pub const WORLD_INDEX: u32 = READ_ONLY;
+    /// The world itself: at the origin, and of infinite mass.
+    pub const WORLD: Self = Self([1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+
+    /// A body with its orientation, centre of mass, inverse mass per axis and inverse inertia, all in
+    /// world space.
+    pub fn new(
+        rotation: Rotation,
+        center_of_mass: Vector,
+        inv_mass: Vector,
+        inv_inertia: &AngularInertia,
+    ) -> Self {
+        let (q, x, m) = (rotation, center_of_mass, inv_mass);
+        Self([q.re, q.im, x.x, x.y, m.x, m.y, *inv_inertia, 0.0])
+    }
+}
+
+/// Velocities, or displacements, of one body per lane.
+#[derive(Copy, Clone)]
+pub(crate) struct WideMotion<W> {
+    pub linear: WideVector<W>,
+    pub angular: WideAngVector<W>,
+}
+
+/// Reads velocity and displacement of one body per lane.
+///
+/// # Safety
+/// Nobody may write the states of these bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn gather_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+) -> [WideMotion<W>; 2] {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        // SAFETY: the caller's promise.
+        *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
+    }
+    motions(gather::<W, STATE_LEN>(rows))
+}
+
+/// Writes the velocity of one body per lane, but for the read-only ones.
+///
+/// The displacement must be the one that was gathered with it: half a register cannot be written.
+///
+/// # Safety
+/// Nobody else may read or write the states of the bodies that are not read-only meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn scatter_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+    [velocity, displacement]: [WideMotion<W>; 2],
+) {
+    let mut rows = [const { None }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        if index & READ_ONLY == 0 {
+            // SAFETY: the caller's promise.
+            let state = unsafe { states.get_mut(index as usize) };
+            *row = state.0.first_chunk_mut();
+        }
+    }
+    let (v, d, unused) = (velocity, displacement, W::zero());
+    let state =
+        [v.linear.x, v.linear.y, v.angular, unused, d.linear.x, d.linear.y, d.angular, unused];
+    let mut written = [unused; WRITTEN_LEN];
+    written.copy_from_slice(&state[..WRITTEN_LEN]);
+    scatter::<W, WRITTEN_LEN>(written, rows);
+}
+
+/// Reads the velocity of one body per lane.
+#[inline(always)]
+pub(crate) fn gather_velocities<W: Wide>(
+    states: &[BodyState],
+    indices: &[u32; LANES],
+) -> WideMotion<W> {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        *row = &states[(index & !READ_ONLY) as usize].0;
+    }
+    let [velocity, _] = motions(gather::<W, STATE_LEN>(rows));
+    velocity
+}
+
+#[inline(always)]
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> [WideMotion<W>; 2] {
+    [
+        WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] },
+        WideMotion { linear: WideVector { x: s[4], y: s[5] }, angular: s[6] },
+    ]
+}
+
+/// Poses and inverse masses of one body per lane.
+#[derive(Copy, Clone)]
+pub(crate) struct WidePose<W> {
+    pub rotation: WideRotation<W>,
+    pub center_of_mass: WideVector<W>,
+    pub inv_mass: WideVector<W>,
+    pub inv_inertia: WideSymmetric<W>,
+}
+
+/// Reads the pose of one body per lane.
+#[inline(always)]
+pub(crate) fn gather_poses<W: Wide>(poses: &[BodyPose], indices: &[u32; LANES]) -> WidePose<W> {
+    let mut rows = [const { &[0.0; POSE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        *row = &poses[(index & !READ_ONLY) as usize].0;
+    }
+    let p = gather::<W, POSE_LEN>(rows);
+    WidePose {
+        rotation: WideRotation { re: p[0], im: p[1] },
+        center_of_mass: WideVector { x: p[2], y: p[3] },
+        inv_mass: WideVector { x: p[4], y: p[5] },
+        inv_inertia: p[6],
+    }
+}
