@@ -1,4 +1,42 @@
-//! 2D rigid-body physics.
+//! 2D rigid-body physics: fast, deterministic, and hard to break.
+//!
+//! ```
+//! use rapier2d::prelude::*;
+//!
+//! let mut world = PhysicsWorld::new();
+//! world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::cuboid(50.0, 1.0));
+//! let ball = RigidBodyBuilder::dynamic().translation(vector![0.0, 10.0]);
+//! let (ball, _) = world.insert(ball, ColliderBuilder::ball(1.0));
+//! for _ in 0..300 {
+//!     world.step();
+//! }
+//! let y = world.bodies[ball].translation().y;
+//! assert!((y - 2.0).abs() < 0.01, "the ball came to rest on the ground, not at {y}");
+//! ```
+//!
+//! * A [`RigidBody`](dynamics::RigidBody) moves; [`Collider`](geometry::Collider)s give it shape, mass, friction and
+//!   bounce. Both are made by builders, live in sets and are found by handles.
+//! * A [`PhysicsWorld`](pipeline::PhysicsWorld) holds everything together. Who wants to hold the parts
+//!   hands them to [`PhysicsPipeline::step`](pipeline::PhysicsPipeline::step).
+//! * [`IntegrationParameters`](dynamics::IntegrationParameters) say how long and how accurate a step is.
+//! * [`EventHandler`](pipeline::EventHandler) hears what touches, [`PhysicsHooks`](pipeline::PhysicsHooks) decide what may.
+//! * Units are yours, as long as they agree: metres, kilograms and seconds, say. Angles are in
+//!   radians. Worlds whose bodies are not about 1 unit in size set
+//!   [`length_unit`](dynamics::IntegrationParameters::length_unit).
+//!
+//! # Promises
+//!
+//! * The same world and the same calls give the same bits, whatever the number of threads and the width of
+//!   the processor's registers.
+//! * No value makes a function panic or spoils other bodies: what cannot be simulated is refused with an
+//!   error, or ignored with a warning in the [`log`](https://docs.rs/log). Only indexing a set with a handle it does not
+//!   hold panics.
+//!
+//! # Features
+//!
+//! `f64` computes in double precision, `parallel` on several threads, `serde-serialize` makes data
+//! types serialisable, `debug-render` draws a world in lines. `dim2`, `f32`, `std`, `simd-stable` and
+//! `enhanced-determinism` are accepted: what they stand for is always on.
 
 #[cfg(feature = "parry2d-f64")]
 pub extern crate parry2d_f64 as parry;

@@ -1,7 +1,13 @@
 //! # API — the public face
 //!
 //! The documented module paths (`dynamics`, `geometry`, `pipeline`, `math`, `prelude`) gather public
-//! names from the rooms where they live.
+//! names from the rooms where they live; the facades [`pipeline::PhysicsPipeline`],
+//! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once, and
+//! do nothing else.
+
+mod collision_pipeline;
+mod physics_pipeline;
+mod world;
 
 pub mod data;
 pub mod dynamics;
@@ -9,3 +15,6 @@ pub mod geometry;
 pub mod math;
 pub mod pipeline;
 pub mod prelude;
+
+#[cfg(test)]
+mod tests;

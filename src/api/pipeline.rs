@@ -1,5 +1,8 @@
 //! The step, and where the user takes part in it.
 
+pub use super::collision_pipeline::CollisionPipeline;
+pub use super::physics_pipeline::PhysicsPipeline;
+pub use super::world::PhysicsWorld;
 pub use crate::base::timer::Timer;
 pub use crate::model::collider::{ActiveEvents, ActiveHooks};
 pub use crate::model::counters::{

@@ -8,6 +8,22 @@ use crate::model::contact::ContactPair;
 use std::sync::mpsc::Sender;
 
 /// Sends every event into a channel.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// use std::sync::mpsc::channel;
+///
+/// let (send_collision, collisions) = channel();
+/// let (send_force, forces) = channel();
+/// let events = ChannelEventCollector::new(send_collision, send_force);
+///
+/// let mut world = PhysicsWorld::new();
+/// world.step_with_events(&(), &events);
+/// for event in collisions.try_iter() {
+///     println!("{:?} and {:?}: {}", event.collider1(), event.collider2(), event.started());
+/// }
+/// # assert!(forces.try_recv().is_err());
+/// ```
 #[derive(Clone, Debug)]
 pub struct ChannelEventCollector {
     collisions: Sender<CollisionEvent>,

@@ -1,0 +1,77 @@
+//! Collision detection without a simulation.
+
+use crate::dim::math::Vector;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::ColliderSet;
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::Counters;
+use crate::model::event::EventHandler;
+use crate::model::hooks::PhysicsHooks;
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::params::IntegrationParameters;
+use crate::model::tree::BroadPhaseBvh;
+use crate::step::{self, StepParts, StepScratch};
+
+/// Finds contacts and intersections, and moves nothing.
+///
+/// Make one and keep it: it holds no state, but buffers that steps use again.
+#[derive(Default)]
+pub struct CollisionPipeline {
+    /// How long the last step took, and how much it had to do.
+    pub counters: Counters,
+    scratch: StepScratch,
+}
+
+impl CollisionPipeline {
+    /// A pipeline with empty buffers.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Brings all contacts and intersections up to date and sends the events of those that began or
+    /// stopped. Impulses of contacts are 0: nothing is solved.
+    ///
+    /// `handle_user_changes` says whether edits of bodies and colliders since the last step are taken
+    /// in first; without it, what was inserted, moved or removed since then is not seen.
+    ///
+    /// Parameters that are not valid (see [`IntegrationParameters::validate`]) are logged as an error,
+    /// and the step changes nothing.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the documented signature; unpacked here once, named fields from here on"
+    )]
+    pub fn step(
+        &mut self,
+        integration_parameters: &IntegrationParameters,
+        islands: &mut IslandManager,
+        broad_phase: &mut BroadPhaseBvh,
+        narrow_phase: &mut NarrowPhase,
+        bodies: &mut RigidBodySet,
+        colliders: &mut ColliderSet,
+        impulse_joints: &ImpulseJointSet,
+        multibody_joints: &MultibodyJointSet,
+        hooks: &dyn PhysicsHooks,
+        events: &dyn EventHandler,
+        handle_user_changes: bool,
+    ) {
+        debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
+        if let Err(error) = integration_parameters.validate() {
+            log::error!("collision detection refused: {error}");
+            return;
+        }
+        let parts = StepParts {
+            gravity: Vector::ZERO,
+            params: integration_parameters,
+            islands,
+            broad_phase,
+            narrow_phase,
+            bodies,
+            colliders,
+            hooks,
+            events,
+            counters: &mut self.counters,
+        };
+        step::detect_collisions(parts, &mut self.scratch, handle_user_changes);
+    }
+}

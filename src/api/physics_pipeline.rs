@@ -1,0 +1,85 @@
+//! The step of a whole simulation.
+
+use crate::dim::math::Vector;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::ColliderSet;
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::Counters;
+use crate::model::event::EventHandler;
+use crate::model::hooks::PhysicsHooks;
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::params::IntegrationParameters;
+use crate::model::tree::BroadPhaseBvh;
+use crate::step::{self, StepParts, StepScratch};
+use core::borrow::Borrow;
+
+/// Moves a simulation forward in time.
+///
+/// Make one and keep it: it holds no state of the simulation, but buffers that steps use again. All
+/// state is in the arguments of [`Self::step`]; [`PhysicsWorld`](crate::pipeline::PhysicsWorld) holds them
+/// together.
+#[derive(Default)]
+pub struct PhysicsPipeline {
+    /// How long the last step took, and how much it had to do.
+    pub counters: Counters,
+    scratch: StepScratch,
+}
+
+impl PhysicsPipeline {
+    /// A pipeline with empty buffers.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Moves the simulation forward by [`IntegrationParameters::dt`].
+    ///
+    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or
+    /// `(0, -9.81, 0)`; both `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong together
+    /// from the first step on: what one of them knows of another would be wrong of a third.
+    ///
+    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is
+    /// not finite, are logged as an error, and the step changes nothing.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the documented signature; unpacked here once, named fields from here on"
+    )]
+    pub fn step(
+        &mut self,
+        gravity: impl Borrow<Vector>,
+        integration_parameters: &IntegrationParameters,
+        islands: &mut IslandManager,
+        broad_phase: &mut BroadPhaseBvh,
+        narrow_phase: &mut NarrowPhase,
+        bodies: &mut RigidBodySet,
+        colliders: &mut ColliderSet,
+        impulse_joints: &mut ImpulseJointSet,
+        multibody_joints: &mut MultibodyJointSet,
+        hooks: &dyn PhysicsHooks,
+        events: &dyn EventHandler,
+    ) {
+        debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
+        let gravity = *gravity.borrow();
+        if !gravity.is_finite() {
+            log::error!("step refused: gravity is {gravity:?}, but must be finite");
+            return;
+        }
+        if let Err(error) = integration_parameters.validate() {
+            log::error!("step refused: {error}");
+            return;
+        }
+        let parts = StepParts {
+            gravity,
+            params: integration_parameters,
+            islands,
+            broad_phase,
+            narrow_phase,
+            bodies,
+            colliders,
+            hooks,
+            events,
+            counters: &mut self.counters,
+        };
+        step::step(parts, &mut self.scratch);
+    }
+}

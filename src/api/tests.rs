@@ -1,0 +1,135 @@
+//! The facades refuse what they must, and the world's shortcuts do what their long forms do.
+
+use super::math::{AsSlice, Real, Vector};
+use super::pipeline::PhysicsWorld;
+use crate::model::body::{RigidBodyBuilder, RigidBodyHandle};
+use crate::model::collider::{ColliderBuilder, ColliderHandle};
+
+/// A ball in free fall.
+fn falling() -> (PhysicsWorld, RigidBodyHandle, ColliderHandle) {
+    let mut world = PhysicsWorld::new();
+    let (body, collider) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+    (world, body, collider)
+}
+
+fn height(world: &PhysicsWorld, body: RigidBodyHandle) -> Real {
+    world.bodies[body].translation().y
+}
+
+#[test]
+fn slices_hold_all_components() {
+    assert_eq!(Vector::Y.as_slice()[..2], [0.0, 1.0]);
+    assert_eq!(Vector::X.as_slice().len(), super::math::DIM);
+}
+
+#[test]
+fn invalid_steps_change_nothing() {
+    let (mut world, body, _) = falling();
+    world.step();
+    let fallen = height(&world, body);
+    assert!(fallen < 0.0);
+    let valid = world.integration_parameters;
+    world.integration_parameters.dt = Real::NAN;
+    world.step();
+    world.detect_collisions(&(), &());
+    assert_eq!(height(&world, body), fallen);
+    world.integration_parameters = valid;
+    world.gravity = Vector::Y * Real::INFINITY;
+    world.step();
+    assert_eq!(height(&world, body), fallen);
+    world.gravity = Vector::ZERO;
+    world.step();
+    assert!(height(&world, body) < fallen, "valid steps go on where the last one ended");
+}
+
+/// One step under a gravity given in one of its two forms.
+fn rise(gravity: impl core::borrow::Borrow<Vector>) -> Real {
+    let (mut world, body, _) = falling();
+    world.physics_pipeline.step(
+        gravity,
+        &world.integration_parameters,
+        &mut world.islands,
+        &mut world.broad_phase,
+        &mut world.narrow_phase,
+        &mut world.bodies,
+        &mut world.colliders,
+        &mut world.impulse_joints,
+        &mut world.multibody_joints,
+        &(),
+        &(),
+    );
+    height(&world, body)
+}
+
+#[test]
+fn gravity_is_taken_by_value_and_by_reference() {
+    assert!(rise(Vector::Y) > 0.0);
+    assert_eq!(rise(Vector::Y), rise(&Vector::Y));
+}
+
+#[test]
+fn collision_detection_moves_nothing() {
+    let (mut world, body, collider) = falling();
+    let (_, ground) = world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::ball(0.5));
+    assert!(world.contact_pair(collider, ground).is_none());
+    world.detect_collisions(&(), &());
+    let pair = world.contact_pair(ground, collider).expect("the balls overlap");
+    assert!(pair.has_any_active_contact);
+    assert_eq!(pair.total_impulse_magnitude(), 0.0);
+    assert_eq!(height(&world, body), 0.0);
+    assert_eq!(world.contact_pairs().count(), 1);
+    assert_eq!(world.contact_pairs_with(collider).count(), 1);
+}
+
+#[test]
+fn sensors_intersect() {
+    let (mut world, _, collider) = falling();
+    let zone = world.insert_collider(ColliderBuilder::ball(2.0).sensor(true), None);
+    world.step();
+    assert_eq!(world.intersection_pair(zone, collider), Some(true));
+    assert_eq!(world.intersection_pairs().count(), 1);
+    assert_eq!(world.intersection_pairs_with(zone).count(), 1);
+    assert!(world.contact_pair(zone, collider).is_none());
+}
+
+#[test]
+fn removal_takes_the_colliders_along() {
+    let (mut world, body, collider) = falling();
+    let second = world.insert_collider(ColliderBuilder::ball(0.5), Some(body));
+    world.step();
+    assert!(world.remove_collider(second).is_some());
+    assert!(world.remove_collider(second).is_none(), "the handle is stale");
+    assert!(world.remove_body(body).is_some());
+    assert!(world.remove_body(body).is_none(), "the handle is stale");
+    world.step();
+    assert!(world.colliders.get(collider).is_none());
+    assert!(world.bodies.is_empty() && world.active_bodies().is_empty());
+}
+
+#[test]
+fn waking_reaches_every_body() {
+    let (mut world, body, _) = falling();
+    world.gravity = Vector::ZERO;
+    for _ in 0..600 {
+        world.step();
+    }
+    assert!(world.bodies[body].is_sleeping());
+    world.wake_up_all(true);
+    world.step();
+    assert_eq!(world.active_bodies(), [body]);
+    for _ in 0..600 {
+        world.step();
+    }
+    world.wake_up(body, true);
+    assert!(!world.bodies[body].is_sleeping());
+    world.wake_up(RigidBodyHandle::invalid(), true);
+}
+
+#[test]
+fn counters_measure_the_step() {
+    let (mut world, _, _) = falling();
+    world.step();
+    let counters = &world.physics_pipeline.counters;
+    assert!(counters.step_time_ms() > 0.0);
+    assert!(counters.step_time_ms() >= counters.solver_time_ms());
+}

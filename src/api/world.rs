@@ -1,0 +1,217 @@
+//! Everything a simulation needs, in one value.
+
+use super::collision_pipeline::CollisionPipeline;
+use super::physics_pipeline::PhysicsPipeline;
+use crate::dim::math::Vector;
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
+use crate::model::contact::{ContactPair, NarrowPhase};
+use crate::model::event::EventHandler;
+use crate::model::hooks::PhysicsHooks;
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::params::IntegrationParameters;
+use crate::model::tree::BroadPhaseBvh;
+
+/// A whole simulation: bodies, colliders, and all that a step needs.
+///
+/// The parts are public, so everything that can be done with them can be done here; the methods are
+/// for what is done often.
+pub struct PhysicsWorld {
+    /// Acceleration of all dynamic bodies, in world space (length/s²). 9.81 along -y by default.
+    pub gravity: Vector,
+    /// Length of a step, and how accurate it is.
+    pub integration_parameters: IntegrationParameters,
+    /// Which bodies are awake, and which move and sleep together.
+    pub islands: IslandManager,
+    /// Finds pairs of colliders that are close.
+    pub broad_phase: BroadPhaseBvh,
+    /// The contacts of these pairs.
+    pub narrow_phase: NarrowPhase,
+    /// The bodies.
+    pub bodies: RigidBodySet,
+    /// The colliders.
+    pub colliders: ColliderSet,
+    /// The joints that hold bodies together by impulses.
+    pub impulse_joints: ImpulseJointSet,
+    /// The joints that make bodies links of an articulated whole.
+    pub multibody_joints: MultibodyJointSet,
+    /// Buffers and counters of the step.
+    pub physics_pipeline: PhysicsPipeline,
+    /// Buffers and counters of [`Self::detect_collisions`].
+    pub collision_pipeline: CollisionPipeline,
+}
+
+impl Default for PhysicsWorld {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl PhysicsWorld {
+    /// An empty world with the gravity of the earth along -y.
+    pub fn new() -> Self {
+        Self {
+            gravity: Vector::Y * -9.81,
+            integration_parameters: IntegrationParameters::default(),
+            islands: IslandManager::new(),
+            broad_phase: BroadPhaseBvh::new(),
+            narrow_phase: NarrowPhase::new(),
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            impulse_joints: ImpulseJointSet::new(),
+            multibody_joints: MultibodyJointSet::new(),
+            physics_pipeline: PhysicsPipeline::new(),
+            collision_pipeline: CollisionPipeline::new(),
+        }
+    }
+
+    /// Moves the world forward by one time step, without hooks and events.
+    pub fn step(&mut self) {
+        self.step_with_events(&(), &());
+    }
+
+    /// Moves the world forward by one time step.
+    pub fn step_with_events(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+        self.physics_pipeline.step(
+            self.gravity,
+            &self.integration_parameters,
+            &mut self.islands,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            hooks,
+            events,
+        );
+    }
+
+    /// Brings contacts and intersections up to date with everything that was edited, and moves
+    /// nothing.
+    pub fn detect_collisions(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+        self.collision_pipeline.step(
+            &self.integration_parameters,
+            &mut self.islands,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &self.impulse_joints,
+            &self.multibody_joints,
+            hooks,
+            events,
+            true,
+        );
+    }
+
+    /// Adds a body with one collider.
+    pub fn insert(
+        &mut self,
+        body: impl Into<RigidBody>,
+        collider: impl Into<Collider>,
+    ) -> (RigidBodyHandle, ColliderHandle) {
+        let body = self.insert_body(body);
+        (body, self.colliders.insert_with_parent(collider, body, &mut self.bodies))
+    }
+
+    /// Adds a body.
+    pub fn insert_body(&mut self, body: impl Into<RigidBody>) -> RigidBodyHandle {
+        self.bodies.insert(body)
+    }
+
+    /// Adds a collider: to a body, whose motion it follows, or on its own, where it stays.
+    pub fn insert_collider(
+        &mut self,
+        collider: impl Into<Collider>,
+        parent: Option<RigidBodyHandle>,
+    ) -> ColliderHandle {
+        match parent {
+            Some(body) => self.colliders.insert_with_parent(collider, body, &mut self.bodies),
+            None => self.colliders.insert(collider),
+        }
+    }
+
+    /// Removes a body and returns it. Its colliders go with it, and what rested on it wakes, in the next
+    /// step. `None` if the handle is stale.
+    pub fn remove_body(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
+        self.bodies.remove(handle)
+    }
+
+    /// Removes a collider and returns it; wakes the body it belonged to. `None` if the handle is
+    /// stale.
+    pub fn remove_collider(&mut self, handle: ColliderHandle) -> Option<Collider> {
+        self.colliders.remove(handle, &mut self.islands, &mut self.bodies, true)
+    }
+
+    /// Wakes a body, and with it, in the next step, all that it touches. `strong` also keeps it awake
+    /// for its full time until sleep. Nothing happens if the handle is stale.
+    pub fn wake_up(&mut self, handle: RigidBodyHandle, strong: bool) {
+        self.islands.wake_up(&mut self.bodies, handle, strong);
+    }
+
+    /// Wakes all bodies.
+    pub fn wake_up_all(&mut self, strong: bool) {
+        for (_, body) in self.bodies.iter_mut() {
+            if body.is_sleeping() {
+                body.wake_up(strong);
+            }
+        }
+    }
+
+    /// Handles of the awake dynamic and kinematic bodies.
+    pub fn active_bodies(&self) -> &[RigidBodyHandle] {
+        self.islands.active_bodies()
+    }
+
+    /// All pairs of solid colliders whose enlarged boxes overlap, as (first collider, second collider, pair).
+    pub fn contact_pairs(
+        &self,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, &ContactPair)> {
+        self.narrow_phase.contact_pairs()
+    }
+
+    /// The contacts of two colliders, given in either order; `None` if they are nowhere near each
+    /// other.
+    pub fn contact_pair(
+        &self,
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+    ) -> Option<&ContactPair> {
+        self.narrow_phase.contact_pair(collider1, collider2)
+    }
+
+    /// The contacts of one collider.
+    pub fn contact_pairs_with(
+        &self,
+        collider: ColliderHandle,
+    ) -> impl Iterator<Item = &ContactPair> {
+        self.narrow_phase.contact_pairs_with(collider)
+    }
+
+    /// All pairs with a sensor whose enlarged boxes overlap, as (first collider, second collider, do they intersect?).
+    pub fn intersection_pairs(
+        &self,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
+        self.narrow_phase.intersection_pairs()
+    }
+
+    /// Do two colliders, at least one of them a sensor, intersect? `None` if they are nowhere near
+    /// each other.
+    pub fn intersection_pair(
+        &self,
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+    ) -> Option<bool> {
+        self.narrow_phase.intersection_pair(collider1, collider2)
+    }
+
+    /// The sensor pairs of one collider, as (first collider, second collider, do they intersect?).
+    pub fn intersection_pairs_with(
+        &self,
+        collider: ColliderHandle,
+    ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
+        self.narrow_phase.intersection_pairs_with(collider)
+    }
+}
