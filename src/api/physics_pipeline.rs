@@ -1,5 +1,6 @@
 //! The step of a whole simulation.
 
+use crate::base::measure::is_point;
 use crate::dim::math::Vector;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
@@ -39,7 +40,7 @@ impl PhysicsPipeline {
     /// from the first step on: what one of them knows of another would be wrong of a third.
     ///
     /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is
-    /// not finite, are logged as an error, and the step changes nothing.
+    /// not finite (or beyond 1e15), are logged as an error, and the step changes nothing.
     #[expect(
         clippy::too_many_arguments,
         reason = "the documented signature; unpacked here once, named fields from here on"
@@ -60,8 +61,10 @@ impl PhysicsPipeline {
     ) {
         debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
         let gravity = *gravity.borrow();
-        if !gravity.is_finite() {
-            log::error!("step refused: gravity is {gravity:?}, but must be finite");
+        if !is_point(gravity) {
+            log::error!(
+                "step refused: gravity is {gravity:?}, but its components must be at most 1e15"
+            );
             return;
         }
         if let Err(error) = integration_parameters.validate() {

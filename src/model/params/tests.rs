@@ -128,9 +128,10 @@ fn invalid_values_are_named() {
     type P = IntegrationParameters;
     let default = P::default();
     default.validate().unwrap();
-    let table: [(&str, fn(&mut P)); 20] = [
+    let table: [(&str, fn(&mut P)); 22] = [
         ("dt", |p| p.dt = Real::NAN),
         ("dt", |p| p.dt = -0.1),
+        ("dt", |p| p.dt = 1.0e30),
         ("num_solver_iterations", |p| p.num_solver_iterations = 0),
         ("num_solver_iterations", |p| p.num_solver_iterations = usize::MAX),
         ("num_internal_pgs_iterations", |p| p.num_internal_pgs_iterations = 0),
@@ -144,6 +145,7 @@ fn invalid_values_are_named() {
         ("warmstart_coefficient", |p| p.warmstart_coefficient = 2.0),
         ("min_ccd_dt", |p| p.min_ccd_dt = -1.0),
         ("length_unit", |p| p.length_unit = 0.0),
+        ("allowed_linear_error", |p| (p.length_unit, p.allowed_linear_error) = (1.0e10, 1.0e10)),
         ("normalized_prediction_distance", |p| p.normalized_prediction_distance = Real::NAN),
         ("normalized_contact_recycle_distance", |p| p.normalized_contact_recycle_distance = -1.0),
         ("normalized_max_corrective_velocity", |p| p.normalized_max_corrective_velocity = -1.0),

@@ -1,6 +1,7 @@
 //! Which parameters a step accepts.
 
 use super::IntegrationParameters;
+use crate::base::measure::{is_length, is_margin};
 use crate::dim::math::Real;
 
 /// Most substeps, iterations or impacts that one step accepts: beyond it a typing error looks like a
@@ -40,9 +41,16 @@ fn share(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
     InvalidParameters::unless((0.0..=1.0).contains(&value), field, value, "from 0 to 1")
 }
 
-fn finite(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
-    let valid = value.is_finite() && value >= 0.0;
-    InvalidParameters::unless(valid, field, value, "finite and not negative")
+/// A time or number whose square must not overflow.
+fn moderate(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
+    InvalidParameters::unless(is_margin(value), field, value, "from 0 to 1e15")
+}
+
+/// A multiple of the length unit that must be a usable length in the world's own units.
+fn scaled(field: &'static str, value: Real, unit: Real) -> Result<(), InvalidParameters> {
+    let valid = value >= 0.0 && is_margin(value * unit);
+    let expected = "0 or more, and at most 1e15 in the world's own units";
+    InvalidParameters::unless(valid, field, value, expected)
 }
 
 fn limit(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
@@ -64,25 +72,26 @@ impl IntegrationParameters {
         share("erp", self.erp)?;
         share("joint_erp", self.joint_erp)?;
         share("warmstart_coefficient", self.warmstart_coefficient)?;
-        finite("damping_ratio", self.damping_ratio)?;
-        finite("joint_damping_ratio", self.joint_damping_ratio)?;
-        finite("allowed_linear_error", self.allowed_linear_error)?;
-        finite("min_ccd_dt", self.min_ccd_dt)?;
+        moderate("damping_ratio", self.damping_ratio)?;
+        moderate("joint_damping_ratio", self.joint_damping_ratio)?;
+        moderate("min_ccd_dt", self.min_ccd_dt)?;
         self.validate_scales()
     }
 
     pub(super) fn validate_dt(&self) -> Result<(), InvalidParameters> {
-        finite("dt", self.dt)
+        moderate("dt", self.dt)
     }
 
     /// The length unit, and the fields that are multiples of it.
     fn validate_scales(&self) -> Result<(), InvalidParameters> {
         let unit = self.length_unit;
-        let valid = unit.is_finite() && unit > 0.0;
-        InvalidParameters::unless(valid, "length_unit", unit, "finite and positive")?;
-        finite("normalized_prediction_distance", self.normalized_prediction_distance)?;
+        let valid = is_length(unit);
+        InvalidParameters::unless(valid, "length_unit", unit, "from 1e-15 to 1e15")?;
+        scaled("allowed_linear_error", self.allowed_linear_error, unit)?;
+        let prediction = self.normalized_prediction_distance;
+        scaled("normalized_prediction_distance", prediction, unit)?;
         let recycle = self.normalized_contact_recycle_distance;
-        finite("normalized_contact_recycle_distance", recycle)?;
+        scaled("normalized_contact_recycle_distance", recycle, unit)?;
         limit("normalized_max_corrective_velocity", self.normalized_max_corrective_velocity)?;
         limit("normalized_max_linear_velocity", self.normalized_max_linear_velocity)?;
         let threshold = self.normalized_restitution_velocity_threshold;
