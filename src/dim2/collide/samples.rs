@@ -1,13 +1,15 @@
 //! Shapes and poses to test contact generation with.
 
 use crate::base::random::Random;
-use crate::dim::math::{Pose, Rotation, Vector};
+use crate::dim::math::{Pose, Real, Rotation, Vector};
 use parry::shape::{SharedShape, TriMeshFlags, Voxels};
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 15;
 /// How many of these are convex and bounded; they come first.
 pub const CONVEX_KINDS: usize = 9;
+/// The kind that is a convex hull.
+pub const HULL: usize = 4;
 
 /// A vector with components in `-range..range`.
 pub fn vector(random: &mut Random, range: f64) -> Vector {
@@ -18,6 +20,11 @@ pub fn vector(random: &mut Random, range: f64) -> Vector {
 /// Any rotation.
 pub fn rotation(random: &mut Random) -> Rotation {
     Rotation::new(random.within(-3.2, 3.2))
+}
+
+/// The rotation by `angle` radians in the plane of the first two axes.
+pub fn planar_rotation(angle: Real) -> Rotation {
+    Rotation::new(angle)
 }
 
 /// Any rotation, and a translation with components in `-range..range`.

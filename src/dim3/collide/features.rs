@@ -7,7 +7,7 @@ use parry::shape::PackedFeatureId;
 /// faces of that axis".
 ///
 /// Axis by axis: 0 between, 1 at the positive face, 2 at the negative one; read as a number of base 3.
-pub fn box_feature_toward(offset: Vector) -> PackedFeatureId {
+pub fn box_feature(offset: Vector) -> PackedFeatureId {
     let digit = |x: Real| match x {
         x if x > 0.0 => 1,
         x if x < 0.0 => 2,

@@ -1,13 +1,16 @@
 //! Contacts of the shapes that fill scenes, and what of contact generation depends on the dimension.
 
 mod cells;
+mod cuboid;
+mod cuboid_faces;
 mod features;
 mod reduce;
 #[cfg(test)]
 pub mod samples;
 
 pub use cells::for_each_cell;
-pub use features::box_feature_toward;
+pub use cuboid::cuboid_cuboid;
+pub use features::box_feature;
 pub use reduce::reduce;
 
 /// Points and normal as the contact generators deliver them, in the frames of the two convex parts.

@@ -1,7 +1,7 @@
 //! Shapes and poses to test contact generation with.
 
 use crate::base::random::Random;
-use crate::dim::math::{Pose, Rotation, Vector};
+use crate::dim::math::{Pose, Real, Rotation, Vector};
 use parry::shape::{HeightFieldFlags, SharedShape, TriMeshFlags, Voxels};
 use parry::utils::Array2;
 
@@ -9,6 +9,8 @@ use parry::utils::Array2;
 pub const KINDS: usize = 17;
 /// How many of these are convex and bounded; they come first.
 pub const CONVEX_KINDS: usize = 11;
+/// The kind that is a convex hull.
+pub const HULL: usize = 6;
 
 /// A vector with components in `-range..range`.
 pub fn vector(random: &mut Random, range: f64) -> Vector {
@@ -21,6 +23,11 @@ pub fn rotation(random: &mut Random) -> Rotation {
     let mut next = || random.within(-1.0, 1.0);
     let raw = Rotation::from_xyzw(next(), next(), next(), next());
     if raw.length_squared() < 0.01 { Rotation::IDENTITY } else { raw.normalize() }
+}
+
+/// The rotation by `angle` radians in the plane of the first two axes.
+pub fn planar_rotation(angle: Real) -> Rotation {
+    Rotation::from_rotation_z(angle)
 }
 
 /// Any rotation, and a translation with components in `-range..range`.

@@ -1,8 +1,8 @@
 //! A ball against anything: the point of the surface that is nearest to its centre.
 
-use crate::dim::collide::{RawManifold, RawPoint, box_feature_toward};
+use crate::dim::collide::{RawManifold, RawPoint, box_feature};
 use crate::dim::math::{DIM, Pose, Real, Vector, tangents};
-use parry::shape::{Ball, Capsule, Cuboid, PackedFeatureId, Shape, TypedShape};
+use parry::shape::{Capsule, Cuboid, PackedFeatureId, Shape, TypedShape};
 
 /// The place on a surface that is nearest to a point.
 struct Nearest {
@@ -17,13 +17,15 @@ struct Nearest {
 }
 
 /// The contact of a shape with a ball, whose centre in the shape's frame is `pos12.translation`.
+///
+/// Returns the distance, 0 if they overlap.
 pub(super) fn ball_manifold(
     pos12: &Pose,
     shape1: &dyn Shape,
-    ball2: &Ball,
+    radius2: Real,
     prediction: Real,
     raw: &mut RawManifold,
-) {
+) -> Real {
     let center = pos12.translation;
     let nearest = match shape1.as_typed_shape() {
         TypedShape::Ball(ball) => nearest_on_ball(ball.radius, center),
@@ -34,12 +36,13 @@ pub(super) fn ball_manifold(
     };
     raw.local_n1 = nearest.normal;
     raw.local_n2 = pos12.rotation.inverse() * -nearest.normal;
-    let dist = nearest.dist - ball2.radius;
+    let dist = nearest.dist - radius2;
     if dist <= prediction {
-        let on_ball = raw.local_n2 * ball2.radius;
+        let on_ball = raw.local_n2 * radius2;
         let feature2 = PackedFeatureId::face(0);
         raw.points.push(RawPoint::new(nearest.point, on_ball, nearest.feature, feature2, dist));
     }
+    dist.max(0.0)
 }
 
 fn nearest_on_ball(radius: Real, center: Vector) -> Nearest {
@@ -64,7 +67,7 @@ fn nearest_on_cuboid(cuboid: &Cuboid, center: Vector) -> Nearest {
     let offset = center - clamped;
     if offset != Vector::ZERO {
         let (normal, dist) = direction_and_length(offset, Vector::Y);
-        return Nearest { point: clamped, normal, dist, feature: box_feature_toward(offset) };
+        return Nearest { point: clamped, normal, dist, feature: box_feature(offset) };
     }
     // The centre is inside: leave through the nearest face.
     let depth = half - center.abs();
@@ -73,7 +76,7 @@ fn nearest_on_cuboid(cuboid: &Cuboid, center: Vector) -> Nearest {
     let (mut point, mut normal) = (center, Vector::ZERO);
     point[axis] = sign * half[axis];
     normal[axis] = sign;
-    Nearest { point, normal, dist: -depth[axis], feature: box_feature_toward(normal) }
+    Nearest { point, normal, dist: -depth[axis], feature: box_feature(normal) }
 }
 
 fn nearest_on_capsule(capsule: &Capsule, center: Vector) -> Nearest {

@@ -2,38 +2,52 @@
 
 use super::ball::ball_manifold;
 use super::parts::Part;
-use crate::dim::collide::RawManifold;
+use crate::dim::collide::{RawManifold, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::details::contact_manifold_pfm_pfm;
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
-use parry::shape::Shape;
+use parry::shape::{Shape, TypedShape};
 
 /// Computes the points at which two convex parts are within `prediction`, into `raw`.
 ///
 /// `raw.local_n1` holds the normal of last time, or zero; afterwards the normal, or a direction in
-/// which the parts are apart if there are no points. `false` if such shapes never touch.
+/// which the parts are apart if there are no points. Returns a lower bound of the distance, 0 if
+/// nothing is known of it; `None` if such shapes never touch.
 pub(super) fn convex_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
     part2: &Part<'_>,
     prediction: Real,
     raw: &mut RawManifold,
-) -> bool {
-    let is_constrained = part1.constraints.is_some() || part2.constraints.is_some();
-    if is_constrained && constrained_manifold(pos12, part1, part2, prediction, raw) {
-        return true;
+) -> Option<Real> {
+    if part1.constraints.is_some() || part2.constraints.is_some() {
+        return constrained_manifold(pos12, part1, part2, prediction, raw).then_some(0.0);
     }
-    if !is_constrained {
-        if let Some(ball) = part2.shape.as_ball() {
-            ball_manifold(pos12, part1.shape, ball, prediction, raw);
-            return true;
+    match (part1.shape.as_typed_shape(), part2.shape.as_typed_shape()) {
+        (TypedShape::Cuboid(cuboid1), TypedShape::Cuboid(cuboid2)) => {
+            let (half1, half2) = (cuboid1.half_extents, cuboid2.half_extents);
+            Some(cuboid_cuboid(pos12, half1, half2, prediction, raw))
         }
-        if let Some(ball) = part1.shape.as_ball() {
-            ball_manifold(&pos12.inverse(), part2.shape, ball, prediction, raw);
+        (_, TypedShape::Ball(ball2)) => {
+            Some(ball_manifold(pos12, part1.shape, ball2.radius, prediction, raw))
+        }
+        (TypedShape::Ball(ball1), _) => {
+            let gap = ball_manifold(&pos12.inverse(), part2.shape, ball1.radius, prediction, raw);
             flip(raw);
-            return true;
+            Some(gap)
         }
+        _ => parry_manifold(pos12, part1, part2, prediction, raw).then_some(0.0),
     }
+}
+
+/// The manifold that parry's dispatcher computes; `false` if it does not know such pairs.
+fn parry_manifold(
+    pos12: &Pose,
+    part1: &Part<'_>,
+    part2: &Part<'_>,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> bool {
     DefaultQueryDispatcher
         .contact_manifold_convex_convex(
             pos12,
@@ -59,7 +73,7 @@ fn flip(raw: &mut RawManifold) {
 /// The manifold of two parts of which one has neighbours that restrict its normal.
 ///
 /// The dispatcher's special cases for boxes and capsules know no restrictions, so all polyhedra go
-/// the general way here. `false` if one of them is none.
+/// the general way here. `false` if such shapes never touch.
 fn constrained_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
@@ -70,7 +84,7 @@ fn constrained_manifold(
     let (features1, features2) =
         (part1.shape.as_polygonal_feature_map(), part2.shape.as_polygonal_feature_map());
     let (Some((features1, radius1)), Some((features2, radius2))) = (features1, features2) else {
-        return false;
+        return parry_manifold(pos12, part1, part2, prediction, raw);
     };
     contact_manifold_pfm_pfm(
         pos12,

@@ -19,7 +19,7 @@ const DISTANCE_MAX: Real = 1.0e9;
 /// A normal whose squared length is off by more than this is the product of degenerate geometry.
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 
-/// What share of an iteratively computed distance is surely there.
+/// What share of a computed distance is surely there, whatever the rounding.
 const DISTANCE_SHARE: Real = 0.99;
 
 /// Buffers that are reused from pair to pair. One for each thread.
@@ -127,14 +127,15 @@ impl Search<'_> {
         };
         self.raw.local_n1 = self.hint(part1, part2);
         self.raw.points.clear();
-        if !convex_manifold(&pos12, part1, part2, self.prediction, self.raw) {
-            return; // such shapes never touch
-        }
+        let found = convex_manifold(&pos12, part1, part2, self.prediction, self.raw);
+        let Some(mut gap) = found else { return };
         let prediction = self.prediction;
         self.raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
         if self.raw.points.is_empty() {
-            let gap = separation_along(&pos12, part1.shape, part2.shape, self.raw.local_n1);
-            self.distance = self.distance.min(gap);
+            if gap <= 0.0 {
+                gap = separation_along(&pos12, part1.shape, part2.shape, self.raw.local_n1);
+            }
+            self.distance = self.distance.min(gap * DISTANCE_SHARE);
             return;
         }
         self.distance = 0.0;

@@ -1,6 +1,8 @@
 //! Tests of contact generation.
 
+mod boxes;
 mod fuzz;
+mod timing;
 
 use super::generate::{ManifoldScratch, compute_manifolds};
 use crate::dim::math::{Pose, Real};
