@@ -1,6 +1,8 @@
+//! What finds a rigid body.
+
 use crate::base::arena::Index;
 
-/// Finds a rigid_body in its set. Stays valid until the rigid_body is removed, and finds nothing after that.
+/// Finds a rigid body in its set until the body is removed, and nothing after that.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[repr(transparent)]

@@ -65,13 +65,13 @@ impl RigidBody {
     /// The dominance that counts in contacts: its group if it is dynamic, and more than any group
     /// otherwise.
     pub fn effective_dominance_group(&self) -> i16 {
-        self.effective_dominance()
+        if self.is_dynamic() { i16::from(self.dominance) } else { i16::from(i8::MAX) + 1 }
     }
 
-    /// [`Self::effective_dominance_group`], for the step.
-    #[inline]
-    pub(crate) fn effective_dominance(&self) -> i16 {
-        if self.is_dynamic() { i16::from(self.dominance) } else { i16::from(i8::MAX) + 1 }
+    /// [`Self::effective_dominance_group`] of a collider's body. A collider without one stands fast
+    /// like a fixed body.
+    pub(crate) fn dominance_of(body: Option<&Self>) -> i16 {
+        body.map_or(i16::from(i8::MAX) + 1, Self::effective_dominance_group)
     }
 
     /// The world axes along and about which the body cannot be pushed.

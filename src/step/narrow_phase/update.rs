@@ -340,8 +340,8 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>, skin: Real) {
         m2.restitution,
         m2.restitution_combine_rule,
     );
-    let dominance = |body: Option<&RigidBody>| body.map_or(0, RigidBody::effective_dominance);
-    data.relative_dominance = dominance(view.bodies[0]) - dominance(view.bodies[1]);
+    let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
+    data.relative_dominance = dominance1 - dominance2;
     data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
         SolverFlags::COMPUTE_RIGID_IMPULSES
     } else {

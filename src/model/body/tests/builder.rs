@@ -2,7 +2,7 @@
 
 use super::about_z;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::body::RigidBodyBuilder;
+use crate::model::body::{RigidBody, RigidBodyBuilder};
 
 #[test]
 fn what_is_described_is_built() {
@@ -47,4 +47,15 @@ fn a_bad_value_becomes_the_default_or_an_error_that_names_it() {
     assert!(good().try_build().is_ok());
     let error = good().gravity_scale(nan).try_build().expect_err("gravity_scale");
     assert_eq!(error.to_string(), "the gravity_scale of a rigid body cannot be NaN");
+}
+
+/// Or a body of a high group would fall through the ground.
+#[test]
+fn no_group_dominates_what_stands_fast() {
+    let body = |group| RigidBodyBuilder::dynamic().dominance_group(group).build();
+    let (low, high, fixed) = (body(-1), body(i8::MAX), RigidBodyBuilder::fixed().build());
+    let dominance = RigidBody::dominance_of;
+    assert!(dominance(Some(&high)) > dominance(Some(&low)));
+    assert!(dominance(Some(&fixed)) > dominance(Some(&high)));
+    assert!(dominance(None) > dominance(Some(&high)), "a collider without a body");
 }
