@@ -112,10 +112,11 @@ impl RigidBody {
 
     /// The energy of height in the given gravity (length/s²), zero at the world's origin.
     ///
-    /// The step moves bodies with the velocity of the step's end, so pose and velocity belong to
-    /// moments half a time step apart. With the `dt` of the step the energy is that of half a step
-    /// before, and the sum with [`Self::kinetic_energy`] stays constant in free fall; with 0 it is
-    /// that of the current pose.
+    /// Each substep moves a body with the velocity that it has at the substep's end, so pose and
+    /// velocity belong to moments half a substep apart. Given the length of a substep as `dt`
+    /// (seconds; that of a step over the number of solver iterations), this is the energy half a
+    /// substep before, and the sum with [`Self::kinetic_energy`] stays constant in free fall. Given 0,
+    /// it is that of the current pose.
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
         let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)

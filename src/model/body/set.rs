@@ -181,16 +181,6 @@ impl RigidBodySet {
         Some((RigidBodyHandle(index), body))
     }
 
-    /// Whatever body stands in a slot, for the step's own use: leaves no note.
-    #[inline]
-    pub(crate) fn at_slot_unnoted_mut(
-        &mut self,
-        slot: u32,
-    ) -> Option<(RigidBodyHandle, &mut RigidBody)> {
-        let (index, body) = self.bodies.at_slot_mut(slot)?;
-        Some((RigidBodyHandle(index), body))
-    }
-
     /// Number of slots, taken or free: every slot number is below it.
     pub(crate) fn slot_count(&self) -> usize {
         self.bodies.slot_count()
