@@ -1,7 +1,10 @@
 //! The facades refuse what they must, and the world's shortcuts do what their long forms do.
 
 use super::math::{AsSlice, Real, Vector};
-use super::pipeline::PhysicsWorld;
+use super::pipeline::{
+    ActiveEvents, ActiveHooks, ChannelEventCollector, ContactModificationContext,
+    PairFilterContext, PhysicsHooks, PhysicsWorld,
+};
 use crate::model::body::{RigidBodyBuilder, RigidBodyHandle};
 use crate::model::collider::{ColliderBuilder, ColliderHandle};
 
@@ -132,4 +135,91 @@ fn counters_measure_the_step() {
     let counters = &world.physics_pipeline.counters;
     assert!(counters.step_time_ms() > 0.0);
     assert!(counters.step_time_ms() >= counters.solver_time_ms());
+}
+
+/// A ball of radius 0.5 moving up or down at a platform at the origin, a ball of radius 0.5 too.
+fn thrown_at_platform(height: Real, velocity: Real) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = PhysicsWorld::new();
+    let platform = ColliderBuilder::ball(0.5).active_hooks(ActiveHooks::all());
+    world.insert_collider(platform, None);
+    let ball = RigidBodyBuilder::dynamic()
+        .translation(Vector::Y * height)
+        .linvel(Vector::Y * velocity)
+        .lock_rotations();
+    let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.5).density(1.0));
+    (world, ball)
+}
+
+/// Everything with hooks is a one-way platform, whose normal as seen from the first collider is up
+/// if that is the platform.
+struct OneWay;
+
+impl PhysicsHooks for OneWay {
+    fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
+        let up = if context.rigid_body1.is_none() { Vector::Y } else { -Vector::Y };
+        context.update_as_oneway_platform(up, 0.5);
+    }
+}
+
+#[test]
+fn oneway_platform_is_passed_from_below_and_holds_from_above() {
+    let (mut world, ball) = thrown_at_platform(-2.0, 10.0);
+    let mut highest: Real = 0.0;
+    for _ in 0..180 {
+        world.step_with_events(&OneWay, &());
+        highest = highest.max(height(&world, ball));
+    }
+    assert!(highest > 1.5, "went up to {highest}");
+    let rest = height(&world, ball);
+    assert!((rest - 1.0).abs() < 0.02, "rests at {rest}");
+}
+
+/// No contact with what has hooks.
+struct Ghost;
+
+impl PhysicsHooks for Ghost {
+    fn filter_contact_pair(&self, _: &PairFilterContext) -> bool {
+        false
+    }
+}
+
+#[test]
+fn filtered_pair_does_not_collide() {
+    let (mut world, ball) = thrown_at_platform(2.0, -10.0);
+    for _ in 0..60 {
+        world.step_with_events(&Ghost, &());
+    }
+    let fallen = height(&world, ball);
+    assert!(fallen < -2.0, "at {fallen}");
+}
+
+#[test]
+fn events_tell_of_begin_end_and_force() {
+    use std::sync::mpsc::channel;
+    let (send_collision, collisions) = channel();
+    let (send_force, forces) = channel();
+    let events = ChannelEventCollector::new(send_collision, send_force);
+    let mut world = PhysicsWorld::new();
+    let ground = world.insert_collider(ColliderBuilder::ball(0.5), None);
+    let ball = RigidBodyBuilder::dynamic().translation(Vector::Y).lock_rotations();
+    let collider = ColliderBuilder::ball(0.5).active_events(ActiveEvents::all());
+    let (ball, collider) = world.insert(ball, collider);
+    for _ in 0..60 {
+        world.step_with_events(&(), &events);
+    }
+    let begun: Vec<_> = collisions.try_iter().collect();
+    assert_eq!(begun.len(), 1);
+    assert!(begun[0].started() && !begun[0].sensor());
+    let force = forces.try_iter().last().expect("the ball rests on the other");
+    let weight = world.bodies[ball].mass() * 9.81;
+    let error = (force.total_force_magnitude - weight).abs() / weight;
+    assert!(error < 0.01, "{} instead of {weight}", force.total_force_magnitude);
+    assert_eq!(force.total_force.length(), force.max_force_magnitude);
+
+    assert!(world.remove_collider(collider).is_some());
+    world.step_with_events(&(), &events);
+    let ended: Vec<_> = collisions.try_iter().collect();
+    assert_eq!(ended.len(), 1);
+    assert!(ended[0].stopped() && ended[0].removed());
+    assert!([ended[0].collider1(), ended[0].collider2()].contains(&ground));
 }

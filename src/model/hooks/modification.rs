@@ -8,7 +8,8 @@ use crate::model::contact::{Contact, ContactManifold, SolverFlags};
 /// One manifold, offered for changes before it is solved.
 ///
 /// Friction, restitution, tangent velocity and the points are those that the narrow phase has just
-/// computed; changes hold for this step. [`Self::user_data`] alone survives, as long as the two shapes keep touching.
+/// computed; changes hold for this step. [`Self::user_data`] alone survives: as long as the two shapes
+/// keep touching and the hook does not drop all points.
 pub struct ContactModificationContext<'a> {
     /// All bodies.
     pub bodies: &'a RigidBodySet,
@@ -22,9 +23,7 @@ pub struct ContactModificationContext<'a> {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// The manifold. The methods of the context are the careful way to change it: they refuse what
-    /// cannot be solved.
-    pub manifold: &'a mut ContactManifold,
+    pub(crate) manifold: &'a mut ContactManifold,
 }
 
 /// What [`ContactModificationContext::update_as_oneway_platform`] keeps in the user data. A new
@@ -35,6 +34,11 @@ mod oneway {
 }
 
 impl ContactModificationContext<'_> {
+    /// The manifold as it is now.
+    pub fn manifold(&self) -> &ContactManifold {
+        self.manifold
+    }
+
     /// Unit normal in world space, from the first collider to the second.
     pub fn normal(&self) -> Vector {
         self.manifold.data.normal
@@ -50,7 +54,8 @@ impl ContactModificationContext<'_> {
         self.manifold.data.points.retain(|contact| keep(contact));
     }
 
-    /// Drops all points: the two shapes pass through each other in this step.
+    /// Drops all points, as if the two shapes did not touch: they pass through each other, no event
+    /// tells of it, and the user data is lost. To keep that, see [`Self::set_solver_flags`].
     pub fn clear_contacts(&mut self) {
         self.manifold.data.points.clear();
     }
@@ -124,7 +129,7 @@ impl ContactModificationContext<'_> {
     ///
     /// The contact is solid while the normal in the frame of the first collider is within
     /// `allowed_angle` (rad) of `allowed_local_n1`. A body that comes from elsewhere passes, until it
-    /// no longer overlaps and touches from the solid side. For a platform that is the second collider,
+    /// no longer overlaps and touches from the solid side; events tell of both. For a platform that is the second collider,
     /// mirror the direction: it is always seen from the first one.
     ///
     /// Uses [`Self::user_data`], which the hook must not use for anything else. A zero or non-finite
@@ -147,7 +152,7 @@ impl ContactModificationContext<'_> {
         };
         self.set_user_data(state);
         if state == oneway::PASSING {
-            self.clear_contacts();
+            self.set_solver_flags(self.solver_flags() - SolverFlags::COMPUTE_RIGID_IMPULSES);
         }
     }
 }
