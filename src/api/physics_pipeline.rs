@@ -33,6 +33,14 @@ impl PhysicsPipeline {
         Self::default()
     }
 
+    /// Lets the solver use the widest instructions that the machine has (the default), or only those
+    /// that every machine of its kind has.
+    ///
+    /// This changes the speed and no bit of the results; it is there to check just that.
+    pub fn set_wide_instructions(&mut self, wide: bool) {
+        self.scratch.set_wide_instructions(wide);
+    }
+
     /// Moves the simulation forward by [`IntegrationParameters::dt`].
     ///
     /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or

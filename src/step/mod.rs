@@ -62,9 +62,11 @@ pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
     scratch.notes.clear();
     take_in_user_changes(&mut parts, scratch);
     find_contacts(&mut parts, scratch);
+    parts.validate();
     if parts.params.dt > 0.0 {
         move_bodies(&mut parts, scratch);
         put_to_sleep(&mut parts, scratch);
+        parts.validate();
     }
     report(&parts, scratch);
     parts.counters.step_time.pause();
@@ -125,8 +127,6 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
-    #[cfg(debug_assertions)]
-    structure.validate();
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -158,8 +158,6 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
     islands::put_to_sleep(&mut structure, &mut scratch.sleep);
-    #[cfg(debug_assertions)]
-    structure.validate();
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -168,7 +166,22 @@ fn report(parts: &StepParts<'_>, scratch: &StepScratch) {
     events::report(bodies, colliders, narrow_phase, &scratch.notes.events, params.dt, *events);
 }
 
+impl StepScratch {
+    /// Lets the solver use the widest instructions that the machine has, or those that every machine
+    /// has.
+    pub fn set_wide_instructions(&mut self, wide: bool) {
+        self.solver.set_wide_instructions(wide);
+    }
+}
+
 impl StepParts<'_> {
+    /// In debug builds: do bodies, pairs, islands and colours agree?
+    fn validate(&mut self) {
+        if cfg!(debug_assertions) {
+            self.structure().0.validate();
+        }
+    }
+
     /// The parts that know of each other, and the trees.
     fn structure(&mut self) -> (Structure<'_>, &mut BroadPhaseBvh) {
         let structure = Structure {

@@ -38,6 +38,13 @@ pub(crate) struct SolverScratch {
     simd: Simd,
 }
 
+impl SolverScratch {
+    /// Uses the widest instructions that the machine has, or those that every machine has.
+    pub fn set_wide_instructions(&mut self, wide: bool) {
+        self.simd = if wide { Simd::detect() } else { Simd::baseline() };
+    }
+}
+
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(
     gravity: Vector,
