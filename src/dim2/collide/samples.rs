@@ -8,6 +8,8 @@ use parry::shape::{SharedShape, TriMeshFlags, Voxels};
 pub const KINDS: usize = 15;
 /// How many of these are convex and bounded; they come first.
 pub const CONVEX_KINDS: usize = 9;
+/// The kind that is a mesh.
+pub const MESH: usize = 10;
 /// The kind that is a convex hull.
 pub const HULL: usize = 4;
 

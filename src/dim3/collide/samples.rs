@@ -9,6 +9,8 @@ use parry::utils::Array2;
 pub const KINDS: usize = 17;
 /// How many of these are convex and bounded; they come first.
 pub const CONVEX_KINDS: usize = 11;
+/// The kind that is a mesh.
+pub const MESH: usize = 12;
 /// The kind that is a convex hull.
 pub const HULL: usize = 6;
 

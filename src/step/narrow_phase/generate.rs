@@ -139,9 +139,7 @@ impl Search<'_> {
             return;
         }
         self.distance = 0.0;
-        if let Some(manifold) = finish(self.raw, self.pos12, part1, part2) {
-            self.out.push(manifold);
-        }
+        finish(self.raw, self.pos12, part1, part2, self.out);
     }
 
     /// Where the normal of two parts pointed last time, in the frame of the first part.
@@ -161,36 +159,41 @@ fn is_sound(point: &RawPoint) -> bool {
     point.local_p1.is_finite() && point.local_p2.is_finite() && point.dist.is_finite()
 }
 
-/// The manifold in the frames of the shapes, with as many points as the solver takes.
+/// Adds the manifold in the frames of the shapes, with as many points as the solver takes.
 fn finish(
     raw: &mut RawManifold,
     pos12: &Pose,
     part1: &Part<'_>,
     part2: &Part<'_>,
-) -> Option<ContactManifold> {
+    out: &mut SmallVec<[ContactManifold; 1]>,
+) {
     let length_squared = raw.local_n1.length_squared();
-    if (length_squared - 1.0).abs() >= NORMAL_TOLERANCE || length_squared.is_nan() {
-        return None;
+    // Written so that NaN is refused.
+    let is_unit = (length_squared - 1.0).abs() < NORMAL_TOLERANCE;
+    if !is_unit {
+        return;
     }
     reduce(&mut raw.points, raw.local_n1);
-    let local_n1 = part1.pose().rotation * (raw.local_n1 / length_squared.sqrt());
-    let mut manifold = ContactManifold {
-        local_n1,
-        local_n2: pos12.rotation.inverse() * -local_n1,
-        subshape1: part1.id,
-        subshape2: part2.id,
-        ..Default::default()
-    };
-    manifold.data.points.extend(raw.points.iter().map(|point| {
-        Contact::new(
+    let mut local_n1 = raw.local_n1 / length_squared.sqrt();
+    if let Some(pose) = part1.pose {
+        local_n1 = pose.rotation * local_n1;
+    }
+    // Filled in place: a manifold is some hundred bytes.
+    out.push(ContactManifold::default());
+    let Some(manifold) = out.last_mut() else { return };
+    manifold.local_n1 = local_n1;
+    manifold.local_n2 = pos12.rotation.inverse() * -local_n1;
+    manifold.subshape1 = part1.id;
+    manifold.subshape2 = part2.id;
+    for point in &raw.points {
+        manifold.data.points.push(Contact::new(
             part1.pose.map_or(point.local_p1, |pose| *pose * point.local_p1),
             part2.pose.map_or(point.local_p2, |pose| *pose * point.local_p2),
             point.fid1,
             point.fid2,
             point.dist,
-        )
-    }));
-    Some(manifold)
+        ));
+    }
 }
 
 /// Does parry know a better way for voxels against the other shape than to look at them one by one?
@@ -222,7 +225,7 @@ fn voxel_manifolds(
         let part2 = Part { id: raw.subshape2, pose: pose2, ..Part::whole(shapes[1]) };
         raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
         if !raw.points.is_empty() {
-            out.extend(finish(raw, pos12, &part1, &part2));
+            finish(raw, pos12, &part1, &part2, out);
         }
     }
     if out.is_empty() { prediction } else { 0.0 }

@@ -2,13 +2,35 @@
 
 mod boxes;
 mod fuzz;
+mod matching;
 mod timing;
 
 use super::generate::{ManifoldScratch, compute_manifolds};
+use super::matching::inherit_impulses;
 use crate::dim::math::{Pose, Real};
 use crate::model::contact::ContactManifold;
-use parry::shape::Shape;
+use parry::shape::{Shape, SharedShape};
 use smallvec::SmallVec;
+
+/// Two shapes whose manifolds persist from step to step.
+struct Scene {
+    shapes: [SharedShape; 2],
+    found: SmallVec<[ContactManifold; 1]>,
+}
+
+impl Scene {
+    fn new(shape1: SharedShape, shape2: SharedShape) -> Self {
+        Self { shapes: [shape1, shape2], found: SmallVec::new() }
+    }
+
+    /// A step in which the second shape comes to `pos12` in the frame of the first.
+    fn place(&mut self, pos12: Pose) {
+        let (old, scratch) = (core::mem::take(&mut self.found), &mut ManifoldScratch::default());
+        let [shape1, shape2] = &self.shapes;
+        compute_manifolds(&pos12, &**shape1, &**shape2, 0.02, &old, scratch, &mut self.found);
+        inherit_impulses(&mut self.found, &old);
+    }
+}
 
 /// The manifolds of two shapes and the bound of their distance, with no history.
 fn manifolds(
