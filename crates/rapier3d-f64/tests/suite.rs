@@ -1,1 +1,8 @@
 //! Integration tests of the public API; the tests themselves are shared by all four crates.
+
+extern crate rapier3d_f64 as rapier;
+
+#[path = "../../../tests/dim3.rs"]
+mod dim;
+#[path = "../../../tests/suite.rs"]
+mod suite;
