@@ -32,9 +32,3 @@ pub fn angle(rotation: &Rotation) -> Real {
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)
 }
-
-/// All components of a pose, to be compared bit by bit.
-pub fn components(pose: &Pose) -> [Real; 4] {
-    let (r, t) = (pose.rotation, pose.translation);
-    [t.x, t.y, r.re, r.im]
-}

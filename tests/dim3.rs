@@ -32,9 +32,3 @@ pub fn angle(rotation: &Rotation) -> Real {
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)
 }
-
-/// All components of a pose, to be compared bit by bit.
-pub fn components(pose: &Pose) -> [Real; 7] {
-    let (r, t) = (pose.rotation, pose.translation);
-    [t.x, t.y, t.z, r.x, r.y, r.z, r.w]
-}

@@ -8,4 +8,3 @@ mod table;
 
 mod bounce;
 mod fall;
-mod friction;

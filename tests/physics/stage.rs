@@ -15,13 +15,6 @@ pub fn world(rate: u32) -> PhysicsWorld {
     world
 }
 
-/// The same without gravity.
-pub fn weightless(rate: u32) -> PhysicsWorld {
-    let mut world = world(rate);
-    world.gravity = Vector::ZERO;
-    world
-}
-
 /// Adds fixed ground whose top is at the height 0, with this friction.
 pub fn add_ground(world: &mut PhysicsWorld, friction: Real) -> ColliderHandle {
     let slab = cuboid(100.0, 1.0).translation(vec(0.0, -1.0)).friction(friction);

@@ -3,6 +3,7 @@
 extern crate rapier2d_f64 as rapier;
 
 #[path = "../../../tests/dim2.rs"]
+#[allow(dead_code, reason = "a vocabulary has words that a book does not use")]
 mod dim;
 #[path = "../../../tests/suite.rs"]
 mod suite;

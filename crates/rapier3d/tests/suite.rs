@@ -3,6 +3,7 @@
 extern crate rapier3d as rapier;
 
 #[path = "../../../tests/dim3.rs"]
+#[allow(dead_code, reason = "a vocabulary has words that a book does not use")]
 mod dim;
 #[path = "../../../tests/suite.rs"]
 mod suite;
