@@ -4,7 +4,8 @@
 //! is awake, a touching pair its islands ("attached"), its manifolds their colours. Whoever changes one
 //! goes through here; [`Structure::validate`] says what must hold between steps.
 //!
-//! * A contact or intersection pair is awake if one of its bodies is.
+//! * A contact or intersection pair is awake if one of its bodies is. (Between an edit and the next
+//!   narrow phase, a pair that must be computed once is listed awake too.)
 //! * A contact pair that touches and is to be solved is attached: its two dynamic bodies share an
 //!   island.
 //! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
@@ -236,16 +237,10 @@ impl Structure<'_> {
             for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
                 let id = self.narrow_phase.contacts.ids_of(slot)[i];
                 self.update_colors(id);
-                if !self.narrow_phase.contacts.bodies(id).iter().any(|&body| self.is_awake(body)) {
-                    self.narrow_phase.contacts.sleep(id);
-                }
+                self.rest_contact(id);
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
-                let id = self.narrow_phase.intersections.ids_of(slot)[i];
-                let bodies = self.narrow_phase.intersections.bodies(id);
-                if !bodies.iter().any(|&body| self.is_awake(body)) {
-                    self.narrow_phase.intersections.sleep(id);
-                }
+                self.rest_intersection(self.narrow_phase.intersections.ids_of(slot)[i]);
             }
         }
     }
@@ -275,21 +270,32 @@ impl Structure<'_> {
         let is_sensor = |handle| self.colliders.get(handle).is_some_and(|c| c.is_sensor());
         if is_sensor(collider1) || is_sensor(collider2) {
             let pair = IntersectionPair::new(collider1, collider2);
-            let id = self.narrow_phase.intersections.insert(pair, slots);
-            if !awake {
-                self.narrow_phase.intersections.sleep(id);
-            }
+            self.narrow_phase.intersections.insert(pair, slots);
             return;
         }
-        let id = self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
+        self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
         if awake {
             self.wake_kinematic_of(slots);
-        } else {
+        }
+    }
+
+    /// Puts a contact pair to sleep, once it was computed, if none of its bodies is awake.
+    pub fn rest_contact(&mut self, id: PairId) {
+        let bodies = self.narrow_phase.contacts.bodies(id);
+        if !bodies.iter().any(|&body| self.is_awake(body)) {
             self.narrow_phase.contacts.sleep(id);
         }
     }
 
-    /// Wakes and puts to sleep the pairs of a body whose own place has changed; all are computed anew.
+    /// The same for a pair with a sensor.
+    pub fn rest_intersection(&mut self, id: PairId) {
+        let bodies = self.narrow_phase.intersections.bodies(id);
+        if !bodies.iter().any(|&body| self.is_awake(body)) {
+            self.narrow_phase.intersections.sleep(id);
+        }
+    }
+
+    /// Has all pairs of a body computed anew, because the body itself has changed.
     pub fn refresh_pairs_of(&mut self, handle: RigidBodyHandle) {
         for c in 0..self.collider_count(handle) {
             if let Some(slot) = self.collider_slot(handle, c) {
@@ -304,23 +310,16 @@ impl Structure<'_> {
             let id = self.narrow_phase.contacts.ids_of(collider_slot)[i];
             let bodies = self.narrow_phase.contacts.bodies(id);
             self.update_colors(id);
+            self.narrow_phase.contacts.wake(id);
+            self.narrow_phase.contacts.invalidate(id);
             if bodies.iter().any(|&body| self.is_awake(body)) {
-                self.narrow_phase.contacts.wake(id);
-                self.narrow_phase.contacts.invalidate(id);
                 self.wake_kinematic_of(bodies);
-            } else {
-                self.narrow_phase.contacts.sleep(id);
             }
         }
         for i in 0..self.narrow_phase.intersections.ids_of(collider_slot).len() {
             let id = self.narrow_phase.intersections.ids_of(collider_slot)[i];
-            let bodies = self.narrow_phase.intersections.bodies(id);
-            if bodies.iter().any(|&body| self.is_awake(body)) {
-                self.narrow_phase.intersections.wake(id);
-                self.narrow_phase.intersections.invalidate(id);
-            } else {
-                self.narrow_phase.intersections.sleep(id);
-            }
+            self.narrow_phase.intersections.wake(id);
+            self.narrow_phase.intersections.invalidate(id);
         }
     }
 

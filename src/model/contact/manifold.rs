@@ -46,8 +46,6 @@ pub struct Contact {
     pub fid2: PackedFeatureId,
     /// Impulse along the normal during the last step: the sum over its substeps (mass·velocity).
     pub impulse: Real,
-    /// Largest normal impulse of one substep of the last step. Tells a hit from a hover.
-    pub(crate) impulse_max: Real,
     /// Normal impulse of the last substep, with which the next step starts.
     pub warmstart_impulse: Real,
     /// Friction impulse at this point of the last substep, along the manifold's tangents
@@ -74,7 +72,6 @@ impl Contact {
             fid1,
             fid2,
             impulse: 0.0,
-            impulse_max: 0.0,
             warmstart_impulse: 0.0,
             warmstart_tangent_impulse: [0.0; DIM - 1],
         }
@@ -83,7 +80,6 @@ impl Contact {
     /// Takes over the impulses of an earlier contact of the same two features.
     pub(crate) fn inherit(&mut self, earlier: &Contact) {
         self.impulse = earlier.impulse;
-        self.impulse_max = earlier.impulse_max;
         self.warmstart_impulse = earlier.warmstart_impulse;
         self.warmstart_tangent_impulse = earlier.warmstart_tangent_impulse;
     }

@@ -46,6 +46,7 @@ fn follow_contact(
     let pair = &mut structure.narrow_phase.contacts[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.is_touching());
     report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, none, events);
+    structure.rest_contact(id);
 }
 
 fn follow_intersection(
@@ -66,6 +67,7 @@ fn follow_intersection(
     let pair = &mut store[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.intersecting);
     report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, sensor, events);
+    structure.rest_intersection(id);
 }
 
 /// Notes an event if the pair began or stopped touching since the last one.
