@@ -3,11 +3,11 @@
 pub use crate::model::collider::{
     ActiveCollisionTypes, Collider, ColliderBuilder, ColliderChanges, ColliderEnabled,
     ColliderFlags, ColliderHandle, ColliderMassProps, ColliderMaterial, ColliderParent,
-    ColliderSet, Group, InteractionGroups, InteractionTestMode, InvalidCollider,
+    ColliderSet, Group, InteractionGroups, InteractionTestMode, InvalidCollider, MeshConverter,
 };
 pub use crate::model::contact::{
-    Contact, ContactManifold, ContactManifoldData, ContactPair, IntersectionPair, NarrowPhase,
-    SolverFlags,
+    Contact, ContactManifold, ContactManifoldData, ContactPair, ContactPoints, IntersectionPair,
+    NarrowPhase, SolverFlags,
 };
 // The one glob of the house: the two dimensions list different names there.
 pub use crate::dim::names::*;

@@ -66,8 +66,9 @@ fn rise(gravity: impl core::borrow::Borrow<Vector>) -> Real {
 
 #[test]
 fn gravity_is_taken_by_value_and_by_reference() {
-    assert!(rise(Vector::Y) > 0.0);
-    assert_eq!(rise(Vector::Y), rise(&Vector::Y));
+    let (value, reference) = (Vector::Y, &Vector::Y);
+    assert!(rise(value) > 0.0);
+    assert_eq!(rise(value), rise(reference));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! what stood there before no longer finds anything. Iteration is in slot order: it depends on the
 //! order of insertions and removals alone, never on addresses.
 
-/// Where an element of an [`Arena`] stands, and which of the slot's successive tenants it is.
+/// Where an element of an arena stands, and which of the slot's successive tenants it is.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Index {

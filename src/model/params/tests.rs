@@ -126,9 +126,10 @@ fn time_step_setters_refuse_nonsense() {
 #[test]
 fn invalid_values_are_named() {
     type P = IntegrationParameters;
+    type Row = (&'static str, fn(&mut P));
     let default = P::default();
     default.validate().unwrap();
-    let table: [(&str, fn(&mut P)); 22] = [
+    let table: [Row; 22] = [
         ("dt", |p| p.dt = Real::NAN),
         ("dt", |p| p.dt = -0.1),
         ("dt", |p| p.dt = 1.0e30),
