@@ -4,6 +4,11 @@ pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;
 pub use super::world::PhysicsWorld;
 pub use crate::base::timer::Timer;
+#[cfg(feature = "debug-render")]
+pub use crate::debug_render::{
+    DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,
+    DebugRenderStyle,
+};
 pub use crate::model::collider::{ActiveEvents, ActiveHooks};
 pub use crate::model::counters::{
     CCDCounters, CollisionDetectionCounters, Counters, SolverCounters, StagesCounters,
@@ -11,9 +16,4 @@ pub use crate::model::counters::{
 pub use crate::model::event::{ChannelEventCollector, DefaultEventHandler, EventHandler};
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
-};
-#[cfg(feature = "debug-render")]
-pub use crate::debug_render::{
-    DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,
-    DebugRenderStyle,
 };
