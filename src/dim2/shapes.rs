@@ -98,3 +98,31 @@ pub fn exact_hull(
 ) -> Option<ConvexPolygon> {
     super::hull::convex_hull(&part.compute_exact_convex_hull(vertices, segments))
 }
+
+/// What the tests that all dimensions share need to be told.
+#[cfg(test)]
+pub mod tests {
+    use crate::dim::math::{Real, Rotation, Vector};
+    use parry::mass_properties::MassProperties;
+
+    /// A closed surface around the box of half extents 1, of the elements that surfaces consist of.
+    pub fn unit_box_surface() -> (Vec<Vector>, Vec<[u32; 2]>) {
+        (unit_box_mesh().0, vec![[0, 1], [1, 2], [2, 3], [3, 0]])
+    }
+
+    /// Triangles that make up the box of half extents 1.
+    pub fn unit_box_mesh() -> (Vec<Vector>, Vec<[u32; 3]>) {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(Vector::from_array);
+        (corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+    }
+
+    /// The components of the inertia tensor about the centre of mass, which has one.
+    pub fn inertia_components(properties: &MassProperties) -> Vec<Real> {
+        vec![properties.principal_inertia()]
+    }
+
+    /// A rotation that is not one, with all components scaled.
+    pub fn scaled_rotation(rotation: Rotation, scale: Real) -> Rotation {
+        Rotation::from_cos_sin_unchecked(rotation.cos() * scale, rotation.sin() * scale)
+    }
+}

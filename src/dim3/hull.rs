@@ -18,24 +18,25 @@ pub type ConvexShape = ConvexPolyhedron;
 const THINNESS: Real = 1.0e-6;
 /// A polyhedron with a smaller volume than this, in parts of its box, has none.
 const VOLUME_MIN: Real = 1.0e-4;
-/// Corners of a face may lie this far off its plane, in parts of the unit box.
-const CROOKEDNESS_MAX: Real = 0.02;
-/// Half the number of steps along an edge of the cube of directions that [`thin_out`] looks in.
-const DIRECTION_STEPS: i8 = 4;
+/// Corners of a face may lie this far off its plane, in parts of half the length of the box. parry
+/// merges triangles up to 1.5° apart, so that much is to be expected of large faces.
+const CROOKEDNESS_MAX: Real = 0.1;
+/// Half the number of steps along an edge of the cube of directions that [`thin_out`] looks in, for
+/// each attempt: some 400, 150 and 50 directions.
+const DIRECTION_STEPS: [i8; 3] = [4, 2, 1];
 
 /// The smallest convex polyhedron around finite points; `None` if they lie in a plane.
 pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
     let frame = UnitBox::around(points)?;
     let scaled: Vec<Vector> = points.iter().map(|p| frame.scale(*p)).collect();
-    match hull_of_scaled(&scaled, points, &frame) {
-        Some(solid) => Some(solid),
-        None => {
-            let few = thin_out(&scaled);
-            let originals: Vec<Vector> = few.iter().map(|i| points[*i]).collect();
-            let scaled: Vec<Vector> = few.iter().map(|i| scaled[*i]).collect();
-            hull_of_scaled(&scaled, &originals, &frame)
-        }
-    }
+    let of_few = |steps: i8| {
+        let few = thin_out(&scaled, steps);
+        let originals: Vec<Vector> = few.iter().map(|i| points[*i]).collect();
+        let scaled: Vec<Vector> = few.iter().map(|i| scaled[*i]).collect();
+        hull_of_scaled(&scaled, &originals, &frame)
+    };
+    hull_of_scaled(&scaled, points, &frame)
+        .or_else(|| DIRECTION_STEPS.into_iter().find_map(of_few))
 }
 
 /// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all
@@ -95,11 +96,6 @@ impl UnitBox {
     fn scale(&self, point: Vector) -> Vector {
         (point - self.center) / self.half_extents
     }
-
-    /// Makes a plane's normal one of the scaled plane, of unit length.
-    fn scale_normal(&self, normal: Vector) -> Vector {
-        (normal * self.half_extents).normalize_or_zero()
-    }
 }
 
 /// What became of corners and triangles.
@@ -153,36 +149,37 @@ fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
     tetrahedra.sum::<Real>() / 6.0
 }
 
-/// Are there enough faces, and do all corners of each lie in its plane?
+/// Do all corners of each face lie in its plane? Two faces must be left: the sides of a thin lens.
 fn has_plane_faces(solid: &ConvexPolyhedron, frame: &UnitBox) -> bool {
-    solid.faces().len() >= 4
+    let tolerance = CROOKEDNESS_MAX * frame.half_extents.max_element();
+    solid.faces().len() >= 2
         && solid.faces().iter().all(|face| {
             let first = face.first_vertex_or_edge as usize;
             let corners = first..first + face.num_vertices_or_edges as usize;
-            let mut corners = solid.vertices_adj_to_face()[corners]
-                .iter()
-                .map(|corner| frame.scale(solid.points()[*corner as usize]));
-            let normal = frame.scale_normal(face.normal);
-            let Some(origin) = corners.next() else { return false };
-            corners.all(|c| (c - origin).dot(normal).abs() <= CROOKEDNESS_MAX)
+            let corners = &solid.vertices_adj_to_face()[corners];
+            let origin = solid.points()[corners[0] as usize];
+            corners.iter().all(|corner| {
+                let corner = solid.points()[*corner as usize];
+                (corner - origin).dot(face.normal).abs() <= tolerance
+            })
         })
 }
 
-/// The outermost points in some 400 directions, spread over the sphere, in rising order.
-fn thin_out(scaled: &[Vector]) -> Vec<usize> {
-    let steps = -DIRECTION_STEPS..=DIRECTION_STEPS;
-    let along = |step: i8| Real::from(step) / Real::from(DIRECTION_STEPS);
-    let mut outermost = Vec::new();
-    for u in steps.clone().map(along) {
-        for v in steps.clone().map(along) {
+/// The outermost points in directions spread over the sphere, `2 steps + 1` along each edge of a cube,
+/// in rising order.
+fn thin_out(scaled: &[Vector], steps: i8) -> Vec<usize> {
+    let along = |step: i8| Real::from(step) / Real::from(steps);
+    let mut directions = Vec::new();
+    for u in (-steps..=steps).map(along) {
+        for v in (-steps..=steps).map(along) {
             for side in [1.0, -1.0] {
-                outermost.push(Vector::new(side, u, v));
-                outermost.push(Vector::new(u, side, v));
-                outermost.push(Vector::new(u, v, side));
+                directions.push(Vector::new(side, u, v));
+                directions.push(Vector::new(u, side, v));
+                directions.push(Vector::new(u, v, side));
             }
         }
     }
-    let mut found: Vec<usize> = outermost
+    let mut found: Vec<usize> = directions
         .into_iter()
         .filter_map(|direction| {
             let reach = |i: &usize| scaled[*i].dot(direction);

@@ -130,3 +130,31 @@ pub fn exact_hull(
     let (corners, _) = part.compute_exact_convex_hull(vertices, triangles);
     super::hull::convex_hull(&corners)
 }
+
+/// What the tests that all dimensions share need to be told.
+#[cfg(test)]
+pub mod tests {
+    use crate::dim::math::{Real, Rotation, Vector};
+    use parry::mass_properties::MassProperties;
+    use parry::shape::Cuboid;
+
+    /// A closed surface around the box of half extents 1, of the elements that surfaces consist of.
+    pub fn unit_box_surface() -> (Vec<Vector>, Vec<[u32; 3]>) {
+        Cuboid::new(Vector::ONE).to_trimesh()
+    }
+
+    /// Triangles that make up the box of half extents 1.
+    pub fn unit_box_mesh() -> (Vec<Vector>, Vec<[u32; 3]>) {
+        unit_box_surface()
+    }
+
+    /// The components of the inertia tensor about the centre of mass.
+    pub fn inertia_components(properties: &MassProperties) -> Vec<Real> {
+        properties.reconstruct_inertia_matrix().to_cols_array().to_vec()
+    }
+
+    /// A rotation that is not one, with all components scaled.
+    pub fn scaled_rotation(rotation: Rotation, scale: Real) -> Rotation {
+        rotation * scale
+    }
+}

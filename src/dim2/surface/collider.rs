@@ -51,3 +51,111 @@ fn convex_outline(points: Vec<Vector>) -> Option<ConvexPolygon> {
     check_points("points", &points).ok()?;
     hull::convex_outline(points)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::dim::math::{Real, Vector};
+    use crate::model::collider::ColliderBuilder;
+
+    const LENGTHS: [Real; 4] = [0.0, -1.0, Real::NAN, Real::INFINITY];
+
+    #[track_caller]
+    fn assert_impossible(builder: &ColliderBuilder, word: &str) {
+        let reason = builder.try_build().map(|_| ()).expect_err("nothing was refused");
+        assert!(reason.to_string().contains(word), "{reason:?} says nothing of {word}");
+        assert!(!builder.build().is_enabled());
+    }
+
+    fn points(corners: &[[Real; 2]]) -> Vec<Vector> {
+        corners.iter().copied().map(Vector::from_array).collect()
+    }
+
+    #[test]
+    fn good_input_builds() {
+        let square = points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+        let all = [
+            ColliderBuilder::cuboid(1.0, 2.0),
+            ColliderBuilder::round_cuboid(1.0, 2.0, 0.0),
+            ColliderBuilder::convex_polyline(square.clone()).expect("a square"),
+            ColliderBuilder::round_convex_polyline(square.clone(), 0.1).expect("a square"),
+            ColliderBuilder::oriented_polyline(square, None),
+            ColliderBuilder::heightfield(vec![0.0, 1.0, 0.5], Vector::new(10.0, 2.0)),
+        ];
+        for builder in all {
+            let collider = builder.try_build().expect("nothing is wrong with it");
+            let mass = collider.mass();
+            assert!(mass.is_finite() && mass >= 0.0, "{builder:?}");
+        }
+    }
+
+    #[test]
+    fn bad_lengths_are_refused_by_name() {
+        for bad in LENGTHS {
+            assert_impossible(&ColliderBuilder::cuboid(bad, 1.0), "half_extents");
+            assert_impossible(&ColliderBuilder::cuboid(1.0, bad), "half_extents");
+            assert_impossible(&ColliderBuilder::round_cuboid(1.0, bad, 0.1), "half_extents");
+            let field = ColliderBuilder::heightfield(vec![0.0, 1.0], Vector::new(bad, 1.0));
+            assert_impossible(&field, "scale");
+            if bad != 0.0 {
+                assert_impossible(&ColliderBuilder::round_cuboid(1.0, 1.0, bad), "border_radius");
+                let square = points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
+                assert!(ColliderBuilder::round_convex_polyline(square, bad).is_none());
+            }
+        }
+    }
+
+    #[test]
+    fn height_fields_need_two_finite_heights() {
+        for few in [vec![], vec![1.0]] {
+            assert_impossible(&ColliderBuilder::heightfield(few, Vector::ONE), "at least 2");
+        }
+        for bad in [Real::NAN, Real::INFINITY, Real::MAX] {
+            let field = ColliderBuilder::heightfield(vec![0.0, bad], Vector::ONE);
+            assert_impossible(&field, "heights");
+        }
+    }
+
+    #[test]
+    fn outlines_may_go_round_either_way_but_must_be_convex() {
+        let mut square = points(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [0.0, 2.0]]);
+        for _ in 0..2 {
+            let polygon = ColliderBuilder::convex_polyline(square.clone()).expect("a square");
+            let collider = polygon.build();
+            assert!((collider.volume() - 4.0).abs() < 1.0e-5);
+            let corners = collider.shape().as_convex_polygon().map(|p| p.points().len());
+            assert_eq!(corners, Some(4), "the corner in the middle of a side is none");
+            square.reverse();
+        }
+        let bad = [
+            points(&[]),
+            points(&[[0.0, 0.0], [1.0, 0.0]]),
+            points(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]),
+            points(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.2], [1.0, 2.0]]),
+            points(&[[0.0, 0.0], [1.0, Real::NAN], [1.0, 1.0]]),
+        ];
+        for outline in bad {
+            assert!(ColliderBuilder::convex_polyline(outline.clone()).is_none(), "{outline:?}");
+            assert!(ColliderBuilder::round_convex_polyline(outline, 0.1).is_none());
+        }
+    }
+
+    #[test]
+    fn a_finely_rounded_outline_keeps_its_shape() {
+        let corner =
+            |i: u32| Vector::from_angle(std::f64::consts::TAU as Real * i as Real / 2000.0);
+        let circle: Vec<_> = (0..2000).map(corner).collect();
+        let polygon = ColliderBuilder::convex_polyline(circle).expect("nearly a circle");
+        let disc = ColliderBuilder::ball(1.0).build().volume();
+        assert!((polygon.build().volume() / disc - 1.0).abs() < 1.0e-3);
+    }
+
+    #[test]
+    fn triangles_are_turned_about_their_centre_of_mass() {
+        let [a, b, c] = [[5.0, 5.0], [8.0, 5.0], [5.0, 9.0]].map(Vector::from_array);
+        let found = ColliderBuilder::triangle(a, b, c).density(2.0).build().mass_properties();
+        // Mass over 36 times the sum of the squared sides.
+        let expected = 12.0 / 36.0 * (9.0 + 16.0 + 25.0);
+        assert!((found.mass() - 12.0).abs() < 1.0e-4);
+        assert!((found.principal_inertia() - expected).abs() < 1.0e-3, "{found:?}");
+    }
+}

@@ -92,3 +92,147 @@ fn convex_mesh(points: Vec<Vector>, indices: &[[u32; 3]]) -> Option<ConvexPolyhe
     check_points("points", &points).ok()?;
     hull::convex_mesh(points, indices)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::dim::math::{Real, Vector};
+    use crate::model::collider::ColliderBuilder;
+    use parry::shape::{Cuboid, HeightFieldFlags};
+    use parry::utils::Array2;
+
+    const LENGTHS: [Real; 4] = [0.0, -1.0, Real::NAN, Real::INFINITY];
+
+    #[track_caller]
+    fn assert_impossible(builder: &ColliderBuilder, word: &str) {
+        let reason = builder.try_build().map(|_| ()).expect_err("nothing was refused");
+        assert!(reason.to_string().contains(word), "{reason:?} says nothing of {word}");
+        assert!(!builder.build().is_enabled());
+    }
+
+    fn heights(rows: usize, columns: usize) -> Array2<Real> {
+        Array2::from_fn(rows, columns, |i, j| (i * j) as Real)
+    }
+
+    #[test]
+    fn good_input_builds() {
+        let (points, indices) = Cuboid::new(Vector::ONE).to_trimesh();
+        let scale = Vector::new(10.0, 2.0, 20.0);
+        let flags = HeightFieldFlags::FIX_INTERNAL_EDGES;
+        let all = [
+            ColliderBuilder::cuboid(1.0, 2.0, 3.0),
+            ColliderBuilder::round_cuboid(1.0, 2.0, 3.0, 0.0),
+            ColliderBuilder::capsule_z(1.0, 0.5),
+            ColliderBuilder::cylinder(1.0, 0.5),
+            ColliderBuilder::round_cylinder(1.0, 0.5, 0.1),
+            ColliderBuilder::cone(1.0, 0.5),
+            ColliderBuilder::round_cone(1.0, 0.5, 0.1),
+            ColliderBuilder::convex_mesh(points.clone(), &indices).expect("a box"),
+            ColliderBuilder::round_convex_mesh(points, &indices, 0.1).expect("a box"),
+            ColliderBuilder::heightfield(heights(2, 5), scale),
+            ColliderBuilder::heightfield_with_flags(heights(5, 2), scale, flags),
+        ];
+        for builder in all {
+            let collider = builder.try_build().expect("nothing is wrong with it");
+            let mass = collider.mass();
+            assert!(mass.is_finite() && mass >= 0.0, "{builder:?}");
+            let reach = collider.bounding_radius_about(Vector::ZERO);
+            let aabb = collider.compute_aabb();
+            let size = aabb.maxs.abs().max(aabb.mins.abs());
+            let bounds = 0.999 * size.max_element()..=1.001 * size.length();
+            assert!(bounds.contains(&reach), "{builder:?}");
+        }
+    }
+
+    #[test]
+    fn bad_lengths_are_refused_by_name() {
+        for bad in LENGTHS {
+            for builder in [
+                ColliderBuilder::cuboid(bad, 1.0, 1.0),
+                ColliderBuilder::cuboid(1.0, bad, 1.0),
+                ColliderBuilder::cuboid(1.0, 1.0, bad),
+                ColliderBuilder::round_cuboid(1.0, 1.0, bad, 0.1),
+            ] {
+                assert_impossible(&builder, "half_extents");
+            }
+            for builder in [
+                ColliderBuilder::cylinder(1.0, bad),
+                ColliderBuilder::cone(1.0, bad),
+                ColliderBuilder::capsule_z(1.0, bad),
+                ColliderBuilder::round_cylinder(1.0, bad, 0.1),
+                ColliderBuilder::round_cone(1.0, bad, 0.1),
+            ] {
+                assert_impossible(&builder, "radius");
+            }
+            for builder in [
+                ColliderBuilder::cylinder(bad, 1.0),
+                ColliderBuilder::cone(bad, 1.0),
+                ColliderBuilder::round_cylinder(bad, 1.0, 0.1),
+                ColliderBuilder::round_cone(bad, 1.0, 0.1),
+            ] {
+                assert_impossible(&builder, "half_height");
+            }
+            let field = ColliderBuilder::heightfield(heights(2, 2), Vector::new(1.0, bad, 1.0));
+            assert_impossible(&field, "scale");
+            if bad != 0.0 {
+                let round = ColliderBuilder::round_cone(1.0, 1.0, bad);
+                assert_impossible(&round, "border_radius");
+                let round = ColliderBuilder::round_cuboid(1.0, 1.0, 1.0, bad);
+                assert_impossible(&round, "border_radius");
+            }
+        }
+    }
+
+    #[test]
+    fn height_fields_need_two_finite_rows_and_columns() {
+        for (rows, columns) in [(0, 0), (1, 5), (5, 1)] {
+            let field = ColliderBuilder::heightfield(heights(rows, columns), Vector::ONE);
+            assert_impossible(&field, "at least 2");
+        }
+        for bad in [Real::NAN, Real::INFINITY, Real::MAX] {
+            let heights = Array2::from_fn(3, 3, |i, j| if i == j { bad } else { 0.0 });
+            let field = ColliderBuilder::heightfield(heights, Vector::ONE);
+            assert_impossible(&field, "heights");
+        }
+        let high = Array2::from_fn(2, 2, |_, _| 1.0e12);
+        let field = ColliderBuilder::heightfield(high, Vector::splat(1.0e12));
+        assert_impossible(&field, "bounding box");
+    }
+
+    #[test]
+    fn convex_meshes_may_be_wound_either_way_but_must_be_closed() {
+        let (points, indices) = Cuboid::new(Vector::ONE).to_trimesh();
+        let reversed: Vec<_> = indices.iter().map(|t| [t[0], t[2], t[1]]).collect();
+        for triangles in [&indices, &reversed] {
+            let solid = ColliderBuilder::convex_mesh(points.clone(), triangles).expect("a box");
+            assert!((solid.build().volume() - 8.0).abs() < 1.0e-4);
+        }
+        let mut mixed = indices.clone();
+        mixed[0].swap(0, 1);
+        let flat: Vec<_> = points.iter().map(|p| *p * Vector::new(1.0, 0.0, 1.0)).collect();
+        let mut endless = points.clone();
+        endless[3].y = Real::NAN;
+        let bad = [
+            (points.clone(), mixed),
+            (points.clone(), indices[1..].to_vec()),
+            (points.clone(), vec![]),
+            (points[..7].to_vec(), indices.clone()),
+            (vec![], indices.clone()),
+            (flat, indices.clone()),
+            (endless, indices.clone()),
+        ];
+        for (points, triangles) in bad {
+            assert!(ColliderBuilder::convex_mesh(points.clone(), &triangles).is_none());
+            assert!(ColliderBuilder::round_convex_mesh(points, &triangles, 0.1).is_none());
+        }
+        assert!(ColliderBuilder::round_convex_mesh(points, &indices, -0.1).is_none());
+    }
+
+    #[test]
+    fn a_finely_rounded_convex_mesh_keeps_its_faces_apart() {
+        let (points, indices) = parry::shape::Ball::new(1.0).to_trimesh(200, 100);
+        let solid = ColliderBuilder::convex_mesh(points, &indices).expect("nearly a ball");
+        let volume = solid.build().volume();
+        let ball = ColliderBuilder::ball(1.0).build().volume();
+        assert!((0.85..1.0).contains(&(volume / ball)), "{volume}");
+    }
+}

@@ -8,8 +8,8 @@ use super::{
     InteractionGroups, InvalidCollider,
 };
 use crate::dim::mass::mass_is_valid;
-use crate::model::tree::ColliderProxy;
 use crate::dim::math::{AngVector, Pose, Real, Vector, rotation_from_angle};
+use crate::model::tree::ColliderProxy;
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
 

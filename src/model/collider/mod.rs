@@ -36,6 +36,8 @@ pub use material::{CoefficientCombineRule, ColliderMaterial};
 pub use mesh_converter::MeshConverter;
 pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
 pub use set::ColliderSet;
+pub(crate) use interact::may_interact;
 pub(crate) use set::RemovedCollider;
 
-pub(crate) use interact::may_interact;
+#[cfg(test)]
+mod tests;

@@ -84,6 +84,16 @@ impl Default for ColliderChanges {
 }
 
 impl ColliderChanges {
+    /// All that a collider has of its own.
+    pub(crate) const fn of_everything_but_the_body() -> Self {
+        Self::all().difference(
+            Self::IN_MODIFIED_SET
+                .union(Self::PARENT)
+                .union(Self::PARENT_EFFECTIVE_DOMINANCE)
+                .union(Self::DEFORMED),
+        )
+    }
+
     /// Did anything change that its place in the broad phase depends on?
     pub const fn needs_broad_phase_update(self) -> bool {
         const WATCHED: ColliderChanges = ColliderChanges::PARENT

@@ -14,6 +14,8 @@ pub(crate) struct RemovedCollider {
     pub handle: ColliderHandle,
     /// The body it was attached to.
     pub parent: Option<RigidBodyHandle>,
+    /// Its place in the trees of boxes.
+    pub proxy: ColliderProxy,
     /// Are bodies that touched it to wake?
     pub wake_up: bool,
 }
@@ -277,7 +279,8 @@ impl ColliderSet {
     /// whose body is gone.
     pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
         let collider = self.colliders.remove(handle.0)?;
-        self.removed.push(RemovedCollider { handle, parent: collider.parent(), wake_up });
+        let (parent, proxy) = (collider.parent(), collider.proxy);
+        self.removed.push(RemovedCollider { handle, parent, proxy, wake_up });
         Some(collider)
     }
 

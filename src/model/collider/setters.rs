@@ -7,7 +7,8 @@
 use super::check::{check_margin, check_pose, check_shape};
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
-    ColliderChanges, ColliderEnabled, ColliderMassProps, InteractionGroups, InvalidCollider,
+    ColliderChanges, ColliderEnabled, ColliderFlags, ColliderMassProps, InteractionGroups,
+    InvalidCollider,
 };
 use crate::dim::mass::mass_is_valid;
 use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector, rotation_from_angle};
@@ -266,26 +267,23 @@ impl Collider {
         }
     }
 
-    /// Makes it the same as `other` in everything but its body, its enabled state's cause, and who has
-    /// noted its changes; an attached collider also keeps its place on its body.
+    /// Makes it the same as `other`, shape and user data included, but leaves it on its own body, at
+    /// its own place there if it has one.
     pub fn copy_from(&mut self, other: &Collider) {
-        let noted = self.changes & ColliderChanges::IN_MODIFIED_SET;
-        let (parent, parent_type, pose) = (self.parent, self.parent_type, self.pose);
         let by_parent = self.flags.enabled == ColliderEnabled::DisabledByParent;
-        *self = other.clone();
-        (self.parent, self.parent_type) = (parent, parent_type);
-        if parent.is_some() {
-            self.pose = pose;
-        }
-        self.flags.enabled = match (other.flags.enabled, by_parent) {
-            (ColliderEnabled::Disabled, _) => ColliderEnabled::Disabled,
-            (_, true) => ColliderEnabled::DisabledByParent,
-            (_, false) => ColliderEnabled::Enabled,
+        let enabled = match other.flags.enabled {
+            ColliderEnabled::Disabled => ColliderEnabled::Disabled,
+            _ if by_parent => ColliderEnabled::DisabledByParent,
+            _ => ColliderEnabled::Enabled,
         };
-        self.changes = noted
-            | (ColliderChanges::all()
-                - ColliderChanges::IN_MODIFIED_SET
-                - ColliderChanges::PARENT
-                - ColliderChanges::DEFORMED);
+        *self = Collider {
+            pose: if self.parent.is_some() { self.pose } else { other.pose },
+            parent: self.parent,
+            parent_type: self.parent_type,
+            proxy: self.proxy,
+            flags: ColliderFlags { enabled, ..other.flags },
+            changes: self.changes | ColliderChanges::of_everything_but_the_body(),
+            ..other.clone()
+        };
     }
 }

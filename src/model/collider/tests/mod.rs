@@ -1,0 +1,16 @@
+//! Tests of what colliders are made of and of the book-keeping around them, for every dimension and
+//! precision. What differs between the dimensions is tested in `dim2/surface` and `dim3/surface`.
+
+mod builder;
+mod hulls;
+mod mass;
+mod set;
+mod setters;
+mod shapes;
+
+use crate::dim::math::Real;
+
+/// Numbers that are no length.
+const NOT_LENGTHS: [Real; 5] = [0.0, -1.0, Real::NAN, Real::INFINITY, Real::NEG_INFINITY];
+/// Numbers that are no coordinate.
+const NOT_COORDINATES: [Real; 4] = [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX];

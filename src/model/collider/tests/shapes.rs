@@ -1,0 +1,249 @@
+//! Every constructor that all dimensions share, with what it should take and what it must not.
+
+use super::{NOT_COORDINATES, NOT_LENGTHS};
+use crate::dim::math::{DIM, Pose, Real, Vector};
+use crate::model::collider::{ColliderBuilder, InvalidCollider, MeshConverter};
+use parry::math::IVector;
+use parry::shape::{PolylineFlags, SharedShape, TriMeshFlags};
+use parry::transformation::vhacd::VHACDParameters;
+use parry::transformation::voxelization::FillMode;
+
+const O: Vector = Vector::ZERO;
+const X: Vector = Vector::X;
+const Y: Vector = Vector::Y;
+
+fn cuboid() -> SharedShape {
+    SharedShape::new(parry::shape::Cuboid::new(Vector::ONE))
+}
+
+/// A closed surface around the unit box: its outline in 2D, its triangles in 3D. As the elements that
+/// voxelisation and decomposition take.
+fn unit_box_surface() -> (Vec<Vector>, Vec<[u32; DIM]>) {
+    let (vertices, indices) = crate::dim::shapes::tests::unit_box_surface();
+    (vertices, indices)
+}
+
+#[track_caller]
+fn assert_builds(builder: &ColliderBuilder) {
+    let collider = builder.try_build().expect("nothing is wrong with it");
+    let aabb = collider.compute_aabb();
+    assert!(aabb.mins.cmple(aabb.maxs).all(), "{aabb:?}");
+    assert!(collider.mass().is_finite() && collider.mass() >= 0.0);
+    assert!(builder.build().is_enabled());
+}
+
+#[track_caller]
+fn assert_impossible(builder: &ColliderBuilder, word: &str) {
+    let reason = builder.try_build().map(|_| ()).expect_err("nothing was refused");
+    assert!(reason.to_string().contains(word), "{reason:?} says nothing of {word}");
+    assert!(!builder.build().is_enabled());
+}
+
+#[test]
+fn good_input_builds() {
+    let (vertices, surface) = unit_box_surface();
+    let triangle = (vec![O, X, Y], vec![[0, 1, 2]]);
+    let mesh = ColliderBuilder::trimesh(triangle.0.clone(), triangle.1.clone()).expect("a mesh");
+    let hull = ColliderBuilder::convex_hull(&vertices).expect("a hull");
+    let round_hull = ColliderBuilder::round_convex_hull(&vertices, 0.1).expect("a hull");
+    let cells = [IVector::ZERO, IVector::ONE];
+    let all = [
+        ColliderBuilder::ball(0.5),
+        ColliderBuilder::halfspace(Y),
+        ColliderBuilder::capsule_x(1.0, 0.5),
+        ColliderBuilder::capsule_y(0.0, 0.5),
+        ColliderBuilder::capsule_from_endpoints(X, Y, 0.1),
+        ColliderBuilder::segment(X, Y),
+        ColliderBuilder::triangle(O, X, Y),
+        ColliderBuilder::round_triangle(O, X, Y, 0.1),
+        ColliderBuilder::compound(vec![(Pose::IDENTITY, cuboid())]),
+        ColliderBuilder::polyline(vec![O, X, Y], None),
+        ColliderBuilder::polyline(vec![O, X, Y], Some(vec![[2, 0]])),
+        ColliderBuilder::polyline_with_flags(vec![O, X], None, PolylineFlags::DEFORMABLE),
+        mesh,
+        hull,
+        round_hull,
+        ColliderBuilder::voxels(Vector::ONE, &cells),
+        ColliderBuilder::voxels_from_points(Vector::ONE, &[O, X * 5.0]),
+        ColliderBuilder::voxelized_mesh(&vertices, &surface, 0.1, FillMode::SurfaceOnly),
+        ColliderBuilder::convex_decomposition(&vertices, &surface),
+        ColliderBuilder::round_convex_decomposition(&vertices, &surface, 0.1),
+    ];
+    for (number, builder) in all.iter().enumerate() {
+        println!("constructor {number}: {:?}", builder.shape.shape_type());
+        assert_builds(builder);
+    }
+}
+
+#[test]
+fn bad_lengths_are_refused() {
+    for bad in NOT_LENGTHS {
+        let all = [
+            ColliderBuilder::ball(bad),
+            ColliderBuilder::capsule_x(1.0, bad),
+            ColliderBuilder::capsule_y(1.0, bad),
+            ColliderBuilder::capsule_from_endpoints(X, Y, bad),
+        ];
+        for builder in &all {
+            assert_impossible(builder, "radius");
+        }
+        assert_impossible(&ColliderBuilder::halfspace(Y * bad * 2.0), "outward_normal");
+        let cells = [IVector::ZERO];
+        assert_impossible(&ColliderBuilder::voxels(Vector::ONE * bad, &cells), "voxel_size");
+        assert_impossible(
+            &ColliderBuilder::voxels_from_points(Vector::ONE * bad, &[O]),
+            "voxel_size",
+        );
+        let (vertices, surface) = unit_box_surface();
+        let voxels = ColliderBuilder::voxelized_mesh(&vertices, &surface, bad, FillMode::default());
+        assert_impossible(&voxels, "voxel_size");
+        if bad != 0.0 {
+            assert_impossible(&ColliderBuilder::capsule_x(bad, 1.0), "half_height");
+            assert_impossible(&ColliderBuilder::round_triangle(O, X, Y, bad), "border_radius");
+            assert!(ColliderBuilder::round_convex_hull(&vertices, bad).is_none());
+            let parts = ColliderBuilder::round_convex_decomposition(&vertices, &surface, bad);
+            assert_impossible(&parts, "border_radius");
+        }
+    }
+}
+
+#[test]
+fn bad_coordinates_are_refused() {
+    for bad in NOT_COORDINATES {
+        let far = X * bad + Y;
+        let indices = vec![[0, 1, 2]];
+        let surface = [core::array::from_fn(|i| i as u32)];
+        let all = [
+            (ColliderBuilder::capsule_from_endpoints(far, O, 1.0), "a number"),
+            (ColliderBuilder::segment(O, far), "b number"),
+            (ColliderBuilder::triangle(O, X, far), "c number"),
+            (ColliderBuilder::polyline(vec![O, far], None), "vertices number 1"),
+            (ColliderBuilder::voxels_from_points(Vector::ONE, &[far]), "points number 0"),
+            (
+                ColliderBuilder::voxelized_mesh(&[O, X, far], &surface, 1.0, FillMode::default()),
+                "vertices number 2",
+            ),
+            (ColliderBuilder::convex_decomposition(&[O, X, far], &surface), "vertices number 2"),
+        ];
+        for (builder, word) in &all {
+            assert_impossible(builder, word);
+        }
+        let part = vec![(Pose::from_translation(far), cuboid())];
+        assert_impossible(&ColliderBuilder::compound(part), "part 0 of the compound: the pose");
+        assert!(ColliderBuilder::trimesh(vec![O, X, far], indices).is_err());
+        assert!(ColliderBuilder::convex_hull(&[O, X, Y, far]).is_none());
+    }
+}
+
+#[test]
+fn indices_out_of_range_are_refused() {
+    let all = [
+        ColliderBuilder::polyline(vec![O, X], Some(vec![[0, 2]])),
+        ColliderBuilder::voxelized_mesh(&[O, X], &[[9; DIM]], 1.0, FillMode::default()),
+        ColliderBuilder::convex_decomposition(&[O, X, Y], &[[3; DIM]]),
+    ];
+    for builder in &all {
+        assert_impossible(builder, "names vertex");
+    }
+    let reason = ColliderBuilder::trimesh(vec![O, X, Y], vec![[0, 1, 2], [0, 1, 3]])
+        .map(|_| ())
+        .expect_err("vertex 3 does not exist");
+    let expected =
+        InvalidCollider::IndexOutOfRange { parameter: "indices", position: 1, index: 3, count: 3 };
+    assert_eq!(reason, expected);
+}
+
+#[test]
+fn empty_and_degenerate_shapes_are_refused() {
+    let nothing: [IVector; 0] = [];
+    let line = [O, X, X * 2.0, X * 3.0];
+    let all = [
+        ColliderBuilder::compound(vec![]),
+        ColliderBuilder::polyline(vec![], None),
+        ColliderBuilder::polyline(vec![O], None),
+        ColliderBuilder::polyline(vec![O, X], Some(vec![])),
+        ColliderBuilder::polyline(vec![X, X], None),
+        ColliderBuilder::segment(X, X),
+        ColliderBuilder::triangle(O, X, X * 2.0),
+        ColliderBuilder::triangle(X, X, X),
+        ColliderBuilder::voxels(Vector::ONE, &nothing),
+        ColliderBuilder::voxels_from_points(Vector::ONE, &[]),
+        ColliderBuilder::voxelized_mesh(&[], &[], 1.0, FillMode::default()),
+        ColliderBuilder::convex_decomposition(&[], &[]),
+        ColliderBuilder::convex_decomposition(&[X, X, X], &[core::array::from_fn(|i| i as u32)]),
+    ];
+    for builder in &all {
+        assert!(builder.try_build().is_err(), "{:?}", builder.shape);
+        assert!(!builder.build().is_enabled());
+    }
+    assert!(ColliderBuilder::trimesh(vec![], vec![]).is_err());
+    assert!(ColliderBuilder::trimesh(vec![O, X, Y], vec![]).is_err());
+    assert!(ColliderBuilder::trimesh(vec![X, X, X], vec![[0, 1, 2]]).is_err());
+    assert!(ColliderBuilder::trimesh(line.to_vec(), vec![[0, 1, 2]]).is_err());
+    let flags = TriMeshFlags::DELETE_DEGENERATE_TRIANGLES | TriMeshFlags::MERGE_DUPLICATE_VERTICES;
+    assert!(ColliderBuilder::trimesh_with_flags(vec![X, X, Y], vec![[0, 1, 2]], flags).is_err());
+    for points in [&[][..], &[O], &[O, X], &[X, X, X, X, X], &line] {
+        assert!(ColliderBuilder::convex_hull(points).is_none(), "{points:?}");
+        assert!(ColliderBuilder::round_convex_hull(points, 0.1).is_none(), "{points:?}");
+    }
+}
+
+#[test]
+fn a_compound_of_compounds_is_refused() {
+    let inner = ColliderBuilder::compound(vec![(Pose::IDENTITY, cuboid())]).shape;
+    let part = (Pose::IDENTITY, cuboid());
+    let outer = ColliderBuilder::compound(vec![part, (Pose::IDENTITY, inner)]);
+    assert_impossible(&outer, "part 1");
+    let broken = ColliderBuilder::compound(vec![(Pose::IDENTITY, SharedShape::ball(-1.0))]);
+    assert_impossible(&broken, "radius");
+}
+
+#[test]
+fn grids_that_do_not_fit_into_memory_are_refused() {
+    let (vertices, surface) = unit_box_surface();
+    let voxels = ColliderBuilder::voxelized_mesh(&vertices, &surface, 1.0e-6, FillMode::default());
+    assert_impossible(&voxels, "cells");
+    let cells = [IVector::ONE * 1_000_000_000];
+    assert_impossible(&ColliderBuilder::voxels(Vector::ONE, &cells), "grid coordinates");
+    let far = [X * 1.0e12];
+    assert_impossible(&ColliderBuilder::voxels_from_points(Vector::ONE, &far), "grid coordinates");
+    let parameters = [
+        VHACDParameters { resolution: u32::MAX, ..Default::default() },
+        VHACDParameters { resolution: 0, ..Default::default() },
+        VHACDParameters { plane_downsampling: 0, ..Default::default() },
+        VHACDParameters { convex_hull_downsampling: 0, ..Default::default() },
+        VHACDParameters { max_convex_hulls: u32::MAX, ..Default::default() },
+        VHACDParameters { concavity: Real::NAN, ..Default::default() },
+    ];
+    for params in &parameters {
+        let builder =
+            ColliderBuilder::convex_decomposition_with_params(&vertices, &surface, params);
+        assert!(builder.try_build().is_err(), "{params:?}");
+    }
+}
+
+#[test]
+fn a_mesh_is_converted_in_every_way() {
+    let (vertices, indices) = crate::dim::shapes::tests::unit_box_mesh();
+    let converters = [
+        MeshConverter::TriMesh,
+        MeshConverter::TriMeshWithFlags(TriMeshFlags::MERGE_DUPLICATE_VERTICES),
+        MeshConverter::Obb,
+        MeshConverter::Aabb,
+        MeshConverter::ConvexHull,
+        MeshConverter::ConvexDecomposition,
+    ];
+    for converter in converters {
+        let convert = |offset: Vector| {
+            let vertices = vertices.iter().map(|v| *v + offset).collect();
+            ColliderBuilder::converted_trimesh(vertices, indices.clone(), converter)
+        };
+        let collider = convert(X * 10.0).expect("a good mesh").build();
+        let aabb = collider.compute_aabb();
+        assert!(aabb.center().abs_diff_eq(X * 10.0, 0.1), "{converter:?}: {aabb:?}");
+        assert!(aabb.half_extents().abs_diff_eq(Vector::ONE, 0.8), "{converter:?}: {aabb:?}");
+        assert!(convert(X * Real::NAN).is_err());
+        let empty = ColliderBuilder::converted_trimesh(vec![], vec![], converter);
+        assert!(empty.is_err(), "{converter:?}");
+    }
+}
