@@ -1,7 +1,7 @@
 //! What the shapes are made of that only two dimensions have, and how their mass is spread.
 
 use super::mass::no_mass;
-use super::math::{Real, Vector};
+use super::math::{Real, Rotation, Vector};
 use crate::base::hash::FastHashMap;
 use crate::base::measure::Measure;
 use parry::mass_properties::MassProperties;
@@ -88,6 +88,24 @@ pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
         *uses.entry(ordered(side)).or_default() += 1;
     }
     sides().filter(|side| uses[&ordered(*side)] == 1).collect()
+}
+
+/// A rotation to the directions in which some points, not none, are spread out most and least.
+///
+/// The second moments are made diagonal by Jacobi's rotation, of the tangent
+/// `t = 1 / (h + sign(h) √(h² + 1))`, `h = (m_yy - m_xx) / 2 m_xy`.
+pub fn spread_directions(points: &[Vector]) -> Rotation {
+    let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
+    let offsets = || points.iter().map(|p| *p - center);
+    let mixed: Real = offsets().map(|v| v.x * v.y).sum();
+    if mixed == 0.0 {
+        return Rotation::IDENTITY;
+    }
+    let difference: Real = offsets().map(|v| v.y * v.y - v.x * v.x).sum();
+    let h = difference / (2.0 * mixed);
+    let tangent = 1.0 / (h + (h * h + 1.0).sqrt().copysign(h));
+    let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+    Rotation::from_cos_sin_unchecked(cosine, -tangent * cosine)
 }
 
 /// The convex hull of what of a surface lies in one part of its convex decomposition.

@@ -35,8 +35,7 @@ pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
         let scaled: Vec<Vector> = few.iter().map(|i| scaled[*i]).collect();
         hull_of_scaled(&scaled, &originals, &frame)
     };
-    hull_of_scaled(&scaled, points, &frame)
-        .or_else(|| DIRECTION_STEPS.into_iter().find_map(of_few))
+    hull_of_scaled(&scaled, points, &frame).or_else(|| DIRECTION_STEPS.into_iter().find_map(of_few))
 }
 
 /// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all

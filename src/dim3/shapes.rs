@@ -121,6 +121,14 @@ pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     triangles.to_vec()
 }
 
+/// A rotation to the directions in which some points, not none, are spread out most and least.
+pub fn spread_directions(points: &[Vector]) -> Rotation {
+    let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
+    let outer = |v: Vector| Matrix::from_cols(v * v.x, v * v.y, v * v.z);
+    let spread = points.iter().fold(Matrix::ZERO, |sum, p| sum + outer(*p - center));
+    Rotation::from_mat3(&principal_axes(spread).1).normalize()
+}
+
 /// The convex hull of what of a surface lies in one part of its convex decomposition.
 pub fn exact_hull(
     part: &VoxelSet,

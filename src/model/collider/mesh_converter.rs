@@ -3,7 +3,7 @@
 use super::decomposition::decompose;
 use super::shapes::{hull_of, trimesh_shape};
 use super::{ColliderBuilder, InvalidCollider};
-use crate::dim::math::{Pose, Vector};
+use crate::dim::math::{Pose, Rotation, Vector};
 use crate::dim::shapes;
 use parry::bounding_volume::Aabb;
 use parry::shape::{Cuboid, SharedShape, TriMeshFlags};
@@ -46,15 +46,8 @@ impl MeshConverter {
         let mesh = trimesh_shape(vertices.clone(), indices.clone(), flags)?;
         let shape = match self {
             Self::TriMesh | Self::TriMeshWithFlags(_) => mesh,
-            Self::Obb => {
-                let (pose, cuboid) = parry::utils::obb(&vertices);
-                return Ok((checked_box(cuboid)?, pose));
-            }
-            Self::Aabb => {
-                let aabb = Aabb::from_points(vertices.iter().copied());
-                let cuboid = Cuboid::new(aabb.half_extents());
-                return Ok((checked_box(cuboid)?, Pose::from_translation(aabb.center())));
-            }
+            Self::Obb => return box_around(&vertices, shapes::spread_directions(&vertices)),
+            Self::Aabb => return box_around(&vertices, Rotation::IDENTITY),
             Self::ConvexHull => {
                 let hull = hull_of(&vertices).ok_or(InvalidCollider::Degenerate {
                     shape: "convex hull",
@@ -74,9 +67,16 @@ impl MeshConverter {
     }
 }
 
-fn checked_box(cuboid: Cuboid) -> Result<SharedShape, InvalidCollider> {
+/// The box around some points whose sides have the given rotation.
+fn box_around(
+    points: &[Vector],
+    rotation: Rotation,
+) -> Result<(SharedShape, Pose), InvalidCollider> {
+    let into_box = rotation.inverse();
+    let aabb = Aabb::from_points(points.iter().map(|point| into_box * *point));
+    let cuboid = Cuboid::new(aabb.half_extents());
     super::check::check_shape(&cuboid)?;
-    Ok(SharedShape::new(cuboid))
+    Ok((SharedShape::new(cuboid), Pose::from_parts(rotation * aabb.center(), rotation)))
 }
 
 impl ColliderBuilder {

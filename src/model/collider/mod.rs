@@ -31,12 +31,12 @@ pub use collider::Collider;
 pub use error::InvalidCollider;
 pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
+pub(crate) use interact::may_interact;
 pub use mass::ColliderMassProps;
 pub use material::{CoefficientCombineRule, ColliderMaterial};
 pub use mesh_converter::MeshConverter;
 pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
 pub use set::ColliderSet;
-pub(crate) use interact::may_interact;
 pub(crate) use set::RemovedCollider;
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Every constructor that all dimensions share, with what it should take and what it must not.
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
-use crate::dim::math::{DIM, Pose, Real, Vector};
+use crate::dim::math::{DIM, Pose, Real, Vector, rotation_from_angle, torque};
 use crate::model::collider::{ColliderBuilder, InvalidCollider, MeshConverter};
 use parry::math::IVector;
 use parry::shape::{PolylineFlags, SharedShape, TriMeshFlags};
@@ -245,5 +245,25 @@ fn a_mesh_is_converted_in_every_way() {
         assert!(convert(X * Real::NAN).is_err());
         let empty = ColliderBuilder::converted_trimesh(vec![], vec![], converter);
         assert!(empty.is_err(), "{converter:?}");
+    }
+}
+
+#[test]
+fn a_turned_box_fits_a_turned_mesh() {
+    let (vertices, indices) = crate::dim::shapes::tests::unit_box_mesh();
+    for angle in [0.0, 0.3, 1.0, 2.0, -0.7] {
+        let turn = Pose::from_parts(X * 5.0, rotation_from_angle(torque(X, Y) * angle));
+        let stretch = Vector::ONE + X * 2.0;
+        let vertices = vertices.iter().map(|v| turn * (*v * stretch)).collect();
+        let builder =
+            ColliderBuilder::converted_trimesh(vertices, indices.clone(), MeshConverter::Obb);
+        let collider = builder.expect("a good mesh").build();
+        let half_extents = collider.shape().as_cuboid().expect("a box").half_extents;
+        assert!((half_extents.max_element() - 3.0).abs() < 1.0e-4, "{angle}: {half_extents}");
+        assert!((half_extents.min_element() - 1.0).abs() < 1.0e-4, "{angle}: {half_extents}");
+        let aabb = collider.compute_aabb();
+        assert!(aabb.center().abs_diff_eq(X * 5.0, 1.0e-4), "{angle}: {aabb:?}");
+        let tip = turn * (X * 3.0 + Y);
+        assert!(collider.shape().distance_to_point(collider.position(), tip, true) < 1.0e-3);
     }
 }
