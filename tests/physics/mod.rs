@@ -8,3 +8,4 @@ mod table;
 
 mod bounce;
 mod fall;
+mod tipping;

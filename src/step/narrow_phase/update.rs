@@ -132,6 +132,11 @@ fn update_store<P: Update + Pair>(
     }
 }
 
+/// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
+/// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
+/// the square root of 3/2.
+const TURN_BOUND: Real = 1.225;
+
 fn look_at<P: Update + Pair>(
     around: Surroundings<'_>,
     pair: &mut P,
@@ -166,6 +171,14 @@ impl<'a> PairView<'a> {
             bodies: [body(collider1), body(collider2)],
             pose12: collider1.pose.inv_mul(&collider2.pose),
         })
+    }
+
+    /// No two points at which the colliders could touch are farther apart than this: the diameter of the
+    /// smaller body.
+    fn reach(&self) -> Real {
+        let diameter =
+            |body: Option<&RigidBody>| body.map_or(Real::INFINITY, |body| 2.0 * body.extent);
+        diameter(self.bodies[0]).min(diameter(self.bodies[1]))
     }
 
     fn boxes_overlap(&self) -> bool {
@@ -233,7 +246,7 @@ impl Update for ContactPair {
     fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome {
         let recycle_distance = view.around.params.contact_recycle_distance();
         if last.slack != DUE {
-            let left = recycle_distance - self.drift(&view.pose12);
+            let left = recycle_distance - self.drift(&view.pose12, view.reach());
             if left > 0.0 && self.is_touching() {
                 return Outcome::unchanged(left, last.reports_force);
             }
@@ -258,13 +271,21 @@ impl Update for ContactPair {
 }
 
 impl ContactPair {
-    /// How far the contact points moved against each other since they were computed.
-    fn drift(&self, pose12: &Pose) -> Real {
+    /// A bound of how far the two bodies moved against each other, in the region where they could touch,
+    /// since the contact points were computed.
+    ///
+    /// That is how far the points moved, and how far a rotation about them moves anything else within
+    /// `reach`: a body that tips over on its contact points has them stand still.
+    fn drift(&self, pose12: &Pose, reach: Real) -> Real {
         let contacts = self.manifolds.iter().flat_map(ContactManifold::contacts);
         let moved = contacts.map(|contact| {
             (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
         });
-        moved.fold(0.0, Real::max).sqrt()
+        let turned = Vector::AXES.map(|axis| {
+            (pose12.rotation * axis - self.pose12.rotation * axis).length_squared()
+        });
+        let chord = TURN_BOUND * turned.into_iter().fold(0.0, Real::max).sqrt();
+        moved.fold(0.0, Real::max).sqrt() + chord * reach
     }
 
     /// Computes the manifolds. Returns how far apart the shapes are beyond the prediction distance: no
