@@ -8,6 +8,9 @@ pub const SIZE_MIN: Real = 1.0e-15;
 /// Largest usable length or coordinate, for the same reason as [`SIZE_MIN`].
 pub const SIZE_MAX: Real = 1.0e15;
 
+const _: () = assert!(SIZE_MIN * SIZE_MIN > 0.0 && 1.0 / (SIZE_MIN * SIZE_MIN) < Real::MAX);
+const _: () = assert!(SIZE_MAX * SIZE_MAX < Real::MAX);
+
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
 #[derive(Copy, Clone, Debug)]
 pub enum Measure<'a> {

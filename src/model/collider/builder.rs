@@ -197,7 +197,7 @@ impl ColliderBuilder {
             contact_skin: self.contact_skin,
             proxy: ColliderProxy::default(),
             contact_force_event_threshold: self.contact_force_event_threshold,
-            changes: ColliderChanges::all() - ColliderChanges::IN_MODIFIED_SET,
+            changes: ColliderChanges::everything(),
             user_data: self.user_data,
         }
     }

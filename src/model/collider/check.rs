@@ -4,9 +4,7 @@
 //! with parry's constructors, or the user through [`Collider::shape_mut`](super::Collider::shape_mut).
 
 use super::InvalidCollider;
-use crate::base::measure::{
-    Measure, SIZE_MAX, SIZE_MIN, is_coordinate, is_length, is_margin, is_point,
-};
+use crate::base::measure::{Measure, is_coordinate, is_length, is_margin, is_point};
 use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
 use crate::dim::shapes;
 use parry::shape::{Shape, SharedShape, TypedShape, Voxels};
@@ -95,7 +93,6 @@ fn check_measure(measure: Measure<'_>) -> Verdict {
 }
 
 pub(crate) fn check_length(parameter: &'static str, value: Real) -> Verdict {
-    debug_assert!(SIZE_MIN > 0.0 && SIZE_MAX < Real::INFINITY);
     if is_length(value) { Ok(()) } else { number(parameter, value, "between 1e-15 and 1e15") }
 }
 

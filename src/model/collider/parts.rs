@@ -74,6 +74,8 @@ bitflags::bitflags! {
         const MATERIAL = 1 << 10;
         /// Its hooks, events, or the kinds of bodies it collides with.
         const INTERACTIONS = 1 << 11;
+        /// Its shape was handed out to be changed in place: it has to be checked.
+        const UNCHECKED_SHAPE = 1 << 12;
     }
 }
 
@@ -84,14 +86,15 @@ impl Default for ColliderChanges {
 }
 
 impl ColliderChanges {
+    /// What the step has to look at for a collider that it has never seen.
+    pub(crate) const fn everything() -> Self {
+        Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))
+    }
+
     /// All that a collider has of its own.
     pub(crate) const fn of_everything_but_the_body() -> Self {
-        Self::all().difference(
-            Self::IN_MODIFIED_SET
-                .union(Self::PARENT)
-                .union(Self::PARENT_EFFECTIVE_DOMINANCE)
-                .union(Self::DEFORMED),
-        )
+        Self::everything()
+            .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))
     }
 
     /// Did anything change that its place in the broad phase depends on?
@@ -107,8 +110,9 @@ impl ColliderChanges {
 
     /// Did anything change that its contacts depend on?
     pub const fn needs_narrow_phase_update(self) -> bool {
-        const UNWATCHED: ColliderChanges =
-            ColliderChanges::IN_MODIFIED_SET.union(ColliderChanges::LOCAL_MASS_PROPERTIES);
+        const UNWATCHED: ColliderChanges = ColliderChanges::IN_MODIFIED_SET
+            .union(ColliderChanges::LOCAL_MASS_PROPERTIES)
+            .union(ColliderChanges::UNCHECKED_SHAPE);
         self.intersects(UNWATCHED.complement())
     }
 }

@@ -12,10 +12,6 @@ use crate::model::tree::ColliderProxy;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct RemovedCollider {
     pub handle: ColliderHandle,
-    /// The body it was attached to.
-    pub parent: Option<RigidBodyHandle>,
-    /// Its place in the trees of boxes.
-    pub proxy: ColliderProxy,
     /// Are bodies that touched it to wake?
     pub wake_up: bool,
 }
@@ -76,6 +72,7 @@ impl ColliderSet {
     /// stands where its position says, like a part of a fixed body.
     pub fn insert(&mut self, collider: impl Into<Collider>) -> ColliderHandle {
         let mut collider = collider.into();
+        collider.replace_broken_shape();
         collider.leave_body();
         self.insert_new(collider)
     }
@@ -92,6 +89,7 @@ impl ColliderSet {
         bodies: &mut RigidBodySet,
     ) -> ColliderHandle {
         let mut collider = collider.into();
+        collider.replace_broken_shape();
         let pos_wrt_parent = collider.parent.map_or(collider.pose, |old| old.pos_wrt_parent);
         collider.leave_body();
         let Some(body) = bodies.get_mut(parent_handle) else {
@@ -109,7 +107,7 @@ impl ColliderSet {
     }
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
-        collider.changes = ColliderChanges::all();
+        collider.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET;
         collider.proxy = ColliderProxy::default(); // it may be the copy of one that is in a set
         let handle = ColliderHandle(self.colliders.insert(collider));
         self.modified.push(handle);
@@ -279,8 +277,7 @@ impl ColliderSet {
     /// whose body is gone.
     pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
         let collider = self.colliders.remove(handle.0)?;
-        let (parent, proxy) = (collider.parent(), collider.proxy);
-        self.removed.push(RemovedCollider { handle, parent, proxy, wake_up });
+        self.removed.push(RemovedCollider { handle, wake_up });
         Some(collider)
     }
 
@@ -295,21 +292,6 @@ impl ColliderSet {
     pub(crate) fn at_slot(&self, slot: u32) -> Option<(ColliderHandle, &Collider)> {
         let (index, collider) = self.colliders.at_slot(slot)?;
         Some((ColliderHandle(index), collider))
-    }
-
-    /// Whatever collider stands in a slot, for the step's own use: leaves no note.
-    #[inline]
-    pub(crate) fn at_slot_unnoted_mut(
-        &mut self,
-        slot: u32,
-    ) -> Option<(ColliderHandle, &mut Collider)> {
-        let (index, collider) = self.colliders.at_slot_mut(slot)?;
-        Some((ColliderHandle(index), collider))
-    }
-
-    /// Number of slots, taken or free: every slot number is below it.
-    pub(crate) fn slot_count(&self) -> usize {
-        self.colliders.slot_count()
     }
 }
 

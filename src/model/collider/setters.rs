@@ -212,6 +212,7 @@ impl Collider {
     pub fn set_shape(&mut self, shape: SharedShape) {
         if accepts("set_shape", check_shape(&*shape)) {
             self.shape = shape;
+            self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
             self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
         }
     }
@@ -221,13 +222,19 @@ impl Collider {
     /// The next step looks at what became of it: a shape that cannot be simulated any more (a negative
     /// radius, say) disables the collider, with a warning.
     pub fn shape_mut(&mut self) -> &mut dyn Shape {
-        self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.changes |= ColliderChanges::SHAPE
+            | ColliderChanges::UNCHECKED_SHAPE
+            | ColliderChanges::LOCAL_MASS_PROPERTIES;
         self.shape.make_mut()
     }
 
-    /// Looks at the shape after [`Self::shape_mut`]: if it became impossible, a small stand-in takes
-    /// its place and the collider is disabled.
+    /// Looks at the shape if it was handed out by [`Self::shape_mut`]: if it became impossible, a small
+    /// stand-in takes its place and the collider is disabled.
     pub(crate) fn replace_broken_shape(&mut self) {
+        if !self.changes.contains(ColliderChanges::UNCHECKED_SHAPE) {
+            return;
+        }
+        self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
         if let Err(reason) = check_shape(&*self.shape) {
             log::warn!(
                 "a collider's shape was made unusable, so the collider is disabled: {reason}"
@@ -282,7 +289,9 @@ impl Collider {
             parent_type: self.parent_type,
             proxy: self.proxy,
             flags: ColliderFlags { enabled, ..other.flags },
-            changes: self.changes | ColliderChanges::of_everything_but_the_body(),
+            changes: self.changes
+                | ColliderChanges::of_everything_but_the_body()
+                | (other.changes & ColliderChanges::UNCHECKED_SHAPE),
             ..other.clone()
         };
     }

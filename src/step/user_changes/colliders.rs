@@ -13,6 +13,7 @@ impl Digest<'_> {
         reweighed: &mut Vec<RigidBodyHandle>,
     ) {
         let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
+        collider.replace_broken_shape();
         let changes = core::mem::replace(&mut collider.changes, ColliderChanges::empty());
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
 

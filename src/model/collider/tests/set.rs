@@ -130,7 +130,7 @@ fn a_removed_collider_leaves_its_body_and_its_handle_finds_nothing() {
     assert!(bodies[body].colliders().is_empty());
     let notes = colliders.take_removed();
     assert_eq!(notes.len(), 1);
-    assert_eq!((notes[0].handle, notes[0].parent, notes[0].wake_up), (handle, Some(body), true));
+    assert_eq!((notes[0].handle, notes[0].wake_up), (handle, true));
 
     // The slot is used again, the old handle is not.
     let newer = colliders.insert(removed);
@@ -200,4 +200,16 @@ fn iteration_is_in_the_order_of_slots_and_can_skip_the_disabled() {
 fn indexing_with_a_stale_handle_panics() {
     let colliders = ColliderSet::new();
     let _ = &colliders[ColliderHandle::default()];
+}
+
+#[test]
+fn a_shape_broken_before_it_is_inserted_weighs_nothing_and_is_disabled() {
+    let (mut world, body, _) = World::with_attached();
+    let (mass, extent) = (world.bodies[body].mass(), world.bodies[body].extent);
+    let mut collider = ColliderBuilder::ball(0.1).density(0.0).build();
+    collider.shape_mut().as_ball_mut().expect("a ball").radius = -1.0;
+    let handle = world.colliders.insert_with_parent(collider, body, &mut world.bodies);
+    assert!(!world.colliders[handle].is_enabled());
+    assert_eq!(world.bodies[body].mass(), mass);
+    assert!(world.bodies[body].extent.is_finite() && world.bodies[body].extent >= extent);
 }

@@ -139,7 +139,8 @@ fn a_shape_broken_in_place_is_replaced_and_the_collider_disabled() {
     let mut collider = ColliderBuilder::new(shared.clone()).build();
     collider.changes = Changes::empty();
     collider.shape_mut().as_ball_mut().expect("a ball").radius = 2.0;
-    assert_eq!(collider.changes, Changes::SHAPE | Changes::LOCAL_MASS_PROPERTIES);
+    let expected = Changes::SHAPE | Changes::LOCAL_MASS_PROPERTIES | Changes::UNCHECKED_SHAPE;
+    assert_eq!(collider.changes, expected);
     assert_eq!(shared.as_ball().map(|b| b.radius), Some(1.0), "the shared original");
     collider.replace_broken_shape();
     assert!(collider.is_enabled());

@@ -42,7 +42,7 @@ pub struct Collider {
 
 /// What the user configured, read back.
 impl Collider {
-    /// The number in [`Self::user_data`](struct@Self).
+    /// The number that the user keeps with it.
     pub fn user_data(&self) -> u128 {
         self.user_data
     }
