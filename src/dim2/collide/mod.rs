@@ -1,15 +1,21 @@
 //! Contacts of the shapes that fill scenes, and what of contact generation depends on the dimension.
 
 mod cells;
+mod clip;
 mod cuboid;
+mod edges;
 mod features;
+mod polytope;
 mod reduce;
 #[cfg(test)]
 pub mod samples;
 
 pub use cells::for_each_cell;
+pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
+pub use edges::edge_normal;
 pub use features::box_feature;
+pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
 
 /// Points and normal as the contact generators deliver them, in the frames of the two convex parts.

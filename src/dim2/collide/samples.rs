@@ -1,7 +1,7 @@
 //! Shapes and poses to test contact generation with.
 
 use crate::base::random::Random;
-use crate::dim::math::{Pose, Real, Rotation, Vector};
+use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector};
 use parry::shape::{SharedShape, TriMeshFlags, Voxels};
 
 /// Number of kinds of shapes that [`shape`] makes.
@@ -22,6 +22,18 @@ pub fn vector(random: &mut Random, range: f64) -> Vector {
 /// Any rotation.
 pub fn rotation(random: &mut Random) -> Rotation {
     Rotation::new(random.within(-3.2, 3.2))
+}
+
+/// An angular vector with components in `-range..range`.
+pub fn angle(random: &mut Random, range: f64) -> AngVector {
+    random.within(-range, range)
+}
+
+/// The corners of a box.
+pub fn corners(half: Vector) -> Vec<Vector> {
+    [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+        .map(|[x, y]| Vector::new(x, y) * half)
+        .to_vec()
 }
 
 /// The rotation by `angle` radians in the plane of the first two axes.

@@ -11,9 +11,9 @@ use super::features::box_feature;
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Matrix, Real, Vector};
 
-/// Corners that stick out of the rectangle by up to this share of its size still count as inside, and
-/// corners of the rectangle that are this close to the rim of the parallelogram do not count. Boxes
-/// of equal size are stacked often, and rounding must not decide what their corners are.
+/// By what share the rectangle is enlarged. Boxes of equal size are stacked often: then all corners of
+/// the parallelogram are inside, and rounding does not decide which of them are. What sticks out by
+/// that share is put on the true rim.
 const RIM: Real = 5.0e-3;
 
 /// A reference face and the box that it meets.
@@ -112,8 +112,13 @@ const CORNERS: [[Real; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1
 pub(super) fn face_points(pair: &FacePair, prediction: Real, raw: &mut RawManifold) {
     let incident = Incident::of(pair);
     let (u, v) = pair.axes();
-    let mut overlap =
-        Overlap { pair, incident: &incident, prediction, size: [pair.half[u], pair.half[v]], raw };
+    let mut overlap = Overlap {
+        pair,
+        incident: &incident,
+        prediction,
+        size: [u, v].map(|axis| pair.half[axis] * (1.0 + RIM)),
+        raw,
+    };
     let corners =
         CORNERS.map(|[a, b]| incident.middle + incident.edges[0] * a + incident.edges[1] * b);
     let inside = corners.map(|corner| overlap.contains(corner));
@@ -149,9 +154,9 @@ struct Overlap<'a> {
 }
 
 impl Overlap<'_> {
-    /// Does the point lie in the rectangle, or close to it?
+    /// Does the point lie in the rectangle?
     fn contains(&self, point: Vector) -> bool {
-        point.x.abs() <= self.size[0] * (1.0 + RIM) && point.y.abs() <= self.size[1] * (1.0 + RIM)
+        point.x.abs() <= self.size[0] && point.y.abs() <= self.size[1]
     }
 
     /// Adds the points where an edge of the parallelogram enters and leaves the rectangle.
@@ -200,7 +205,7 @@ impl Overlap<'_> {
             let offset = Vector::new(a * self.size[0] - middle.x, b * self.size[1] - middle.y, 0.0);
             let along_first = (offset.x * second.y - offset.y * second.x) / area;
             let along_second = (first.x * offset.y - first.y * offset.x) / area;
-            if along_first.abs() < 1.0 - RIM && along_second.abs() < 1.0 - RIM {
+            if along_first.abs() < 1.0 && along_second.abs() < 1.0 {
                 let point = middle + first * along_first + second * along_second;
                 self.add(point, [a, b], self.incident.signs(0.0, 0.0));
             }
@@ -216,9 +221,10 @@ impl Overlap<'_> {
         }
         let pair = self.pair;
         let (u, v) = pair.axes();
-        let on_face = unit(u) * seen.x
-            + unit(v) * seen.y
-            + unit(pair.axis) * (pair.sign * pair.half[pair.axis]);
+        let (x, y) =
+            (seen.x.clamp(-pair.half[u], pair.half[u]), seen.y.clamp(-pair.half[v], pair.half[v]));
+        let on_face =
+            unit(u) * x + unit(v) * y + unit(pair.axis) * (pair.sign * pair.half[pair.axis]);
         let on_other = on_face + unit(pair.axis) * (pair.sign * dist);
         let on_other = pair.rotation.transpose() * (on_other - pair.center);
         let signs = unit(u) * sides[0] + unit(v) * sides[1] + unit(pair.axis) * pair.sign;

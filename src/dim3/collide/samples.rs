@@ -1,7 +1,7 @@
 //! Shapes and poses to test contact generation with.
 
 use crate::base::random::Random;
-use crate::dim::math::{Pose, Real, Rotation, Vector};
+use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector};
 use parry::shape::{HeightFieldFlags, SharedShape, TriMeshFlags, Voxels};
 use parry::utils::Array2;
 
@@ -25,6 +25,23 @@ pub fn rotation(random: &mut Random) -> Rotation {
     let mut next = || random.within(-1.0, 1.0);
     let raw = Rotation::from_xyzw(next(), next(), next(), next());
     if raw.length_squared() < 0.01 { Rotation::IDENTITY } else { raw.normalize() }
+}
+
+/// An angular vector with components in `-range..range`.
+pub fn angle(random: &mut Random, range: f64) -> AngVector {
+    vector(random, range)
+}
+
+/// The corners of a box.
+pub fn corners(half: Vector) -> Vec<Vector> {
+    [-1.0, 1.0]
+        .into_iter()
+        .flat_map(|x| {
+            [-1.0, 1.0]
+                .into_iter()
+                .flat_map(move |y| [-1.0, 1.0].map(move |z| Vector::new(x, y, z) * half))
+        })
+        .collect()
 }
 
 /// The rotation by `angle` radians in the plane of the first two axes.

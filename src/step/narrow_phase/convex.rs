@@ -2,9 +2,10 @@
 
 use super::ball::ball_manifold;
 use super::parts::Part;
-use crate::dim::collide::{RawManifold, cuboid_cuboid};
+use super::polytopes::polytope_polytope;
+use super::support::{Core, support_manifold};
+use crate::dim::collide::{Polytope, RawManifold, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
-use parry::query::details::contact_manifold_pfm_pfm;
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::{Shape, TypedShape};
 
@@ -21,7 +22,7 @@ pub(super) fn convex_manifold(
     raw: &mut RawManifold,
 ) -> Option<Real> {
     if part1.constraints.is_some() || part2.constraints.is_some() {
-        return constrained_manifold(pos12, part1, part2, prediction, raw).then_some(0.0);
+        return general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0);
     }
     match (part1.shape.as_typed_shape(), part2.shape.as_typed_shape()) {
         (TypedShape::Cuboid(cuboid1), TypedShape::Cuboid(cuboid2)) => {
@@ -36,18 +37,28 @@ pub(super) fn convex_manifold(
             flip(raw);
             Some(gap)
         }
-        _ => parry_manifold(pos12, part1, part2, prediction, raw).then_some(0.0),
+        _ => {
+            let polytopes = (Polytope::of(part1.shape), Polytope::of(part2.shape));
+            if let (Some(polytope1), Some(polytope2)) = polytopes {
+                return Some(polytope_polytope(pos12, &polytope1, &polytope2, prediction, raw));
+            }
+            general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
+        }
     }
 }
 
-/// The manifold that parry's dispatcher computes; `false` if it does not know such pairs.
-fn parry_manifold(
+/// The manifold of any two convex parts; `false` if nothing is known of such pairs.
+fn general_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
     part2: &Part<'_>,
     prediction: Real,
     raw: &mut RawManifold,
 ) -> bool {
+    if let (Some(core1), Some(core2)) = (Core::of(part1), Core::of(part2)) {
+        support_manifold(pos12, [part1, part2], [core1, core2], prediction, raw);
+        return true;
+    }
     DefaultQueryDispatcher
         .contact_manifold_convex_convex(
             pos12,
@@ -68,36 +79,6 @@ fn flip(raw: &mut RawManifold) {
         core::mem::swap(&mut point.local_p1, &mut point.local_p2);
         core::mem::swap(&mut point.fid1, &mut point.fid2);
     }
-}
-
-/// The manifold of two parts of which one has neighbours that restrict its normal.
-///
-/// The dispatcher's special cases for boxes and capsules know no restrictions, so all polyhedra go
-/// the general way here. `false` if such shapes never touch.
-fn constrained_manifold(
-    pos12: &Pose,
-    part1: &Part<'_>,
-    part2: &Part<'_>,
-    prediction: Real,
-    raw: &mut RawManifold,
-) -> bool {
-    let (features1, features2) =
-        (part1.shape.as_polygonal_feature_map(), part2.shape.as_polygonal_feature_map());
-    let (Some((features1, radius1)), Some((features2, radius2))) = (features1, features2) else {
-        return parry_manifold(pos12, part1, part2, prediction, raw);
-    };
-    contact_manifold_pfm_pfm(
-        pos12,
-        features1,
-        radius1,
-        part1.constraints,
-        features2,
-        radius2,
-        part2.constraints,
-        prediction,
-        raw,
-    );
-    true
 }
 
 /// How far two convex shapes are apart along `direction`, at least; 0 if they overlap along it or if

@@ -15,6 +15,8 @@ mod convex;
 mod generate;
 mod matching;
 mod parts;
+mod polytopes;
+mod support;
 mod update;
 mod voxels;
 #[cfg(test)]

@@ -1,25 +1,11 @@
 //! Boxes against boxes: the pair of which stacks are made.
 
-use super::{assert_sound, manifolds};
+use super::{assert_sound, just_touching, manifolds};
 use crate::base::random::Random;
 use crate::dim::collide::samples;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
-use parry::shape::{Shape, SharedShape};
-
-/// Poses at which two shapes overlap by about `depth` along the line between their centres.
-fn overlapping(shape1: &dyn Shape, shape2: &dyn Shape, depth: Real, random: &mut Random) -> Pose {
-    let direction = samples::rotation(random) * Vector::X;
-    let rotation = samples::rotation(random);
-    let (mut low, mut high) = (0.0, 10.0);
-    for _ in 0..30 {
-        let middle = 0.5 * (low + high);
-        let pose = Pose::from_parts(direction * middle, rotation);
-        let hit = parry::query::intersection_test(&Pose::IDENTITY, shape1, &pose, shape2);
-        if hit.is_ok_and(|hit| hit.intersecting) { low = middle } else { high = middle }
-    }
-    Pose::from_parts(direction * (low - depth), rotation)
-}
+use parry::shape::SharedShape;
 
 fn random_box(random: &mut Random) -> SharedShape {
     let offset = samples::vector(random, 0.4);
@@ -32,7 +18,7 @@ fn the_deepest_point_is_as_deep_as_parry_says() {
     let (mut compared, mut same) = (0, 0);
     for round in 0..3_000 {
         let (shape1, shape2) = (random_box(&mut random), random_box(&mut random));
-        let pos12 = overlapping(&*shape1, &*shape2, 0.03, &mut random);
+        let pos12 = just_touching(&*shape1, &*shape2, 0.03, &mut random);
         let (found, _) = manifolds(&pos12, &*shape1, &*shape2, 0.01);
         assert_sound(&found, &pos12, 0.01, &format!("round {round}"));
         let theirs = parry::query::contact(&Pose::IDENTITY, &*shape1, &pos12, &*shape2, 0.01);
@@ -59,7 +45,7 @@ fn the_points_lie_on_both_surfaces() {
     let mut random = Random(2);
     for round in 0..2_000 {
         let (shape1, shape2) = (random_box(&mut random), random_box(&mut random));
-        let pos12 = overlapping(&*shape1, &*shape2, 0.02, &mut random);
+        let pos12 = just_touching(&*shape1, &*shape2, 0.02, &mut random);
         for manifold in &manifolds(&pos12, &*shape1, &*shape2, 0.05).0 {
             for contact in manifold.contacts() {
                 let surface1 = shape1.distance_to_local_point(contact.local_p1, false).abs();
@@ -80,7 +66,7 @@ fn the_roles_of_the_boxes_do_not_matter() {
     let mut random = Random(3);
     for round in 0..2_000 {
         let (shape1, shape2) = (random_box(&mut random), random_box(&mut random));
-        let pos12 = overlapping(&*shape1, &*shape2, 0.02, &mut random);
+        let pos12 = just_touching(&*shape1, &*shape2, 0.02, &mut random);
         let (one, _) = manifolds(&pos12, &*shape1, &*shape2, 0.02);
         let (other, _) = manifolds(&pos12.inverse(), &*shape2, &*shape1, 0.02);
         let (one, other) = (one[0].deepest_dist(), other[0].deepest_dist());

@@ -3,11 +3,14 @@
 mod boxes;
 mod fuzz;
 mod matching;
+mod polytopes;
 mod timing;
 
-use super::generate::{ManifoldScratch, compute_manifolds};
+use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
-use crate::dim::math::{Pose, Real};
+use crate::base::random::Random;
+use crate::dim::collide::samples;
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use parry::shape::{Shape, SharedShape};
 use smallvec::SmallVec;
@@ -43,6 +46,20 @@ fn manifolds(
     let scratch = &mut ManifoldScratch::default();
     let bound = compute_manifolds(pos12, shape1, shape2, prediction, &[], scratch, &mut found);
     (found, bound)
+}
+
+/// A pose at which two shapes, coming together along a line through the centres, overlap by about
+/// `depth`.
+fn just_touching(shape1: &dyn Shape, shape2: &dyn Shape, depth: Real, random: &mut Random) -> Pose {
+    let direction = samples::rotation(random) * Vector::X;
+    let rotation = samples::rotation(random);
+    let (mut low, mut high) = (0.0, 10.0);
+    for _ in 0..30 {
+        let middle = 0.5 * (low + high);
+        let pose = Pose::from_parts(direction * middle, rotation);
+        if shapes_intersect(&pose, shape1, shape2) { low = middle } else { high = middle }
+    }
+    Pose::from_parts(direction * (low - depth), rotation)
 }
 
 /// Checks what holds for every manifold: points within the prediction, unit normals, finite numbers.

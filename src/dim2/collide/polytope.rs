@@ -1,0 +1,164 @@
+//! Convex shapes with flat faces: boxes, polygons and triangles.
+
+use super::features::box_feature;
+use crate::dim::math::{Real, Vector};
+use parry::shape::{
+    ConvexPolygon, Cuboid, PackedFeatureId, Shape, SupportMap, Triangle, TypedShape,
+};
+
+/// A convex shape with flat faces.
+#[derive(Copy, Clone)]
+pub enum Polytope<'a> {
+    /// A box.
+    Cuboid(&'a Cuboid),
+    /// A convex polygon.
+    Hull(&'a ConvexPolygon),
+    /// A triangle, and whether its corners come counter-clockwise.
+    Triangle(&'a Triangle, bool),
+}
+
+/// A face of a polytope, in the polytope's frame.
+#[derive(Copy, Clone)]
+pub struct Face {
+    /// Its number.
+    pub id: usize,
+    /// Unit outward normal.
+    pub normal: Vector,
+    /// How far it is from the origin along the normal.
+    pub offset: Real,
+}
+
+/// An edge between two faces, which there is none of in the plane.
+#[derive(Copy, Clone)]
+pub struct Edge {
+    /// Its ends.
+    pub ends: [Vector; 2],
+    /// Its feature.
+    pub feature: PackedFeatureId,
+}
+
+/// An end of a face.
+#[derive(Copy, Clone)]
+pub(super) struct Corner {
+    /// Where it is.
+    pub point: Vector,
+    /// Its feature.
+    pub vertex: PackedFeatureId,
+}
+
+impl<'a> Polytope<'a> {
+    /// The polytope that a shape is; `None` if it is none, or has no inside.
+    pub fn of(shape: &'a dyn Shape) -> Option<Self> {
+        match shape.as_typed_shape() {
+            TypedShape::Cuboid(cuboid) => Some(Self::Cuboid(cuboid)),
+            TypedShape::ConvexPolygon(polygon) => Some(Self::Hull(polygon)),
+            TypedShape::Triangle(triangle) => {
+                let [ab, ac] = [triangle.b - triangle.a, triangle.c - triangle.a];
+                let area = ab.perp_dot(ac);
+                (area != 0.0).then_some(Self::Triangle(triangle, area > 0.0))
+            }
+            _ => None,
+        }
+    }
+
+    /// The shape, for searches of closest points.
+    pub fn as_support(&self) -> &'a dyn SupportMap {
+        match *self {
+            Self::Cuboid(cuboid) => cuboid,
+            Self::Hull(polygon) => polygon,
+            Self::Triangle(triangle, _) => triangle,
+        }
+    }
+
+    /// The point that is farthest along a direction.
+    #[inline]
+    pub fn support(&self, direction: Vector) -> Vector {
+        match self {
+            Self::Cuboid(cuboid) => cuboid.half_extents.copysign(direction),
+            Self::Hull(polygon) => polygon.local_support_point(direction),
+            Self::Triangle(triangle, _) => triangle.local_support_point(direction),
+        }
+    }
+
+    /// The face whose normal is closest to a direction.
+    pub fn face_toward(&self, direction: Vector) -> Face {
+        match *self {
+            Self::Cuboid(cuboid) => {
+                let axis = direction.abs().max_position();
+                let is_negative = direction[axis] < 0.0;
+                let normal = if is_negative { -Vector::AXES[axis] } else { Vector::AXES[axis] };
+                let id = 2 * axis + usize::from(is_negative);
+                Face { id, normal, offset: cuboid.half_extents[axis] }
+            }
+            Self::Hull(polygon) => {
+                let (id, normal) = best_normal(polygon.normals().iter().copied(), direction);
+                Face { id, normal, offset: normal.dot(polygon.points()[id]) }
+            }
+            Self::Triangle(..) => {
+                let normals = (0..3).map(|id| {
+                    let [start, end] = self.corners(id);
+                    let along = end.point - start.point;
+                    Vector::new(along.y, -along.x).normalize_or_zero()
+                });
+                let (id, normal) = best_normal(normals, direction);
+                Face { id, normal, offset: normal.dot(self.corners(id)[0].point) }
+            }
+        }
+    }
+
+    /// There are no edges between faces in the plane.
+    pub fn edge_toward(&self, _direction: Vector) -> Option<Edge> {
+        None
+    }
+
+    /// The feature of a face as a whole.
+    pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
+        match self {
+            Self::Cuboid(_) => box_feature(box_face(id)),
+            Self::Hull(_) | Self::Triangle(..) => PackedFeatureId::face(id as u32),
+        }
+    }
+
+    /// The two ends of a face, counter-clockwise.
+    pub(super) fn corners(&self, id: usize) -> [Corner; 2] {
+        match *self {
+            Self::Cuboid(cuboid) => {
+                let normal = box_face(id);
+                let along = normal.perp();
+                [-1.0, 1.0].map(|end| {
+                    let at = normal + along * end;
+                    Corner { point: at * cuboid.half_extents, vertex: box_feature(at) }
+                })
+            }
+            Self::Hull(polygon) => {
+                let points = polygon.points();
+                [id, (id + 1) % points.len()].map(|index| named(points[index], index))
+            }
+            Self::Triangle(triangle, is_counter_clockwise) => {
+                let points = [triangle.a, triangle.b, triangle.c];
+                let ends = [id, (id + 1) % 3].map(|index| named(points[index], index));
+                if is_counter_clockwise { ends } else { [ends[1], ends[0]] }
+            }
+        }
+    }
+}
+
+fn named(point: Vector, index: usize) -> Corner {
+    Corner { point, vertex: PackedFeatureId::vertex(index as u32) }
+}
+
+/// The outward normal of a face of a box.
+fn box_face(id: usize) -> Vector {
+    if id % 2 == 1 { -Vector::AXES[id / 2] } else { Vector::AXES[id / 2] }
+}
+
+fn best_normal(normals: impl Iterator<Item = Vector>, direction: Vector) -> (usize, Vector) {
+    let mut best = (0, Vector::ZERO, Real::NEG_INFINITY);
+    for (id, normal) in normals.enumerate() {
+        let cosine = normal.dot(direction);
+        if cosine > best.2 {
+            best = (id, normal, cosine);
+        }
+    }
+    (best.0, best.1)
+}

@@ -1,0 +1,162 @@
+//! The overlap of two faces of polytopes.
+//!
+//! Sutherland and Hodgman 1974: one polygon is cut by the planes through the edges of the other, one
+//! after the other. Each edge of what is left remembers whether it is an edge of the cut polygon or
+//! lies in one of the planes; where two edges meet, these tell which features of the polytopes do.
+
+use super::polytope::{Corner, Corners, Face, Polytope};
+use super::{RawManifold, RawPoint};
+use crate::dim::math::{Pose, Real, Vector};
+use arrayvec::ArrayVec;
+use parry::shape::PackedFeatureId;
+
+/// Points that stick out of a face by up to this share of its edge still count as inside: faces of
+/// equal size meet often, and rounding must not decide what their corners are. The same share above
+/// the deepest point is still as deep.
+const RIM: Real = 5.0e-3;
+/// Most corners of an overlap.
+const MAX_OVERLAP: usize = 32;
+
+/// A face, whose normal is the contact normal, and the polytope that it meets.
+pub struct FaceContact<'a> {
+    /// The polytope with the face.
+    pub polytope: &'a Polytope<'a>,
+    /// The face.
+    pub face: Face,
+    /// The other polytope.
+    pub other: &'a Polytope<'a>,
+    /// Its pose in the frame of the face.
+    pub pose: &'a Pose,
+}
+
+/// The deepest point of an overlap.
+pub struct Deepest {
+    /// Its distance from the face.
+    pub dist: Real,
+    /// How much deeper another point would have to be to matter.
+    pub tolerance: Real,
+}
+
+/// An edge of the overlap: which edge of the cut polygon, or of the cutting one, it is a part of.
+#[derive(Copy, Clone)]
+enum Edge {
+    Cut(usize),
+    Cutting(usize),
+}
+
+/// A corner of the overlap and the edge that follows it.
+#[derive(Copy, Clone)]
+struct Vertex {
+    point: Vector,
+    edge: Edge,
+}
+
+type Overlap = ArrayVec<Vertex, MAX_OVERLAP>;
+
+/// Adds the corners of the overlap that are within `prediction` above the face; `None` if there is no
+/// overlap. `flipped`: the face is the second shape's.
+pub fn clip_faces(
+    contact: &FaceContact<'_>,
+    prediction: Real,
+    flipped: bool,
+    raw: &mut RawManifold,
+) -> Option<Deepest> {
+    let normal = contact.face.normal;
+    let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal);
+    let cutting = contact.polytope.corners(contact.face.id);
+    let cut = contact.other.corners(other_face.id);
+    let vertex = |(index, corner): (usize, &Corner)| Vertex {
+        point: *contact.pose * corner.point,
+        edge: Edge::Cut(index),
+    };
+    let mut overlap: Overlap = cut.iter().enumerate().map(vertex).collect();
+    for index in 0..cutting.len() {
+        let (from, to) = (cutting[index].point, cutting[(index + 1) % cutting.len()].point);
+        overlap = cut_by(&overlap, index, from, (to - from).cross(normal));
+    }
+    let names = Names {
+        cutting: &cutting,
+        cut: &cut,
+        cutting_face: contact.polytope.face_feature(contact.face.id),
+        cut_face: contact.other.face_feature(other_face.id),
+    };
+    let inverse = contact.pose.inverse();
+    let mut deepest = Real::INFINITY;
+    let mut last = overlap.last()?.edge;
+    for vertex in &overlap {
+        let dist = normal.dot(vertex.point) - contact.face.offset;
+        deepest = deepest.min(dist);
+        if dist <= prediction {
+            let (id, other_id) = names.of(last, vertex.edge);
+            let on_face = vertex.point - normal * dist;
+            let on_other = inverse * vertex.point;
+            raw.points.push(RawPoint::flipped(on_face, on_other, id, other_id, dist, flipped));
+        }
+        last = vertex.edge;
+    }
+    let tolerance = RIM * cutting[0].point.distance(cutting[1].point);
+    Some(Deepest { dist: deepest, tolerance })
+}
+
+/// The part of a polygon that lies below a plane, `outward` being its normal, of the length of the
+/// edge that it contains.
+fn cut_by(polygon: &Overlap, index: usize, on_plane: Vector, outward: Vector) -> Overlap {
+    let rim = RIM * outward.length_squared();
+    let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
+    let mut result = Overlap::new();
+    let Some(first) = polygon.first() else { return result };
+    let height_first = height(first);
+    let mut height_from = height_first;
+    for (position, from) in polygon.iter().enumerate() {
+        let next = polygon.get(position + 1);
+        let (to, height_to) = next.map_or((first, height_first), |next| (next, height(next)));
+        let crossing = || {
+            let share = (height_from / (height_from - height_to)).clamp(0.0, 1.0);
+            from.point + (to.point - from.point) * share
+        };
+        let (leaves, is_deep) = (height_to > rim, height_from < 0.0);
+        if height_from <= rim {
+            // A corner on the rim that the polygon leaves the plane at is the crossing itself.
+            let edge = if leaves && !is_deep { Edge::Cutting(index) } else { from.edge };
+            push(&mut result, from.point, edge);
+        }
+        if leaves && is_deep {
+            push(&mut result, crossing(), Edge::Cutting(index));
+        } else if height_from > rim && height_to < 0.0 {
+            push(&mut result, crossing(), from.edge);
+        }
+        height_from = height_to;
+    }
+    result
+}
+
+fn push(polygon: &mut Overlap, point: Vector, edge: Edge) {
+    // More corners than there is room for cannot come from two faces of the size they have.
+    let _ = polygon.try_push(Vertex { point, edge });
+}
+
+/// What the edges of the overlap are called.
+struct Names<'a> {
+    cutting: &'a Corners,
+    cut: &'a Corners,
+    cutting_face: PackedFeatureId,
+    cut_face: PackedFeatureId,
+}
+
+impl Names<'_> {
+    /// The features of the cutting and the cut polytope where two edges meet.
+    fn of(&self, before: Edge, after: Edge) -> (PackedFeatureId, PackedFeatureId) {
+        match (before, after) {
+            (Edge::Cut(_), Edge::Cut(index)) => (self.cutting_face, self.cut[index].vertex),
+            (Edge::Cut(cut), Edge::Cutting(side)) | (Edge::Cutting(side), Edge::Cut(cut)) => {
+                (self.cutting[side].edge, self.cut[cut].edge)
+            }
+            (Edge::Cutting(side1), Edge::Cutting(side2)) => {
+                // The corner where the later of two neighbouring sides begins.
+                let is_wrap = side1.min(side2) == 0 && side1.max(side2) + 1 == self.cutting.len();
+                let corner = if is_wrap { 0 } else { side1.max(side2) };
+                (self.cutting[corner].vertex, self.cut_face)
+            }
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Convex shapes with flat faces: boxes, hulls and triangles.
+
+use super::cuboid::unit;
+use super::features::box_feature;
+use crate::dim::math::{Real, Vector};
+use arrayvec::ArrayVec;
+use parry::shape::{
+    ConvexPolyhedron, Cuboid, PackedFeatureId, Shape, SupportMap, Triangle, TypedShape,
+};
+
+/// Most corners of a face that are looked at. Of faces with more, some are left out evenly.
+const MAX_CORNERS: usize = 16;
+
+/// A convex shape with flat faces.
+#[derive(Copy, Clone)]
+pub enum Polytope<'a> {
+    /// A box.
+    Cuboid(&'a Cuboid),
+    /// A convex hull.
+    Hull(&'a ConvexPolyhedron),
+    /// A triangle with its unit normal: a hull with two faces.
+    Triangle(&'a Triangle, Vector),
+}
+
+/// A face of a polytope, in the polytope's frame.
+#[derive(Copy, Clone)]
+pub struct Face {
+    /// Its number.
+    pub id: usize,
+    /// Unit outward normal.
+    pub normal: Vector,
+    /// How far it is from the origin along the normal.
+    pub offset: Real,
+}
+
+/// An edge of a polytope, in the polytope's frame.
+#[derive(Copy, Clone)]
+pub struct Edge {
+    /// Its ends.
+    pub ends: [Vector; 2],
+    /// Its feature.
+    pub feature: PackedFeatureId,
+}
+
+/// A corner of a face.
+#[derive(Copy, Clone)]
+pub(super) struct Corner {
+    /// Where it is.
+    pub point: Vector,
+    /// Its feature.
+    pub vertex: PackedFeatureId,
+    /// The feature of the edge to the next corner.
+    pub edge: PackedFeatureId,
+}
+
+/// The corners of a face, counter-clockwise as seen from outside.
+pub(super) type Corners = ArrayVec<Corner, MAX_CORNERS>;
+
+impl<'a> Polytope<'a> {
+    /// The polytope that a shape is; `None` if it is none, or has no inside and no normal.
+    pub fn of(shape: &'a dyn Shape) -> Option<Self> {
+        match shape.as_typed_shape() {
+            TypedShape::Cuboid(cuboid) => Some(Self::Cuboid(cuboid)),
+            TypedShape::ConvexPolyhedron(hull) => Some(Self::Hull(hull)),
+            TypedShape::Triangle(triangle) => Some(Self::Triangle(triangle, triangle.normal()?)),
+            _ => None,
+        }
+    }
+
+    /// The shape, for searches of closest points.
+    pub fn as_support(&self) -> &'a dyn SupportMap {
+        match *self {
+            Self::Cuboid(cuboid) => cuboid,
+            Self::Hull(hull) => hull,
+            Self::Triangle(triangle, _) => triangle,
+        }
+    }
+
+    /// The point that is farthest along a direction.
+    #[inline]
+    pub fn support(&self, direction: Vector) -> Vector {
+        match self {
+            Self::Cuboid(cuboid) => cuboid.half_extents.copysign(direction),
+            Self::Hull(hull) => hull.local_support_point(direction),
+            Self::Triangle(triangle, _) => triangle.local_support_point(direction),
+        }
+    }
+
+    /// The face whose normal is closest to a direction.
+    pub fn face_toward(&self, direction: Vector) -> Face {
+        match *self {
+            Self::Cuboid(cuboid) => {
+                let axis = direction.abs().max_position();
+                let is_negative = direction[axis] < 0.0;
+                let normal = if is_negative { -unit(axis) } else { unit(axis) };
+                let id = 2 * axis + usize::from(is_negative);
+                Face { id, normal, offset: cuboid.half_extents[axis] }
+            }
+            Self::Hull(hull) => {
+                let mut best = (0, Real::NEG_INFINITY);
+                for (id, face) in hull.faces().iter().enumerate() {
+                    let cosine = face.normal.dot(direction);
+                    if cosine > best.1 {
+                        best = (id, cosine);
+                    }
+                }
+                let face = &hull.faces()[best.0];
+                let vertex = hull.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
+                let offset = face.normal.dot(hull.points()[vertex as usize]);
+                Face { id: best.0, normal: face.normal, offset }
+            }
+            Self::Triangle(triangle, normal) => {
+                let is_back = normal.dot(direction) < 0.0;
+                let normal = if is_back { -normal } else { normal };
+                Face { id: usize::from(is_back), normal, offset: normal.dot(triangle.a) }
+            }
+        }
+    }
+
+    /// The edge that is farthest along a direction: the one at the farthest corner that falls off
+    /// least.
+    pub fn edge_toward(&self, direction: Vector) -> Option<Edge> {
+        match *self {
+            Self::Cuboid(cuboid) => {
+                let half = cuboid.half_extents;
+                let axis = (direction * half).abs().min_position();
+                let mut signs = Vector::ONE.copysign(direction);
+                signs[axis] = 0.0;
+                let (middle, along) = (signs * half, unit(axis) * half);
+                Some(Edge { ends: [middle - along, middle + along], feature: box_feature(signs) })
+            }
+            Self::Hull(hull) => hull_edge(hull, direction),
+            Self::Triangle(triangle, _) => {
+                let points = [triangle.a, triangle.b, triangle.c];
+                let heights = Vector::from_array(points.map(|point| point.dot(direction)));
+                // Edge 0 is opposite of corner 2, and so on round.
+                let id = (heights.min_position() + 1) % 3;
+                let ends = [points[id], points[(id + 1) % 3]];
+                Some(Edge { ends, feature: PackedFeatureId::edge(id as u32) })
+            }
+        }
+    }
+
+    /// The feature of a face as a whole.
+    pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
+        match self {
+            Self::Cuboid(_) => box_feature(box_face(id)),
+            Self::Hull(_) | Self::Triangle(..) => PackedFeatureId::face(id as u32),
+        }
+    }
+
+    /// The corners of a face.
+    pub(super) fn corners(&self, id: usize) -> Corners {
+        match *self {
+            Self::Cuboid(cuboid) => box_corners(cuboid.half_extents, id),
+            Self::Hull(hull) => hull_corners(hull, id),
+            Self::Triangle(triangle, _) => triangle_corners(triangle, id == 1),
+        }
+    }
+}
+
+/// The outward normal of a face of a box.
+fn box_face(id: usize) -> Vector {
+    if id % 2 == 1 { -unit(id / 2) } else { unit(id / 2) }
+}
+
+fn box_corners(half: Vector, id: usize) -> Corners {
+    let axis = id / 2;
+    let normal = box_face(id);
+    let (u, v) = (unit((axis + 1) % 3), unit((axis + 2) % 3));
+    // Counter-clockwise about +axis; the other way round for the negative face.
+    let (u, v) = if id % 2 == 1 { (v, u) } else { (u, v) };
+    let signs = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+    let corner = |index: usize| {
+        let (a, b) = signs[index];
+        let at = normal + u * a + v * b;
+        let along = if index % 2 == 0 { normal + v * b } else { normal + u * a };
+        Corner { point: at * half, vertex: box_feature(at), edge: box_feature(along) }
+    };
+    (0..4).map(corner).collect()
+}
+
+fn hull_edge(hull: &ConvexPolyhedron, direction: Vector) -> Option<Edge> {
+    let points = hull.points();
+    let mut top = (0, Real::NEG_INFINITY);
+    for (index, point) in points.iter().enumerate() {
+        let height = point.dot(direction);
+        if height > top.1 {
+            top = (index as u32, height);
+        }
+    }
+    let mut best = (None, Real::NEG_INFINITY);
+    for (id, edge) in hull.edges().iter().enumerate() {
+        let [a, b] = edge.vertices;
+        if a == top.0 || b == top.0 {
+            let height = points[(a + b - top.0) as usize].dot(direction);
+            if height > best.1 {
+                best = (Some((id, [a, b])), height);
+            }
+        }
+    }
+    let (id, ends) = best.0?;
+    let ends = ends.map(|end| points[end as usize]);
+    Some(Edge { ends, feature: PackedFeatureId::edge(id as u32) })
+}
+
+fn hull_corners(hull: &ConvexPolyhedron, id: usize) -> Corners {
+    let face = &hull.faces()[id];
+    let (first, count) = (face.first_vertex_or_edge as usize, face.num_vertices_or_edges as usize);
+    let vertices = &hull.vertices_adj_to_face()[first..first + count];
+    let edges = &hull.edges_adj_to_face()[first..first + count];
+    let kept = count.min(MAX_CORNERS);
+    (0..kept)
+        .map(|index| {
+            let index = index * count / kept;
+            Corner {
+                point: hull.points()[vertices[index] as usize],
+                vertex: PackedFeatureId::vertex(vertices[index]),
+                edge: PackedFeatureId::edge(edges[index]),
+            }
+        })
+        .collect()
+}
+
+fn triangle_corners(triangle: &Triangle, is_back: bool) -> Corners {
+    let points = [triangle.a, triangle.b, triangle.c];
+    // From behind the corners come the other way round, but keep their names.
+    let [order, edges] = if is_back { [[0, 2, 1], [2, 1, 0]] } else { [[0, 1, 2], [0, 1, 2]] };
+    (0..3)
+        .map(|index| Corner {
+            point: points[order[index]],
+            vertex: PackedFeatureId::vertex(order[index] as u32),
+            edge: PackedFeatureId::edge(edges[index] as u32),
+        })
+        .collect()
+}

@@ -1,0 +1,198 @@
+//! Two polytopes: the face that separates them best, clipped against the face it meets.
+//!
+//! A contact that was there a step ago has hardly changed: the face of either polytope that looks along
+//! the last normal is tried first. If the clipped faces have a point as deep as the support point of
+//! the other polytope, no direction near by separates the two better, and for polytopes that are
+//! apart no direction at all does: the search is over. The same holds for the two edges that are
+//! farthest along the last normal, if no corner is deeper. Else the closest points are searched, which
+//! takes several times as long.
+
+use crate::base::closest::{Closest, closest, extents};
+use crate::dim::collide::{
+    Face, FaceContact, Polytope, RawManifold, RawPoint, clip_faces, edge_normal,
+};
+use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::PackedFeatureId;
+
+/// How much more overlap a face may have than a pair of edges and still be preferred, and how much
+/// more than another face if it is that of last time, as a share of the polytopes' thickness.
+const TOLERANCE: Real = 0.005;
+/// Of equal faces the first polytope's is taken: the share of the tolerance that decides.
+const FIRST_FACE: Real = 0.1;
+/// A face with at least this cosine to the normal of last time is the same face.
+const SAME_AXIS: Real = 0.98;
+/// Overlaps deeper than this share of the thickness are searched anew: a face on another side may
+/// have become the better one.
+const DEEP: Real = 0.25;
+
+/// How much deeper than two edges other corners may be, as a share of the shorter edge.
+const EDGE_DEPTH: Real = 1.0e-3;
+
+/// Two polytopes, and how far apart contacts are wanted.
+struct Pair<'a> {
+    pos12: &'a Pose,
+    pos21: Pose,
+    polytope1: &'a Polytope<'a>,
+    polytope2: &'a Polytope<'a>,
+    prediction: Real,
+}
+
+/// A face that may separate the polytopes.
+#[derive(Copy, Clone)]
+struct Separation {
+    /// How far the polytopes are apart along its normal.
+    gap: Real,
+    /// The normal in the first frame, from the first polytope to the second.
+    normal: Vector,
+    face: Face,
+    is_first: bool,
+}
+
+/// Computes the contacts of two polytopes into `raw`, whose `local_n1` is the normal of last time, or
+/// zero. Returns a lower bound of the distance, 0 if nothing is known of it.
+pub(super) fn polytope_polytope(
+    pos12: &Pose,
+    polytope1: &Polytope<'_>,
+    polytope2: &Polytope<'_>,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Real {
+    let pair = Pair { pos12, pos21: pos12.inverse(), polytope1, polytope2, prediction };
+    let hint = raw.local_n1;
+    let is_known = hint != Vector::ZERO;
+    let guess = if is_known { hint } else { pos12.translation.normalize_or(Vector::Y) };
+    let best = pair.best_face(guess, hint);
+    if best.gap > prediction {
+        raw.local_n1 = best.normal;
+        return best.gap;
+    }
+    let were_faces = best.normal.dot(guess) > SAME_AXIS;
+    for try_faces in [were_faces, !were_faces] {
+        let gap = if try_faces { pair.add_face(&best, raw) } else { pair.add_edges(guess, raw) };
+        // Without a last normal, only polytopes that are apart tell that the guess was right.
+        match gap {
+            Some(gap) if gap > prediction => return gap,
+            Some(gap) if gap >= 0.0 || is_known && pair.is_shallow(gap, raw.local_n1) => {
+                return 0.0;
+            }
+            _ => raw.points.clear(),
+        }
+    }
+    pair.search(hint, raw);
+    0.0
+}
+
+impl Pair<'_> {
+    /// The best separation along the faces that look along `direction`.
+    fn best_face(&self, direction: Vector, hint: Vector) -> Separation {
+        let (first, second) = (self.first_face(direction), self.second_face(direction));
+        let [bonus1, bonus2] =
+            [first, second].map(|face| if face.normal.dot(hint) > SAME_AXIS { 1.0 } else { 0.0 });
+        let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
+        let advantage = (bonus1 - bonus2 + FIRST_FACE) * scale;
+        if first.gap + advantage >= second.gap { first } else { second }
+    }
+
+    fn first_face(&self, direction: Vector) -> Separation {
+        let face = self.polytope1.face_toward(direction);
+        let lowest = self.polytope2.support(self.pos21.rotation * -face.normal);
+        let gap = face.normal.dot(*self.pos12 * lowest) - face.offset;
+        Separation { gap, normal: face.normal, face, is_first: true }
+    }
+
+    fn second_face(&self, direction: Vector) -> Separation {
+        let face = self.polytope2.face_toward(self.pos21.rotation * -direction);
+        let normal = self.pos12.rotation * -face.normal;
+        let highest = self.polytope1.support(normal);
+        let gap = face.normal.dot(self.pos21 * highest) - face.offset;
+        Separation { gap, normal, face, is_first: false }
+    }
+
+    /// Is the overlap small against the polytopes?
+    fn is_shallow(&self, gap: Real, normal: Vector) -> bool {
+        -gap < self.prediction || -gap < DEEP * self.thickness(normal)
+    }
+
+    /// The smaller of the extents of the two along a direction.
+    fn thickness(&self, direction: Vector) -> Real {
+        let (shape1, shape2) = (self.polytope1.as_support(), self.polytope2.as_support());
+        extents(self.pos12, shape1, shape2, direction).thickness
+    }
+
+    /// Adds the contacts of a face. Returns how far the polytopes are apart, if this is where they are
+    /// closest.
+    fn add_face(&self, separation: &Separation, raw: &mut RawManifold) -> Option<Real> {
+        raw.local_n1 = separation.normal;
+        let (pose, polytope, other) = if separation.is_first {
+            (self.pos12, self.polytope1, self.polytope2)
+        } else {
+            (&self.pos21, self.polytope2, self.polytope1)
+        };
+        let contact = FaceContact { polytope, face: separation.face, other, pose };
+        let deepest = clip_faces(&contact, self.prediction, !separation.is_first, raw)?;
+        (deepest.dist <= separation.gap + deepest.tolerance).then_some(separation.gap)
+    }
+
+    /// Adds the contact of the two edges that are closest along `direction`. Returns how far the
+    /// polytopes are apart, if this is where they are closest.
+    fn add_edges(&self, direction: Vector, raw: &mut RawManifold) -> Option<Real> {
+        let edge1 = self.polytope1.edge_toward(direction)?;
+        let edge2 = self.polytope2.edge_toward(self.pos21.rotation * -direction)?;
+        let [start1, end1] = edge1.ends;
+        let [start2, end2] = edge2.ends.map(|end| *self.pos12 * end);
+        let (along1, along2) = (end1 - start1, end2 - start2);
+        let normal = edge_normal(along1, along2)?;
+        let normal = if normal.dot(direction) < 0.0 { -normal } else { normal };
+        // The points of the two lines that are closest, as shares of the edges.
+        let offset = start2 - start1;
+        let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
+        let (d, e, area) = (along1.dot(offset), along2.dot(offset), a * c - b * b);
+        let (share1, share2) = ((c * d - b * e) / area, (b * d - a * e) / area);
+        let is_inside = |share: Real| (0.0..=1.0).contains(&share);
+        if !(is_inside(share1) && is_inside(share2)) {
+            return None;
+        }
+        let (gap, dist) = (self.gap_along(normal), offset.dot(normal));
+        if dist > gap + EDGE_DEPTH * a.min(c).sqrt() {
+            return None; // other corners are deeper
+        }
+        raw.local_n1 = normal;
+        let (p1, p2) = (start1 + along1 * share1, self.pos21 * (start2 + along2 * share2));
+        if dist <= self.prediction {
+            raw.points.push(RawPoint::new(p1, p2, edge1.feature, edge2.feature, dist));
+        }
+        Some(gap)
+    }
+
+    /// How far the polytopes are apart along a unit vector of the first frame.
+    fn gap_along(&self, direction: Vector) -> Real {
+        let highest = self.polytope1.support(direction);
+        let lowest = self.polytope2.support(self.pos21.rotation * -direction);
+        direction.dot(*self.pos12 * lowest - highest)
+    }
+
+    /// Searches the direction of least overlap, and adds the contacts there.
+    fn search(&self, hint: Vector, raw: &mut RawManifold) {
+        let (shape1, shape2) = (self.polytope1.as_support(), self.polytope2.as_support());
+        match closest(self.pos12, shape1, shape2, self.prediction, hint) {
+            Closest::Apart(direction) => raw.local_n1 = direction,
+            Closest::Near { point1, point2, normal, dist } => {
+                let best = self.best_face(normal, hint);
+                let tolerance = TOLERANCE * self.thickness(normal);
+                if best.gap >= dist - tolerance {
+                    self.add_face(&best, raw);
+                    if !raw.points.is_empty() {
+                        return;
+                    }
+                } else if self.add_edges(normal, raw).is_some_and(|gap| gap >= dist - tolerance) {
+                    return;
+                }
+                raw.points.clear();
+                raw.local_n1 = normal;
+                let unknown = PackedFeatureId::UNKNOWN;
+                let local_p2 = self.pos21 * point2;
+                raw.points.push(RawPoint::new(point1, local_p2, unknown, unknown, dist));
+            }
+        }
+    }
+}

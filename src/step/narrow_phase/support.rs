@@ -1,0 +1,99 @@
+//! Two convex parts of any kind: closest points, then the features of the two that meet there.
+
+use super::parts::Part;
+use crate::base::closest::{Closest, closest, extents};
+use crate::dim::collide::{RawManifold, RawPoint};
+use crate::dim::math::{DIM, Pose, Real, Vector};
+use parry::query::details::NormalConstraintsPair;
+use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap};
+
+/// The closest points are a contact of their own only if they are deeper than those of the features
+/// by more than this share of the parts' thickness.
+const DEEPER: Real = 0.01;
+/// A normal that was bent towards what neighbours allow may show overlaps of far ends of the parts:
+/// points that are deeper than the true overlap by this factor are not believed.
+const BENT_DEPTH: Real = 5.0;
+
+/// A part without its rounding.
+#[derive(Copy, Clone)]
+pub(super) struct Core<'a> {
+    /// The sharp shape.
+    pub shape: &'a dyn PolygonalFeatureMap,
+    /// How thick the layer around it is (length units).
+    pub radius: Real,
+}
+
+impl<'a> Core<'a> {
+    /// The core of a part; `None` if it has no faces and edges to speak of.
+    pub fn of(part: &Part<'a>) -> Option<Self> {
+        let (shape, radius) = part.shape.as_polygonal_feature_map()?;
+        Some(Self { shape, radius })
+    }
+}
+
+/// Computes the contacts of two parts into `raw`, whose `local_n1` is the normal of last time, or zero.
+pub(super) fn support_manifold(
+    pos12: &Pose,
+    parts: [&Part<'_>; 2],
+    cores: [Core<'_>; 2],
+    prediction: Real,
+    raw: &mut RawManifold,
+) {
+    let [core1, core2] = cores;
+    let radius = core1.radius + core2.radius;
+    let found = closest(pos12, core1.shape, core2.shape, prediction + radius, raw.local_n1);
+    let (point1, point2, normal, dist) = match found {
+        Closest::Apart(direction) => {
+            raw.local_n1 = direction;
+            return;
+        }
+        Closest::Near { point1, point2, normal, dist } => (point1, point2, normal, dist),
+    };
+    let mut local_n1 = normal;
+    let mut local_n2 = pos12.rotation.inverse() * -normal;
+    let constraints = (parts[0].constraints, parts[1].constraints);
+    raw.local_n1 = normal;
+    if !constraints.project_local_normals(pos12, &mut local_n1, &mut local_n2) {
+        return;
+    }
+    let point2 = pos12.inverse_transform_point(point2);
+    let (mut feature1, mut feature2) = (PolygonalFeature::default(), PolygonalFeature::default());
+    core1.shape.local_support_feature_toward(local_n1, point1, &mut feature1);
+    core2.shape.local_support_feature_toward(local_n2, point2, &mut feature2);
+    let pos21 = pos12.inverse();
+    PolygonalFeature::contacts(pos12, &pos21, local_n1, local_n2, &feature1, &feature2, raw, false);
+    let is_bent = local_n1 != normal;
+    if is_bent {
+        raw.points.retain(|point| dist >= 0.0 || point.dist >= BENT_DEPTH * dist);
+    } else {
+        add_closest(pos12, cores, [point1, point2], dist, raw);
+    }
+    raw.local_n1 = local_n1;
+    raw.local_n2 = local_n2;
+    for point in &mut raw.points {
+        point.local_p1 += local_n1 * core1.radius;
+        point.local_p2 += local_n2 * core2.radius;
+        point.dist -= radius;
+    }
+}
+
+/// Adds the closest points, whose features are not known, if the features have missed them.
+fn add_closest(
+    pos12: &Pose,
+    [core1, core2]: [Core<'_>; 2],
+    [point1, point2]: [Vector; 2],
+    dist: Real,
+    raw: &mut RawManifold,
+) {
+    let deepest = raw.points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
+    let is_needed = if DIM == 2 {
+        raw.points.is_empty() // two points are all that there can be
+    } else {
+        let thickness = extents(pos12, core1.shape, core2.shape, raw.local_n1).thickness;
+        dist < deepest - DEEPER * thickness
+    };
+    if is_needed {
+        let unknown = PackedFeatureId::UNKNOWN;
+        raw.points.push(RawPoint::new(point1, point2, unknown, unknown, dist));
+    }
+}
