@@ -32,11 +32,6 @@ pub(crate) struct BoxMargin {
 }
 
 impl BoxMargin {
-    /// The margin of a collider that stays where it is.
-    pub fn at_rest(reach: Real) -> Self {
-        Self { reach, travel: Vector::ZERO }
-    }
-
     /// The box in which contacts must be found; `None` if it is not finite.
     pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
         if !(tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite()) {

@@ -8,7 +8,6 @@
 mod enlarge;
 mod placement;
 mod proxy;
-mod refresh;
 mod shape_box;
 #[cfg(test)]
 mod tests;

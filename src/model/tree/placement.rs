@@ -3,7 +3,7 @@
 use super::{BoxMargin, BroadPhaseBvh, TreeKind, shape_box};
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBody;
-use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::collider::{ActiveCollisionTypes, Collider, ColliderHandle};
 use crate::model::params::IntegrationParameters;
 
 impl BroadPhaseBvh {
@@ -21,6 +21,10 @@ impl BroadPhaseBvh {
         }
         let movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
         let kind = if movable { TreeKind::Movable } else { TreeKind::Fixed };
+        if kind == TreeKind::Fixed {
+            let types = collider.active_collision_types();
+            self.fixed_meet |= types.intersects(ActiveCollisionTypes::FIXED_FIXED);
+        }
         let soft_ccd = body.map_or(0.0, |body| body.soft_ccd_prediction);
         let margin = BoxMargin {
             reach: reach(params, collider.contact_skin, soft_ccd),

@@ -12,6 +12,11 @@ fn handle(slot: u32) -> ColliderHandle {
     ColliderHandle::from_raw_parts(slot, 0)
 }
 
+/// The margin of a collider that stays where it is.
+fn at_rest(reach: Real) -> BoxMargin {
+    BoxMargin { reach, travel: Vector::ZERO }
+}
+
 fn cube(center: Vector) -> Aabb {
     Aabb::from_half_extents(center, Vector::splat(0.5))
 }
@@ -37,7 +42,7 @@ fn boxes_of_shapes_agree_with_parry() {
 #[test]
 fn a_small_motion_changes_nothing_and_a_large_one_does() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
-    let margin = BoxMargin::at_rest(0.01);
+    let margin = at_rest(0.01);
     assert!(tree.place(handle(3), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin));
     assert_eq!(tree.moved(), [3]);
     tree.clear_moved();
@@ -68,7 +73,7 @@ fn motion_makes_room_ahead() {
 #[test]
 fn a_collider_stands_in_one_tree() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
-    let (margin, tight) = (BoxMargin::at_rest(0.01), cube(Vector::ZERO));
+    let (margin, tight) = (at_rest(0.01), cube(Vector::ZERO));
     for kind in [TreeKind::Movable, TreeKind::Fixed, TreeKind::Movable] {
         assert!(tree.place(handle(0), &mut proxy, kind, &tight, &margin));
         let counts = [TreeKind::Fixed, TreeKind::Movable].map(|kind| tree.boxes(kind).leaf_count());
@@ -84,7 +89,7 @@ fn a_collider_stands_in_one_tree() {
 #[test]
 fn boxes_that_are_not_finite_are_left_out() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
-    let margin = BoxMargin::at_rest(0.01);
+    let margin = at_rest(0.01);
     for bad in [Real::NAN, Real::INFINITY] {
         tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin);
         assert!(proxy.tree.is_some());
@@ -96,7 +101,7 @@ fn boxes_that_are_not_finite_are_left_out() {
 #[test]
 fn half_spaces_and_far_colliders_work() {
     let mut tree = BroadPhaseBvh::new();
-    let margin = BoxMargin::at_rest(0.01);
+    let margin = at_rest(0.01);
     let ground = HalfSpace::new(Vector::Y).compute_aabb(&Pose::IDENTITY);
     let mut proxies = [ColliderProxy::default(); 200];
     tree.place(handle(0), &mut proxies[0], TreeKind::Fixed, &ground, &margin);
