@@ -10,6 +10,7 @@ use crate::base::guard::guarded;
 use crate::base::hash::FastHashMap;
 use parry::shape::ConvexPolyhedron;
 use parry::transformation::try_convex_hull;
+use parry::utils::remove_unused_points;
 
 /// What convex hulls are.
 pub type ConvexShape = ConvexPolyhedron;
@@ -40,13 +41,15 @@ pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
 
 /// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all
 /// with the same winding; `None` if they do not enclose anything. The indices must be in range.
-pub fn convex_mesh(points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
-    let frame = UnitBox::around(&points)?;
+pub fn convex_mesh(mut points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
     let in_range = |corner: &u32| (*corner as usize) < points.len();
     if !triangles.iter().flatten().all(in_range) || !is_closed(triangles) {
         return None;
     }
-    match solid(&points, triangles, &frame) {
+    let mut triangles = triangles.to_vec();
+    remove_unused_points(&mut points, &mut triangles); // They would count as corners of the solid.
+    let frame = UnitBox::around(&points)?;
+    match solid(&points, &triangles, &frame) {
         Solid::Fine(solid) => Some(*solid),
         Solid::Empty => None,
         Solid::Crooked => convex_hull(&points),

@@ -206,6 +206,10 @@ mod tests {
             let solid = ColliderBuilder::convex_mesh(points.clone(), triangles).expect("a box");
             assert!((solid.build().volume() - 8.0).abs() < 1.0e-4);
         }
+        let mut more = points.clone();
+        more.push(Vector::splat(50.0));
+        let solid = ColliderBuilder::convex_mesh(more, &indices).expect("a box").build();
+        assert_eq!(solid.compute_aabb().maxs, Vector::ONE, "the unused corner is none");
         let mut mixed = indices.clone();
         mixed[0].swap(0, 1);
         let flat: Vec<_> = points.iter().map(|p| *p * Vector::new(1.0, 0.0, 1.0)).collect();

@@ -1,6 +1,7 @@
 //! Every constructor that all dimensions share, with what it should take and what it must not.
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
+use crate::base::random::Random;
 use crate::dim::math::{DIM, Pose, Real, Vector, rotation_from_angle, torque};
 use crate::model::collider::{ColliderBuilder, InvalidCollider, MeshConverter};
 use parry::math::IVector;
@@ -265,5 +266,38 @@ fn a_turned_box_fits_a_turned_mesh() {
         assert!(aabb.center().abs_diff_eq(X * 5.0, 1.0e-4), "{angle}: {aabb:?}");
         let tip = turn * (X * 3.0 + Y);
         assert!(collider.shape().distance_to_point(collider.position(), tip, true) < 1.0e-3);
+    }
+}
+
+#[test]
+fn no_soup_of_elements_makes_a_constructor_panic() {
+    let mut random = Random(5);
+    let params = VHACDParameters { resolution: 8, max_convex_hulls: 8, ..Default::default() };
+    for round in 0..150 {
+        let count = 1 + random.below(9);
+        let coarse = |v: Real| if round % 2 == 0 { v.round() } else { v };
+        let mut coordinate = || coarse(random.within(-2.0, 2.0));
+        let vertices: Vec<Vector> = (0..count)
+            .map(|_| Vector::from_array(core::array::from_fn(|_| coordinate())))
+            .collect();
+        let mut index = || random.below(count) as u32;
+        let triangles: Vec<[u32; 3]> = (0..12).map(|_| core::array::from_fn(|_| index())).collect();
+        let surface: Vec<[u32; DIM]> = (0..12).map(|_| core::array::from_fn(|_| index())).collect();
+        for flag in TriMeshFlags::all().iter().chain([TriMeshFlags::all()]) {
+            let mesh =
+                ColliderBuilder::trimesh_with_flags(vertices.clone(), triangles.clone(), flag);
+            assert!(mesh.is_err() || mesh.is_ok_and(|mesh| mesh.try_build().is_ok()));
+        }
+        let fill = FillMode::default();
+        let all = [
+            ColliderBuilder::voxelized_mesh(&vertices, &surface, 0.5, fill),
+            ColliderBuilder::convex_decomposition_with_params(&vertices, &surface, &params),
+        ];
+        for builder in all {
+            let collider = builder.build();
+            let properties = collider.mass_properties();
+            assert!(crate::dim::mass::mass_is_valid(&properties), "{properties:?}");
+            assert!(collider.compute_aabb().half_extents().is_finite());
+        }
     }
 }
