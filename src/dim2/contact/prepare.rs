@@ -191,6 +191,9 @@ fn write_approach<W: Wide>(
 }
 
 /// Applies the impulses that the last step ended with.
+///
+/// # Safety
+/// As [`gather_states`] and [`scatter_velocities`], for the bodies of the block.
 #[inline(always)]
 unsafe fn warm_start<W: Wide>(
     block: &ContactBlock,

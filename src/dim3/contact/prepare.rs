@@ -328,6 +328,9 @@ impl<W: Wide> NormalRow<W> {
 }
 
 /// Applies the impulses that the last step ended with.
+///
+/// # Safety
+/// As [`gather_states`] and [`scatter_velocities`], for the bodies of the block.
 #[inline(always)]
 unsafe fn warm_start<W: Wide>(
     block: &ContactBlock,

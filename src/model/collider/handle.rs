@@ -1,3 +1,5 @@
+//! What finds a collider.
+
 use crate::base::arena::Index;
 
 /// Finds a collider in its set. Stays valid until the collider is removed, and finds nothing after that.

@@ -1,0 +1,247 @@
+//! Which room may use which: docs/architecture.md's table, as code.
+//!
+//! Every path that begins with `crate::` or climbs with `super::` is followed to the room it leads to.
+//! Globs are not allowed, because they hide what is used.
+
+use crate::Complaint;
+use crate::source::Source;
+
+/// A part of `src/` that the table knows.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+enum Room<'a> {
+    Base,
+    /// Vocabulary of a dimension.
+    Dim,
+    /// Contact constraints of a dimension: vocabulary of the solver, which may know parameters.
+    DimContact,
+    /// What a user calls differently in each dimension: inherent methods of the model's types.
+    DimSurface,
+    Model,
+    /// The names in `step/` that every stage may use.
+    Notes,
+    Stage(&'a str),
+    Step,
+    DebugRender,
+    Api,
+    /// `lib2d.rs` and `lib3d.rs`.
+    Door,
+}
+
+/// Files of `step/` that are no stages but what stages say to each other.
+const NOTES: [&str; 1] = ["notes"];
+
+/// Files that may use globs, and why.
+const GLOBS: [(&str, &str); 2] = [
+    ("src/api/prelude.rs", "gathers all public names"),
+    ("src/api/geometry.rs", "gathers the shapes' names, which differ by dimension"),
+];
+
+impl<'a> Room<'a> {
+    /// The room that a module path leads to; `None` if it names no room.
+    fn of(path: &[&'a str]) -> Option<Self> {
+        Some(match path {
+            [] | ["lib2d" | "lib3d", ..] => Self::Door,
+            ["base", ..] => Self::Base,
+            ["dim" | "dim2" | "dim3", "contact", ..] => Self::DimContact,
+            ["dim" | "dim2" | "dim3", "surface", ..] => Self::DimSurface,
+            ["dim" | "dim2" | "dim3", ..] => Self::Dim,
+            ["model", ..] => Self::Model,
+            ["step", notes, ..] if NOTES.contains(notes) => Self::Notes,
+            ["step", stage, ..] if stage.starts_with(char::is_lowercase) && *stage != "mod" => {
+                Self::Stage(stage)
+            }
+            ["step", ..] => Self::Step,
+            ["debug_render", ..] => Self::DebugRender,
+            ["api" | "data" | "dynamics" | "geometry" | "math" | "pipeline" | "prelude", ..] => {
+                Self::Api
+            }
+            _ => return None,
+        })
+    }
+
+    /// May this room use that one?
+    fn may_use(self, other: Self) -> bool {
+        use Room::{
+            Api, Base, DebugRender, Dim, DimContact, DimSurface, Door, Model, Notes, Stage, Step,
+        };
+        match self {
+            _ if self == other => true,
+            Door | Api => true,
+            Base => false,
+            Dim => other == Base,
+            DimContact | DimSurface | Notes | DebugRender => matches!(other, Base | Dim | Model),
+            Model => matches!(other, Base | Dim),
+            Stage(_) => matches!(other, Base | Dim | DimContact | Model | Notes),
+            Step => matches!(other, Base | Dim | Model | Notes | Stage(_)),
+        }
+    }
+}
+
+/// Complains of arrows that point up, of stages that use each other, and of globs.
+pub fn check(sources: &[Source]) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    for source in sources {
+        if let Some(path) = source.in_engine() {
+            check_file(source, &module_path(path), &mut complaints);
+        }
+    }
+    complaints
+}
+
+/// `step/solver/mod.rs` → `step`, `solver`.
+fn module_path(path: &str) -> Vec<&str> {
+    let path = path.strip_suffix(".rs").unwrap_or(path);
+    path.strip_suffix("/mod").unwrap_or(path).split('/').collect()
+}
+
+fn check_file(source: &Source, module: &[&str], complaints: &mut Vec<Complaint>) {
+    let Some(here) = Room::of(module) else {
+        complaints.push(Complaint::new(&source.path, 1, "is in no room of docs/architecture.md"));
+        return;
+    };
+    let mut inline = InlineModules::default();
+    for at in 0..source.tokens.len() {
+        inline.pass(source, at);
+        let line = source.tokens[at].line;
+        if source.token(at) == "*" && is_foreign_glob(source, at) {
+            complaints.push(Complaint::new(&source.path, line, "a glob hides what is used"));
+        }
+        let Some(target) = path_at(source, at, module, &inline) else { continue };
+        let what = match Room::of(&target) {
+            None if target[0] == "{" && here != Room::Api => {
+                "braces after `crate::`: write one `use` per room".to_owned()
+            }
+            // A macro: all of them stand at the root.
+            None => continue,
+            Some(there) if here.may_use(there) => continue,
+            Some(_) => format!("{} may not use {}", module.join("::"), target.join("::")),
+        };
+        complaints.push(Complaint::new(&source.path, line, what));
+    }
+}
+
+/// Is this sign the glob of a `use`, other than `use super::*`, which opens a module of tests?
+fn is_foreign_glob(source: &Source, at: usize) -> bool {
+    let glob =
+        at >= 2 && source.token(at - 1) == "::" && matches!(source.token(at + 1), ";" | "," | "}");
+    let of_tests = source.token(at.wrapping_sub(2)) == "super";
+    glob && !of_tests && !GLOBS.iter().any(|(file, _)| *file == source.path)
+}
+
+/// The absolute module path of what begins at a token: `crate::…`, or `super::…`.
+fn path_at<'a>(
+    source: &'a Source,
+    at: usize,
+    module: &[&'a str],
+    inline: &InlineModules<'a>,
+) -> Option<Vec<&'a str>> {
+    if at > 0 && source.token(at - 1) == "::" {
+        return None;
+    }
+    let (mut path, mut next) = match source.token(at) {
+        "crate" => (Vec::new(), at + 1),
+        "super" => {
+            let mut path = module.to_vec();
+            path.extend(inline.names());
+            path.pop();
+            (path, at + 1)
+        }
+        _ => return None,
+    };
+    // `pub(crate)` and `pub(super)` name no path.
+    if source.token(next) != "::" {
+        return None;
+    }
+    while source.token(next) == "::" {
+        match source.token(next + 1) {
+            "super" => drop(path.pop()),
+            word => path.push(word),
+        }
+        next += 2;
+    }
+    Some(path)
+}
+
+/// Which `mod name { … }` a token stands in.
+#[derive(Default)]
+struct InlineModules<'a> {
+    depth: usize,
+    open: Vec<(usize, &'a str)>,
+}
+
+impl<'a> InlineModules<'a> {
+    fn names(&self) -> impl Iterator<Item = &'a str> {
+        self.open.iter().map(|(_, name)| *name)
+    }
+
+    fn pass(&mut self, source: &'a Source, at: usize) {
+        match source.token(at) {
+            "mod" if source.token(at + 2) == "{" => {
+                self.open.push((self.depth, source.token(at + 1)));
+            }
+            "{" => self.depth += 1,
+            "}" => {
+                self.depth = self.depth.saturating_sub(1);
+                if self.open.last().is_some_and(|(depth, _)| *depth == self.depth) {
+                    self.open.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check;
+    use crate::source::Source;
+
+    fn complaints(path: &str, text: &str) -> usize {
+        check(&[Source::new(path, text)]).len()
+    }
+
+    #[test]
+    fn arrows_point_down() {
+        assert_eq!(complaints("src/model/a.rs", "use crate::base::arena::Arena;"), 0);
+        assert_eq!(complaints("src/base/a.rs", "use crate::model::body::RigidBody;"), 1);
+        assert_eq!(complaints("src/model/a.rs", "use crate::dim::contact::ContactBlock;"), 1);
+        assert_eq!(complaints("src/model/a.rs", "fn f() { crate::dynamics::g() }"), 1);
+        assert_eq!(complaints("src/dim3/contact/a.rs", "use crate::model::params::Softness;"), 0);
+        assert_eq!(complaints("src/dim3/math.rs", "use crate::model::params::Softness;"), 1);
+    }
+
+    #[test]
+    fn stages_do_not_know_each_other() {
+        let other = "use crate::step::islands::update;";
+        assert_eq!(complaints("src/step/solver/a.rs", other), 1);
+        assert_eq!(complaints("src/step/islands/a.rs", other), 0);
+        assert_eq!(complaints("src/step/mod.rs", other), 0);
+        assert_eq!(complaints("src/step/solver/a.rs", "use super::super::islands::update;"), 1);
+        assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::StepParts;"), 1);
+        assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::notes::StepNotes;"), 0);
+    }
+
+    #[test]
+    fn inline_modules_count_when_climbing() {
+        let inside = "mod tests { use super::super::math; } fn f() {}";
+        assert_eq!(complaints("src/dim3/wide.rs", inside), 0);
+        let behind = "mod tests { fn g() { {} } } use super::super::model::body;";
+        assert_eq!(complaints("src/dim3/wide.rs", behind), 1);
+    }
+
+    #[test]
+    fn globs_and_braces_hide_arrows() {
+        assert_eq!(complaints("src/model/a.rs", "use crate::base::arena::*;"), 1);
+        assert_eq!(complaints("src/model/a.rs", "mod tests { use super::*; }"), 0);
+        assert_eq!(complaints("src/model/a.rs", "use crate::{base, dim};"), 1);
+        assert_eq!(complaints("src/model/a.rs", "let a = b * crate::base::c;"), 0);
+    }
+
+    #[test]
+    fn comments_and_visibilities_are_no_arrows() {
+        assert_eq!(
+            complaints("src/base/a.rs", "//! Not [`crate::model`].\npub(crate) fn f() {}"),
+            0
+        );
+    }
+}

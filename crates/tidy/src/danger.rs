@@ -1,0 +1,129 @@
+//! Where `unsafe` may stand, and what must stand beside it.
+
+use crate::Complaint;
+use crate::source::Source;
+
+/// Files and folders of the engine that may be `unsafe`, and why.
+const ALLOWED: [(&str, &str); 11] = [
+    ("src/base/arena.rs", "two elements of one slice at a time"),
+    ("src/base/disjoint.rs", "many workers write one slice, each its own elements"),
+    ("src/base/tasks.rs", "hands elements of one slice out to workers"),
+    ("src/base/wide/", "intrinsics of the processor"),
+    ("src/dim2/state.rs", "gathers bodies by index into lanes"),
+    ("src/dim3/state.rs", "gathers bodies by index into lanes"),
+    ("src/dim2/contact/", "constraints of one colour write bodies at the same time"),
+    ("src/dim3/contact/", "constraints of one colour write bodies at the same time"),
+    ("src/step/solver/", "lets the constraints of a colour run"),
+    ("src/step/narrow_phase/update.rs", "pairs are computed at the same time"),
+    ("src/step/solver/tests/", "calls kernels one by one"),
+];
+
+/// Complains of `unsafe` in the wrong place, and of `unsafe` that gives no reason.
+pub fn check(sources: &[Source]) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    for source in sources {
+        for token in source.tokens.iter().filter(|token| token.text == "unsafe") {
+            let placed = ALLOWED.iter().any(|(place, _)| source.path.starts_with(place));
+            if !placed {
+                let what = "`unsafe` stands in a file that is not listed for it";
+                complaints.push(Complaint::new(&source.path, token.line, what));
+            }
+        }
+        check_reasons(source, &mut complaints);
+    }
+    complaints
+}
+
+fn check_reasons(source: &Source, complaints: &mut Vec<Complaint>) {
+    let lines: Vec<&str> = source.text.lines().collect();
+    for at in 0..source.tokens.len() {
+        // An `unsafe fn` says in its documentation what the caller must see to; `unsafe extern` and
+        // `unsafe(…)` are no blocks.
+        let (reason, kind) = match (source.token(at), source.token(at + 1)) {
+            ("unsafe", "{" | "impl") => ("SAFETY:", "a block"),
+            ("unsafe", "fn") if !of_documented_trait(source, at) => ("# Safety", "a function"),
+            _ => continue,
+        };
+        let line = source.tokens[at].line;
+        if !explained(&lines, line, reason) {
+            let what = format!("`unsafe`, {kind} without `{reason}`");
+            complaints.push(Complaint::new(&source.path, line, what));
+        }
+    }
+}
+
+/// Is this `unsafe fn` the implementation of a trait's, which is documented there?
+fn of_documented_trait(source: &Source, at: usize) -> bool {
+    let mut depth = 0_i32;
+    for i in (0..at).rev() {
+        match source.token(i) {
+            "}" => depth += 1,
+            "{" => depth -= 1,
+            "impl" if depth < 0 => {
+                return (i..at)
+                    .take_while(|&i| source.token(i) != "{")
+                    .any(|i| source.token(i) == "for");
+            }
+            _ => {}
+        }
+    }
+    false
+}
+
+/// Does the reason stand in the line, or in the comments and attributes right above the statement
+/// that the line belongs to?
+fn explained(lines: &[&str], line: usize, reason: &str) -> bool {
+    if lines[line - 1].contains(reason) {
+        return true;
+    }
+    for above in lines[..line - 1].iter().rev().map(|above| above.trim()) {
+        let comment = above.starts_with("//");
+        if comment && above.contains(reason) {
+            return true;
+        }
+        let ends_statement = above.is_empty() || above.ends_with([';', '{', '}']);
+        if ends_statement && !comment {
+            return false;
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check;
+    use crate::source::Source;
+
+    fn complaints(path: &str, text: &str) -> usize {
+        check(&[Source::new(path, text)]).len()
+    }
+
+    #[test]
+    fn danger_stands_where_it_is_listed() {
+        let text = "// SAFETY: the index was checked.\nlet a = unsafe { b.get(c) };";
+        assert_eq!(complaints("src/base/arena.rs", text), 0);
+        assert_eq!(complaints("src/base/wide/avx.rs", text), 0);
+        assert_eq!(complaints("src/model/body/set.rs", text), 1);
+    }
+
+    #[test]
+    fn blocks_give_a_reason() {
+        let place = "src/base/arena.rs";
+        assert_eq!(complaints(place, "let a = 1;\nlet b = unsafe { c() };"), 1);
+        assert_eq!(complaints(place, "// SAFETY: d.\nlet b =\n    unsafe { c() };"), 0);
+        assert_eq!(complaints(place, "// SAFETY: d.\nlet a = 1;\nlet b = unsafe { c() };"), 1);
+        assert_eq!(complaints(place, "unsafe impl Sync for A {}"), 1);
+    }
+
+    #[test]
+    fn functions_say_what_they_need() {
+        let place = "src/base/arena.rs";
+        assert_eq!(complaints(place, "/// A.\nunsafe fn a() {}"), 1);
+        assert_eq!(
+            complaints(place, "/// A.\n/// # Safety\n/// B.\n#[inline]\nunsafe fn a() {}"),
+            0
+        );
+        assert_eq!(complaints(place, "impl A for B {\n    unsafe fn a() {}\n}"), 0);
+        assert_eq!(complaints(place, "impl B {\n    unsafe fn a() {}\n}"), 1);
+    }
+}

@@ -1,0 +1,146 @@
+//! Lengths of functions and files, headers, unfinished code.
+
+use crate::Complaint;
+use crate::source::Source;
+
+/// Lines of a file, all counted.
+const FILE_LINES: usize = 600;
+/// Lines of a function from `fn` to its last brace, without blank lines and comments.
+const FUNCTION_LINES: usize = 70;
+
+/// Files that may be longer, and why.
+const LONG_FILES: [(&str, &str); 0] = [];
+/// Functions that may be longer, with their files, and why.
+const LONG_FUNCTIONS: [(&str, &str, &str); 0] = [];
+
+/// Complains of files and functions that are too long, that have no header, or that are unfinished.
+pub fn check(sources: &[Source]) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    for source in sources {
+        check_file(source, &mut complaints);
+        check_functions(source, &mut complaints);
+        check_finished(source, &mut complaints);
+    }
+    complaints
+}
+
+fn check_file(source: &Source, complaints: &mut Vec<Complaint>) {
+    if !source.text.starts_with("//! ") {
+        complaints.push(Complaint::new(
+            &source.path,
+            1,
+            "does not begin with `//!`: what is it, and why?",
+        ));
+    }
+    let lines = source.text.lines().count();
+    let listed = LONG_FILES.iter().any(|(path, _)| *path == source.path);
+    if lines > FILE_LINES && !listed {
+        let what = format!("{lines} lines, more than {FILE_LINES}");
+        complaints.push(Complaint::new(&source.path, lines, what));
+    }
+    if lines <= FILE_LINES && listed {
+        complaints.push(Complaint::new(&source.path, lines, "is listed as a long file but is not"));
+    }
+}
+
+fn check_functions(source: &Source, complaints: &mut Vec<Complaint>) {
+    let code: Vec<&str> = source.bare.lines().collect();
+    for at in 0..source.tokens.len() {
+        let Some((first, last)) = function_at(source, at) else { continue };
+        let lines = code[first - 1..last].iter().filter(|line| !line.trim().is_empty()).count();
+        let name = source.token(at + 1);
+        let listed =
+            LONG_FUNCTIONS.iter().any(|(path, long, _)| *path == source.path && *long == name);
+        if lines > FUNCTION_LINES && !listed {
+            let what = format!("{name}: {lines} lines, more than {FUNCTION_LINES}");
+            complaints.push(Complaint::new(&source.path, first, what));
+        }
+    }
+}
+
+/// The first and the last line of the function whose `fn` is this token, if it has a body.
+fn function_at(source: &Source, at: usize) -> Option<(usize, usize)> {
+    let named = source.token(at + 1).starts_with(|c: char| c.is_alphabetic() || c == '_');
+    if source.token(at) != "fn" || !named {
+        return None;
+    }
+    let (mut round, mut curly) = (0_usize, 0_usize);
+    for token in &source.tokens[at..] {
+        match token.text.as_str() {
+            "(" | "[" => round += 1,
+            ")" | "]" => round = round.saturating_sub(1),
+            ";" if round == 0 && curly == 0 => return None,
+            "{" if round == 0 || curly > 0 => curly += 1,
+            "}" if curly > 0 => {
+                curly -= 1;
+                if curly == 0 {
+                    return Some((source.tokens[at].line, token.line));
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+fn check_finished(source: &Source, complaints: &mut Vec<Complaint>) {
+    for at in 0..source.tokens.len() {
+        let word = source.token(at);
+        if matches!(word, "todo" | "unimplemented" | "dbg") && source.token(at + 1) == "!" {
+            let what = format!("`{word}!` must not stay");
+            complaints.push(Complaint::new(&source.path, source.tokens[at].line, what));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FILE_LINES, FUNCTION_LINES, check};
+    use crate::Complaint;
+    use crate::source::Source;
+
+    fn complaints(text: &str) -> Vec<Complaint> {
+        check(&[Source::new("src/a.rs", text)])
+    }
+
+    #[test]
+    fn files_say_what_they_are() {
+        assert!(complaints("//! A thing.\n").is_empty());
+        assert_eq!(complaints("use a::b;\n").len(), 1);
+        assert_eq!(complaints("").len(), 1);
+    }
+
+    #[test]
+    fn files_end() {
+        let long = format!("//! A thing.{}", "\n// more".repeat(FILE_LINES));
+        assert_eq!(complaints(&long)[0].line, FILE_LINES + 1);
+        assert!(complaints(&long[..long.len() - 10]).is_empty());
+    }
+
+    #[test]
+    fn functions_end() {
+        let body = |lines: usize| {
+            let body = "    g(); // h\n    // k\n\n".repeat(lines);
+            format!("//! A thing.\ntrait T {{ fn short(&self); }}\nfn f(a: [u8; 2]) {{\n{body}}}\n")
+        };
+        assert!(complaints(&body(FUNCTION_LINES - 2)).is_empty());
+        let long = complaints(&body(FUNCTION_LINES - 1));
+        assert_eq!((long.len(), long[0].line), (1, 3));
+    }
+
+    #[test]
+    fn types_of_functions_have_no_body() {
+        let text = format!(
+            "//! A.\ntype F = fn(u8);\nconst C: F = |_| {{}};\n{}",
+            "static A: u8 = 1;\n".repeat(80)
+        );
+        assert!(complaints(&text).is_empty());
+    }
+
+    #[test]
+    fn code_is_finished() {
+        assert_eq!(complaints("//! A.\nfn f() { todo!() }").len(), 1);
+        assert_eq!(complaints("//! A.\nfn f() { unimplemented!(\"x\") }").len(), 1);
+        assert!(complaints("//! A.\nfn f() { g(\"todo!\") } // todo!()").is_empty());
+    }
+}
