@@ -116,6 +116,11 @@ pub(crate) struct ContactBlock {
     pub approach: [Lane; MAX_MANIFOLD_POINTS],
 }
 
+// docs/data-layout.md counts these bytes.
+const _: () = assert!(
+    size_of::<ContactBlock>() == 77 * size_of::<Lane>() + 2 * LANES * size_of::<u32>()
+);
+
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
 #[repr(C)]
