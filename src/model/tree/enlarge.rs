@@ -17,9 +17,11 @@ const STEPS_AHEAD: Real = 3.0;
 /// Room ahead is no longer than this many half extents: whatever is faster leaves its box in every
 /// step anyway, and a long box would only find more neighbours.
 const AHEAD_MAX: Real = 2.0;
-/// Boxes end here (length units). Products of three such lengths and the number of leaves, which the
-/// trees compute, stay within `f32`; half-spaces, whose boxes know no end, get this size.
+/// The world ends here (length units). Products of three such lengths and the number of leaves, which
+/// the trees compute, stay within `f32`, and so do the fourth powers in contact generation.
 const BOX_LIMIT: Real = 1.0e10;
+/// A box this large stands for one without end, as a half-space has, and is cut at the limit.
+const UNBOUNDED: Real = Real::MAX * 0.25;
 
 /// What the size of the margin depends on.
 #[derive(Copy, Clone, Debug)]
@@ -32,9 +34,11 @@ pub(crate) struct BoxMargin {
 }
 
 impl BoxMargin {
-    /// The box in which contacts must be found; `None` if it is not finite.
+    /// The box in which contacts must be found; `None` if it is not finite or beyond the limits.
     pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
-        if !(tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite()) {
+        let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
+        let is_finite = tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite();
+        if !is_finite || (size > BOX_LIMIT && size < UNBOUNDED) {
             return None;
         }
         Some(limited(tight.loosened(self.reach.max(0.0))))

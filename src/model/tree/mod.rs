@@ -47,7 +47,8 @@ impl BroadPhaseBvh {
     /// Gives a collider its place in a tree: whatever it was before, afterwards its enlarged box
     /// covers `tight` and it stands in the tree of its kind. Returns whether the enlarged box changed.
     ///
-    /// A box that is not finite cannot be placed: the collider is left out, with a warning.
+    /// A box that is not finite, or beyond the limits of the world, cannot be placed: the collider is
+    /// left out, with a warning when that begins.
     pub(crate) fn place(
         &mut self,
         handle: ColliderHandle,
@@ -58,9 +59,13 @@ impl BroadPhaseBvh {
     ) -> bool {
         let (slot, _) = handle.into_raw_parts();
         let Some(needed) = margin.needed(tight) else {
-            log::warn!("collider {slot} is left out of the world: its box is {tight:?}");
+            if !proxy.is_refused {
+                log::warn!("collider {slot} is left out of the world: its box is {tight:?}");
+            }
+            proxy.is_refused = true;
             return self.remove(slot, proxy);
         };
+        proxy.is_refused = false;
         if proxy.tree == Some(kind) && proxy.fat_aabb.contains(&needed) {
             proxy.clearance = clearance(&needed, &proxy.fat_aabb);
             return false;

@@ -25,10 +25,12 @@ pub(crate) struct ColliderProxy {
     /// one. Whoever moves the collider takes off a bound of the motion, and looks at the box when
     /// nothing is left.
     pub clearance: Real,
+    /// Was the last box one that cannot be placed?
+    pub is_refused: bool,
 }
 
 impl Default for ColliderProxy {
     fn default() -> Self {
-        Self { fat_aabb: Aabb::new_invalid(), tree: None, clearance: 0.0 }
+        Self { fat_aabb: Aabb::new_invalid(), tree: None, clearance: 0.0, is_refused: false }
     }
 }

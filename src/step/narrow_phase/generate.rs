@@ -19,6 +19,8 @@ const DISTANCE_MAX: Real = 1.0e9;
 /// A normal whose squared length is off by more than this is the product of degenerate geometry.
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 
+/// Lengths at which nothing is extreme.
+const USUAL: (Real, Real) = (1.0e-3, 1.0e5);
 /// What share of a computed distance is surely there, whatever the rounding.
 const DISTANCE_SHARE: Real = 0.99;
 
@@ -53,7 +55,7 @@ pub(crate) fn compute_manifolds(
     if !pose_is_usable(pos12) || !prediction.is_finite() {
         return 0.0;
     }
-    if parry_merges_voxels(shape1, shape2) || parry_merges_voxels(shape2, shape1) {
+    if parry_merges_voxels(shape1, shape2, pos12) || parry_merges_voxels(shape2, shape1, pos12) {
         return voxel_manifolds(pos12, [shape1, shape2], prediction, &mut scratch.many, out);
     }
     let parts = (Parts::of(shape1), Parts::of(shape2));
@@ -197,9 +199,19 @@ fn finish(
 }
 
 /// Does parry know a better way for voxels against the other shape than to look at them one by one?
-fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape) -> bool {
-    voxels.as_voxels().is_some()
-        && (other.as_support_map().is_some() || other.as_voxels().is_some())
+///
+/// It does for convex shapes; but it asserts what rounding can break when sizes are extreme.
+fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> bool {
+    let Some(voxels) = voxels.as_voxels() else { return false };
+    if other.as_support_map().is_none() {
+        return false;
+    }
+    let usual = |length: Real| (USUAL.0..USUAL.1).contains(&length);
+    let extents = other.compute_local_aabb().extents();
+    usual(voxels.voxel_size().min_element())
+        && usual(voxels.voxel_size().max_element())
+        && extents.max_element() < USUAL.1
+        && pos12.translation.abs().max_element() < USUAL.1
 }
 
 /// The manifolds of a pair with voxels, which parry treats as a whole: it merges neighbouring voxels
