@@ -1,5 +1,6 @@
 //! Mass properties of what is made of parts, in 2D.
 
+use crate::base::measure::is_point;
 use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use parry::mass_properties::MassProperties;
 
@@ -8,13 +9,16 @@ pub fn no_mass() -> MassProperties {
     MassProperties { local_com: Vector::ZERO, inv_mass: 0.0, inv_principal_inertia: 0.0 }
 }
 
-/// Are all values finite and none negative where that would be impossible?
+/// Are all values finite, also those that stand here as their inverse, and none negative where that would
+/// be impossible?
 pub fn mass_is_valid(mass: &MassProperties) -> bool {
-    mass.local_com.is_finite()
-        && mass.inv_mass.is_finite()
+    is_point(mass.local_com)
         && mass.inv_mass >= 0.0
-        && mass.inv_principal_inertia.is_finite()
+        && mass.inv_mass.is_finite()
+        && mass.mass().is_finite()
         && mass.inv_principal_inertia >= 0.0
+        && mass.inv_principal_inertia.is_finite()
+        && mass.principal_inertia().is_finite()
 }
 
 /// The mass properties of all parts together. All of them in one frame.

@@ -4,7 +4,8 @@
 //! last bits of its sines and cosines differ between machines, and nearly equal moments cost it half
 //! of the digits. Jacobi's rotations need square roots alone and are accurate to the last few bits.
 
-use crate::dim::math::{AngVector, Matrix, Real, Rotation, Vector};
+use crate::base::measure::is_point;
+use crate::dim::math::{AngVector, Matrix, Real, Rotation, Vector, rotation_is_valid};
 use parry::mass_properties::MassProperties;
 
 /// Sweeps of Jacobi's method. It converges quadratically: three or four do in either precision.
@@ -20,14 +21,17 @@ pub fn no_mass() -> MassProperties {
     }
 }
 
-/// Are all values finite and none negative where that would be impossible?
+/// Are all values finite, also those that stand here as their inverse, and none negative where that would
+/// be impossible?
 pub fn mass_is_valid(mass: &MassProperties) -> bool {
-    mass.local_com.is_finite()
-        && mass.inv_mass.is_finite()
+    is_point(mass.local_com)
         && mass.inv_mass >= 0.0
-        && mass.inv_principal_inertia.is_finite()
+        && mass.inv_mass.is_finite()
+        && mass.mass().is_finite()
         && mass.inv_principal_inertia.min_element() >= 0.0
-        && crate::dim::math::rotation_is_valid(&mass.principal_inertia_local_frame)
+        && mass.inv_principal_inertia.is_finite()
+        && mass.principal_inertia().is_finite()
+        && rotation_is_valid(&mass.principal_inertia_local_frame)
 }
 
 /// The mass properties of all parts together. All of them in one frame.
