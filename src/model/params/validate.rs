@@ -78,8 +78,10 @@ impl IntegrationParameters {
         self.validate_scales()
     }
 
+    /// The inverse of a time step, and its square, must not overflow either.
     pub(super) fn validate_dt(&self) -> Result<(), InvalidParameters> {
-        moderate("dt", self.dt)
+        let valid = self.dt == 0.0 || is_length(self.dt);
+        InvalidParameters::unless(valid, "dt", self.dt, "0, or from 1e-15 to 1e15")
     }
 
     /// The length unit, and the fields that are multiples of it.
