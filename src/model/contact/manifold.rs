@@ -154,6 +154,17 @@ impl ContactManifoldData {
     pub fn contacts(&self) -> &[Contact] {
         &self.points
     }
+
+    /// As if the two had just begun to touch.
+    pub(crate) fn forget_impulses(&mut self) {
+        self.warmstart_friction = Vector::ZERO;
+        self.warmstart_twist = 0.0;
+        for point in &mut self.points {
+            point.impulse = 0.0;
+            point.warmstart_impulse = 0.0;
+            point.warmstart_tangent_impulse = [0.0; DIM - 1];
+        }
+    }
 }
 
 impl<'a> IntoIterator for &'a ContactManifoldData {

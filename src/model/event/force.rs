@@ -29,17 +29,18 @@ pub struct ContactForceEvent {
 impl ContactForceEvent {
     /// The forces of a pair in a step of `dt` seconds. `total_force_magnitude` is taken as given,
     /// because whoever decides to send the event has computed it. In a step of no length there is no
-    /// force.
+    /// force. A force beyond the range of numbers is the largest one within it.
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
         let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };
+        let largest = Vector::splat(Real::MAX);
         let (max_impulse, max_force_direction) = pair.max_impulse();
         Self {
             collider1: pair.collider1,
             collider2: pair.collider2,
-            total_force: pair.total_impulse() * inv_dt,
-            total_force_magnitude,
+            total_force: (pair.total_impulse() * inv_dt).clamp(-largest, largest),
+            total_force_magnitude: total_force_magnitude.min(Real::MAX),
             max_force_direction,
-            max_force_magnitude: max_impulse * inv_dt,
+            max_force_magnitude: (max_impulse * inv_dt).min(Real::MAX),
         }
     }
 }

@@ -172,12 +172,7 @@ fn fill(
     }
 }
 
-fn load_lane(
-    input: &mut ContactInput,
-    lane: usize,
-    indices: [u32; 2],
-    manifold: &ContactManifold,
-) {
+fn load_lane(input: &mut ContactInput, lane: usize, indices: [u32; 2], manifold: &ContactManifold) {
     let data = &manifold.data;
     let world = BodyPose::WORLD_INDEX;
     for side in 0..2 {
@@ -212,6 +207,9 @@ fn store_lane(
     manifold: &mut ContactManifold,
 ) {
     let data = &mut manifold.data;
+    if !lane_is_sound(block, input, lane, data.points.len()) {
+        return data.forget_impulses();
+    }
     data.normal = input.world_normal.lane(lane);
     data.warmstart_friction = block.friction_impulse(lane);
     data.warmstart_twist = block.twist_impulse(lane);
@@ -221,6 +219,20 @@ fn store_lane(
         point.impulse = block.totals[k].0[lane];
         point.warmstart_impulse = block.points[k].impulse.0[lane];
     }
+}
+
+/// Did the numbers of a manifold stay finite? Otherwise its impulses must not start the next step: the
+/// bodies would never get rid of them.
+fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count: usize) -> bool {
+    let of_pair = [input.world_normal.lane(lane), block.friction_impulse(lane)];
+    of_pair.iter().all(|vector| vector.is_finite())
+        && block.twist_impulse(lane).is_finite()
+        && (0..count).all(|k| {
+            input.points[k].lane(lane).is_finite()
+                && input.separations[k].0[lane].is_finite()
+                && block.totals[k].0[lane].is_finite()
+                && block.points[k].impulse.0[lane].is_finite()
+        })
 }
 
 /// See [`contact::prepare`].
