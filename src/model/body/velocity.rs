@@ -44,7 +44,7 @@ impl RigidBodyVelocity {
     }
 
     /// Are all components finite and so small that their squares are finite, too?
-    pub(super) fn is_usable(&self) -> bool {
+    pub(crate) fn is_usable(&self) -> bool {
         is_point(self.linvel) && ang_length_squared(self.angvel) <= SIZE_MAX * SIZE_MAX
     }
 

@@ -4,11 +4,14 @@ use crate::base::disjoint::DisjointMut;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
 use crate::dim::gyro::Gyroscope;
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, ang_length_squared,
-    integrate_rotation, mul_inertia,
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
+    mul_inertia,
 };
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::body::{
+    RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,
+};
+use crate::model::check::checked_pose;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
 
@@ -82,12 +85,7 @@ impl SolverBodies {
     fn push(&mut self, body: &mut RigidBody, gravity: Vector, params: &IntegrationParameters) {
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
-        self.poses.push(BodyPose::new(
-            body.pose.rotation,
-            mprops.world_com,
-            inv_mass,
-            inv_inertia,
-        ));
+        self.poses.push(BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia));
         if body.body_type == RigidBodyType::KinematicPositionBased {
             let velocity = body.velocity_to_next_position(params.inv_dt());
             (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
@@ -172,11 +170,13 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> Real {
     };
     let center = body.mprops.world_com + shift;
     let pose = Pose::from_parts(center - rotation * body.mprops.local.local_com, rotation);
-    if !(pose.is_finite() && linvel.is_finite() && ang_is_finite(angvel)) {
+    let velocity = RigidBodyVelocity::new(linvel, angvel);
+    // Neither an infinite turn nor one whose square is infinite leaves a rotation of unit length.
+    let Some(pose) = checked_pose(pose).filter(|_| velocity.is_usable()) else {
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         return 0.0;
-    }
+    };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
     body.update_world_mass_properties();
