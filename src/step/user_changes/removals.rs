@@ -11,7 +11,11 @@ impl Digest<'_> {
         for (handle, colliders, link) in removed {
             links.push((handle, link));
             for collider in colliders {
-                self.structure.colliders.take(collider, true);
+                // The user may have attached it to another body since.
+                let set = &mut *self.structure.colliders;
+                if set.get(collider).is_some_and(|collider| collider.parent() == Some(handle)) {
+                    set.take(collider, true);
+                }
             }
         }
         self.structure.forget_bodies(&mut links);
