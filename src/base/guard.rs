@@ -5,8 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// Runs `work`; `None` if it panicked.
 ///
 /// Only for geometry algorithms of parry that contain assertions about how a computation was rounded,
-/// so that no check of the input tells beforehand whether they hold (the convex hull in 3D, and what
-/// is built on it). `work` must own what it changes: a half-changed value must not survive the panic.
+/// so that no check of the input tells beforehand whether they hold (the convex hull in 3D, what is built
+/// on it, and queries between two shapes). What `work` changes must not be used after a panic, or be in
+/// order whatever happened.
 ///
 /// Where panics abort the process there is no fence.
 pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Option<T> {

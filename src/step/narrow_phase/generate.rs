@@ -6,6 +6,7 @@
 
 use super::convex::{convex_manifold, separation_along};
 use super::parts::{Near, Part, Parts};
+use crate::base::guard::guarded;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
@@ -73,18 +74,17 @@ pub(crate) fn compute_manifolds(
 
 /// A lower bound of the distance of two convex shapes by way of their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
-    match DefaultQueryDispatcher.distance(pos12, shape1, shape2) {
-        Ok(found) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
+    match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
+        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
         _ => 0.0,
     }
 }
 
 /// Do the two shapes intersect? `pos12` is the pose of the second in the frame of the first.
 pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> bool {
+    let test = || DefaultQueryDispatcher.intersection_test(pos12, shape1, shape2);
     pose_is_usable(pos12)
-        && DefaultQueryDispatcher
-            .intersection_test(pos12, shape1, shape2)
-            .is_ok_and(|found| found.intersecting)
+        && guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
 }
 
 /// Is the pose one that geometry can be computed with?
@@ -224,10 +224,14 @@ fn voxel_manifolds(
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
     many.clear();
-    let found = DefaultQueryDispatcher
-        .contact_manifolds(pos12, shapes[0], shapes[1], prediction, many, &mut None);
-    if found.is_err() {
-        return Real::INFINITY;
+    let [shape1, shape2] = shapes;
+    let query = DefaultQueryDispatcher;
+    let found =
+        guarded(|| query.contact_manifolds(pos12, shape1, shape2, prediction, many, &mut None));
+    match found {
+        Some(Ok(())) => {}
+        Some(Err(_)) => return Real::INFINITY,
+        None => return 0.0, // in this pose; the next one may do
     }
     for raw in many {
         let poses = raw.subshape_poses.take();
