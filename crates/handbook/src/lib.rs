@@ -1,0 +1,30 @@
+//! Runs the programs that the documents show, so that none of them shows what does not work.
+//!
+//! Every Rust block of the pages below is a documentation test of this crate: `cargo test -p handbook`.
+
+macro_rules! pages {
+    ($($name:ident: $path:literal,)*) => {
+        $(
+            #[cfg(doctest)]
+            #[doc = include_str!($path)]
+            mod $name {}
+        )*
+    };
+}
+
+pages! {
+    readme: "../../../README.md",
+    readme_of_rapier2d: "../../rapier2d/README.md",
+    readme_of_rapier3d: "../../rapier3d/README.md",
+    readme_of_rapier2d_f64: "../../rapier2d-f64/README.md",
+    readme_of_rapier3d_f64: "../../rapier3d-f64/README.md",
+    getting_started: "../../../docs/guide/getting-started.md",
+    bodies: "../../../docs/guide/bodies.md",
+    colliders: "../../../docs/guide/colliders.md",
+    contacts_and_events: "../../../docs/guide/contacts-and-events.md",
+    hooks: "../../../docs/guide/hooks.md",
+    sleeping: "../../../docs/guide/sleeping.md",
+    parameters: "../../../docs/guide/parameters.md",
+    determinism: "../../../docs/guide/determinism.md",
+    seeing: "../../../docs/guide/seeing.md",
+}
