@@ -72,8 +72,12 @@ pub(crate) unsafe fn solve<W: Wide>(
     unsafe { apply(states, block, &frame, &impulse, bodies.velocities) };
 }
 
-/// Friction, then the normal rows without bias: takes out the velocity that the bias of the solve
-/// pass put in to move bodies apart.
+/// The normal rows without bias, which takes out the velocity that the bias of the solve pass put in
+/// to move bodies apart; then friction.
+///
+/// In this order friction is bounded by the impulses that carry the bodies. Those of the solve pass
+/// are less while a soft contact gives way, and more while it undoes overlap: with them a box that
+/// was just put down slides 5 % too far.
 ///
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
@@ -87,23 +91,24 @@ pub(crate) unsafe fn relax<W: Wide>(
     let bodies = unsafe { gather_bodies::<W>(states, block) };
     let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
+    let velocity = NormalRow::new(&frame, c, bodies.velocities);
+    let displacement = NormalRow::new(&frame, c, bodies.displacements);
+    let mut impulse = PairImpulse::zero();
+    solve_normals::<W, false>(block, velocity, displacement, &SoftRow::rigid(), pass, &mut impulse);
+
+    // The normal impulses turn the bodies, and that moves the points along the surfaces.
     let [m1, m2] = bodies.velocities;
     let linear = frame.local(m2.linear - m1.linear);
-    let w = [frame.local(m1.angular), frame.local(m2.angular)];
-
-    let mut friction = WideFriction::load(&block.friction);
-    let mut impulse = friction.solve(linear, w, c, total_impulse(block));
-    friction.store_impulses(&mut block.friction);
-
-    // Friction turns the bodies, and that moves the points along the normal.
     let inertia: [WideSymmetric<W>; 2] =
         [load_symmetric(&block.inv_inertia[0]), load_symmetric(&block.inv_inertia[1])];
-    let w1 = w[0] - mul_inertia(inertia[0], impulse.angular1);
-    let w2 = w[1] + mul_inertia(inertia[1], impulse.angular2);
-    let velocity = NormalRow::of_local(linear.z, [w1.x, w1.y], [w2.x, w2.y], c);
-    let displacement = NormalRow::new(&frame, c, bodies.displacements);
-    let rigid = SoftRow::rigid();
-    solve_normals::<W, false>(block, velocity, displacement, &rigid, pass, &mut impulse);
+    let w1 = frame.local(m1.angular) - mul_inertia(inertia[0], impulse.angular1);
+    let w2 = frame.local(m2.angular) + mul_inertia(inertia[1], impulse.angular2);
+    let mut friction = WideFriction::load(&block.friction);
+    let tangential = friction.solve(linear, [w1, w2], c, total_impulse(block));
+    friction.store_impulses(&mut block.friction);
+    impulse.linear = impulse.linear + tangential.linear;
+    impulse.angular1 = impulse.angular1 + tangential.angular1;
+    impulse.angular2 = impulse.angular2 + tangential.angular2;
     for k in 0..MAX_MANIFOLD_POINTS {
         let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
         total.store(&mut block.totals[k]);
