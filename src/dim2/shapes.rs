@@ -42,6 +42,11 @@ fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
 }
 
+/// Is the shape one of this dimension's shapes that can roll?
+pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
+    matches!(shape, TypedShape::RoundConvexPolygon(_))
+}
+
 /// Mass properties of the shapes for which parry's inertia is not about the centre of mass; `None` for
 /// the others.
 pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {

@@ -66,6 +66,18 @@ fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
 }
 
+/// Is the shape one of this dimension's shapes that can roll?
+pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
+    matches!(
+        shape,
+        TypedShape::Cylinder(_)
+            | TypedShape::Cone(_)
+            | TypedShape::RoundCylinder(_)
+            | TypedShape::RoundCone(_)
+            | TypedShape::RoundConvexPolyhedron(_)
+    )
+}
+
 /// Mass properties of the shapes for which parry goes through trigonometric functions, whose last bits
 /// differ between machines, to find the principal axes; `None` for the others.
 pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {

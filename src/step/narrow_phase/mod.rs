@@ -16,6 +16,7 @@ mod generate;
 mod matching;
 mod parts;
 mod polytopes;
+mod recycle;
 mod support;
 mod update;
 mod voxels;

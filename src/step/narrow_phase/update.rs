@@ -2,6 +2,7 @@
 
 use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
+use super::recycle::recycle_distance;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
@@ -216,6 +217,12 @@ impl<'a> PairView<'a> {
         prediction.max(soft.min(approach * self.around.params.dt))
     }
 
+    /// How far a touching pair may move before its contacts are computed again.
+    fn recycle_distance(&self) -> Real {
+        let shapes = self.colliders.map(Collider::shape);
+        recycle_distance(shapes, self.around.params.contact_recycle_distance())
+    }
+
     fn skin(&self) -> Real {
         self.colliders[0].contact_skin + self.colliders[1].contact_skin
     }
@@ -244,7 +251,7 @@ impl Update for IntersectionPair {
 
 impl Update for ContactPair {
     fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome {
-        let recycle_distance = view.around.params.contact_recycle_distance();
+        let recycle_distance = view.recycle_distance();
         if last.slack != DUE {
             let left = recycle_distance - self.drift(&view.pose12, view.reach());
             if left > 0.0 && self.is_touching() {
