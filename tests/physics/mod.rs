@@ -8,4 +8,6 @@ mod table;
 
 mod bounce;
 mod fall;
+mod friction;
+mod stacks;
 mod tipping;

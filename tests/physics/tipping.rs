@@ -14,7 +14,8 @@ fn a_falling_pillar_does_not_sink_in() {
         let lean: Real = -0.3;
         let (half_width, half_height): (Real, Real) = (0.2, 1.0);
         let middle = half_width * lean.sin().abs() + half_height * lean.cos();
-        let body = RigidBodyBuilder::dynamic().translation(vec(0.0, middle)).rotation(about_z(lean));
+        let body =
+            RigidBodyBuilder::dynamic().translation(vec(0.0, middle)).rotation(about_z(lean));
         let (_, collider) = world.insert(body, cuboid(half_width, half_height));
         let mut deepest: Real = 0.0;
         for _ in 0..steps(&world, 3.0) {

@@ -1,0 +1,135 @@
+//! Friction: how far things slide, on what slopes they hold, how they roll.
+
+use super::stage::{G, RATES, add_ground, run, substep, world};
+use super::table::Table;
+use crate::dim::{ROLLING_BALL, about_z, cuboid, vec};
+use rapier::prelude::*;
+
+/// A box that slides at `v` stops after `v² / 2µg`. Semi-implicit Euler moves it in each substep by the
+/// velocity at its end, which takes off `v h / 2`.
+#[test]
+fn slide_to_stop() {
+    let columns = ["rate", "friction", "distance", "formula", "exact", "error", "turn (rad)"];
+    let mut table = Table::new("slide to stop from 8 m/s", &columns);
+    let speed: Real = 8.0;
+    for rate in RATES {
+        for friction in [0.3, 0.6] {
+            let mut world = world(rate);
+            add_ground(&mut world, friction);
+            let body =
+                RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5)).linvel(vec(speed, 0.0));
+            let (body, _) = world.insert(body, cuboid(0.5, 0.5).friction(friction));
+            run(&mut world, 5.0);
+            let body = &world.bodies[body];
+            let distance = body.translation().x;
+            let exact = speed * speed / (2.0 * friction * G);
+            let formula = exact - 0.5 * speed * substep(&world);
+            let turn = crate::dim::angle(body.rotation());
+            table.row([
+                rate.to_string(),
+                friction.to_string(),
+                format!("{distance:.4}"),
+                format!("{formula:.4}"),
+                format!("{exact:.4}"),
+                format!("{:+.4}", distance - exact),
+                format!("{turn:+.1e}"),
+            ]);
+            table.require(body.linvel().length() < 1.0e-3, "still slides");
+            table.check("the distance", distance, formula, 5.0e-3);
+        }
+    }
+}
+
+/// A slope of `tan θ = slope`, with a body on it that just touches. Returns the world, the body, and the
+/// directions down the slope and out of it.
+fn on_slope(
+    rate: u32,
+    slope: Real,
+    friction: Real,
+    height: Real,
+    collider: ColliderBuilder,
+) -> (PhysicsWorld, RigidBodyHandle, Vector) {
+    let angle = slope.atan();
+    let (sin, cos) = angle.sin_cos();
+    let mut world = world(rate);
+    let slab = cuboid(100.0, 1.0).friction(friction);
+    // Turned clockwise about the point (0, 0) of its surface: down is to the right.
+    let slab = slab.translation(vec(-sin, -cos)).rotation(about_z(-angle));
+    world.insert_collider(slab, None);
+    let body = RigidBodyBuilder::dynamic()
+        .translation(vec(height * sin, height * cos))
+        .rotation(about_z(-angle))
+        .can_sleep(false);
+    let (body, _) = world.insert(body, collider.friction(friction));
+    (world, body, vec(cos, -sin))
+}
+
+/// A box on a slope slips if `tan θ > µ`, with `a = g (sin θ - µ cos θ)`, and stays if not.
+#[test]
+fn slope_holds_or_slips() {
+    let friction: Real = 0.5;
+    let columns = ["rate", "tan θ / µ", "10 s of creep (mm)", "acceleration", "formula"];
+    let mut table = Table::new("box on a slope, µ = 0.5", &columns);
+    for rate in RATES {
+        for ratio in [0.5, 0.9, 0.98] {
+            let cube = cuboid(0.5, 0.5);
+            let (mut world, body, down) = on_slope(rate, ratio * friction, friction, 0.5, cube);
+            // It lands: what it moves in the first half second is no creep.
+            run(&mut world, 0.5);
+            let start = world.bodies[body].translation();
+            run(&mut world, 10.0);
+            let creep = (world.bodies[body].translation() - start).dot(down) * 1.0e3;
+            let no = || "-".to_string();
+            table.row([rate.to_string(), ratio.to_string(), format!("{creep:.4}"), no(), no()]);
+            table.check("the creep", creep, 0.0, 1.0);
+        }
+        for ratio in [1.02, 1.1, 1.5] {
+            let slope: Real = ratio * friction;
+            let cube = cuboid(0.5, 0.5);
+            let (mut world, body, down) = on_slope(rate, slope, friction, 0.5, cube);
+            run(&mut world, 0.5);
+            let start = world.bodies[body].linvel();
+            run(&mut world, 2.0);
+            let acceleration = (world.bodies[body].linvel() - start).dot(down) / 2.0;
+            let (sin, cos) = slope.atan().sin_cos();
+            let formula = G * (sin - friction * cos);
+            table.row([
+                rate.to_string(),
+                ratio.to_string(),
+                "-".to_string(),
+                format!("{acceleration:.5}"),
+                format!("{formula:.5}"),
+            ]);
+            table.check("the acceleration", acceleration, formula, 1.0e-3 * G);
+        }
+    }
+}
+
+/// A ball that rolls without slipping (`µ ≥ 2/7 tan θ`) goes down a slope with
+/// `a = g sin θ / (1 + I / m r²)`, and turns by `v / r`.
+#[test]
+fn ball_rolls() {
+    let columns = ["rate", "acceleration", "formula", "error (%)", "slip (m/s)"];
+    let mut table = Table::new("ball on a slope of 20°", &columns);
+    for rate in RATES {
+        let angle: Real = 20.0 * (std::f64::consts::PI / 180.0) as Real;
+        let ball = ColliderBuilder::ball(0.5);
+        let (mut world, body, down) = on_slope(rate, angle.tan(), 1.0, 0.5, ball);
+        run(&mut world, 0.5);
+        let start = world.bodies[body].linvel();
+        run(&mut world, 2.0);
+        let body = &world.bodies[body];
+        let acceleration = (body.linvel() - start).dot(down) / 2.0;
+        let formula = ROLLING_BALL * G * angle.sin();
+        let slip = body.linvel().dot(down) + 0.5 * crate::dim::z_of(body.angvel());
+        let error = acceleration / formula - 1.0;
+        table.row([
+            rate.to_string(),
+            format!("{acceleration:.5}"),
+            format!("{formula:.5}"),
+            format!("{:+.4}", error * 100.0),
+            format!("{slip:+.1e}"),
+        ]);
+        table.check("the acceleration", acceleration, formula, 1.0e-3 * formula);
+    }
+}
