@@ -145,7 +145,7 @@ pub(crate) unsafe fn scatter_velocities<W: Wide>(
 
 /// Reads the velocity of one body per lane.
 #[inline(always)]
-pub(crate) fn gather_motions<W: Wide>(
+pub(crate) fn gather_velocities<W: Wide>(
     states: &[BodyState],
     indices: &[u32; LANES],
 ) -> WideMotion<W> {

@@ -10,10 +10,8 @@ const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 const PARALLEL: &str = "src/base/tasks.rs";
 
 /// Files that stand in one of `dim2/` and `dim3/` only, and why.
-const SINGLES: [(&str, &str); 2] = [
-    ("src/dim2/contact/rows.rs", "two rows a point; in 3D the rows of a block live in friction.rs"),
-    ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges"),
-];
+const SINGLES: [(&str, &str); 1] =
+    [("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges")];
 
 /// Complains of `cfg`s in the wrong place and of twins that differ.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
@@ -158,14 +156,14 @@ mod tests {
 
     #[test]
     fn dimensions_have_the_same_files() {
-        let singles = [("src/dim2/contact/rows.rs", ""), ("src/dim3/collide/cuboid_faces.rs", "")];
+        let singles = [("src/dim3/collide/cuboid_faces.rs", "")];
         assert!(of(check_dimensions, &singles).is_empty());
         let mut files = singles.to_vec();
         files.push(("src/dim3/gyro.rs", ""));
         assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/gyro.rs");
         files.push(("src/dim2/gyro.rs", ""));
         assert!(of(check_dimensions, &files).is_empty());
-        files.push(("src/dim3/contact/rows.rs", ""));
-        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim2/contact/rows.rs");
+        files.push(("src/dim2/collide/cuboid_faces.rs", ""));
+        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/collide/cuboid_faces.rs");
     }
 }

@@ -3,7 +3,7 @@
 use crate::base::wide::{LANES, Lane};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim3::state::READ_ONLY;
-use crate::dim3::wide::{WideSymmetric, WideVector};
+use crate::dim3::wide::WideVector;
 
 /// Pairs of different points of one manifold.
 pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
@@ -87,7 +87,7 @@ pub(crate) struct PointRow {
 
 /// [`LANES`] contact constraints of one colour.
 ///
-/// The order of the fields is the order of use: the solve pass reads up to `is_static`, the relax
+/// The order of the fields is the order of use: the solve pass reads up to `inv_inertia`, the relax
 /// pass all but the last group.
 #[derive(Clone, Debug)]
 #[repr(C)]
@@ -96,15 +96,14 @@ pub(crate) struct ContactBlock {
     pub normal: WideVector<Lane>,
     pub tangent: WideVector<Lane>,
     pub inv_mass: [WideVector<Lane>; 2],
-    /// Inverse inertias in the contact frame.
-    pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// `c = x1 - x2` in the contact frame.
     pub offset: WideVector<Lane>,
     pub points: [PointRow; MAX_MANIFOLD_POINTS],
     /// `K_ij` for i < j: 01 02 03 12 13 23.
     pub coupling: [Lane; COUPLINGS],
-    /// One if one of the bodies cannot be moved: such contacts are made stiffer.
-    pub is_static: Lane,
+    /// The angular velocities, in world space, that the two bodies get per unit of moment about each
+    /// axis of the contact frame: `I⁻¹ t1`, `I⁻¹ t2`, `I⁻¹ n`. Normal impulses need the first two.
+    pub inv_inertia: [[WideVector<Lane>; 2]; 3],
 
     pub friction: FrictionRow,
     /// Sum of the normal impulses of all substeps.
@@ -118,7 +117,7 @@ pub(crate) struct ContactBlock {
 
 // docs/data-layout.md counts these bytes.
 const _: () = assert!(
-    size_of::<ContactBlock>() == 77 * size_of::<Lane>() + 2 * LANES * size_of::<u32>()
+    size_of::<ContactBlock>() == 84 * size_of::<Lane>() + 2 * LANES * size_of::<u32>()
 );
 
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
@@ -133,11 +132,12 @@ pub(crate) struct FrictionRow {
     pub twist_mass: Lane,
     /// Mean distance of the points from the friction centre: the lever of twist friction.
     pub lever: Lane,
+    /// `K_13` and `K_23`: what a twist does to the velocities along the two tangents.
+    pub twist_coupling: [Lane; 2],
     /// Wanted relative velocity along the two tangents.
     pub surface_velocity: [Lane; 2],
-    /// Friction impulse of this substep along the two tangents.
-    pub impulse: [Lane; 2],
-    pub twist_impulse: Lane,
+    /// Friction impulses of this substep: along the two tangents, and about the normal.
+    pub impulse: [Lane; 3],
 }
 
 impl ContactBlock {
@@ -145,8 +145,6 @@ impl ContactBlock {
     pub const EMPTY: Self = {
         let zero = Lane::ZERO;
         let vector = WideVector { x: zero, y: zero, z: zero };
-        let symmetric =
-            WideSymmetric { m11: zero, m12: zero, m13: zero, m22: zero, m23: zero, m33: zero };
         let point = PointRow { x: zero, y: zero, separation: zero, mass: zero, impulse: zero };
         let friction = FrictionRow {
             center: vector,
@@ -154,20 +152,19 @@ impl ContactBlock {
             tangent_mass: [zero; 3],
             twist_mass: zero,
             lever: zero,
+            twist_coupling: [zero; 2],
             surface_velocity: [zero; 2],
-            impulse: [zero; 2],
-            twist_impulse: zero,
+            impulse: [zero; 3],
         };
         Self {
             bodies: [[READ_ONLY; LANES]; 2],
             normal: vector,
             tangent: vector,
             inv_mass: [vector; 2],
-            inv_inertia: [symmetric; 2],
             offset: vector,
             points: [point; MAX_MANIFOLD_POINTS],
             coupling: [zero; COUPLINGS],
-            is_static: zero,
+            inv_inertia: [[vector; 2]; 3],
             friction,
             totals: [zero; MAX_MANIFOLD_POINTS],
             restitution: zero,
@@ -178,12 +175,12 @@ impl ContactBlock {
     /// The friction impulse of one lane, in world space.
     pub fn friction_impulse(&self, lane: usize) -> Vector {
         let (n, t1) = (self.normal.lane(lane), self.tangent.lane(lane));
-        let [x, y] = self.friction.impulse;
+        let [x, y, _] = self.friction.impulse;
         t1 * x.0[lane] + n.cross(t1) * y.0[lane]
     }
 
     /// The twist impulse of one lane, about its normal.
     pub fn twist_impulse(&self, lane: usize) -> Real {
-        self.friction.twist_impulse.0[lane]
+        self.friction.impulse[2].0[lane]
     }
 }

@@ -14,16 +14,21 @@
 //!
 //! The circle is the exact cone; a box of two independent rows would let a body slide √2 times as
 //! hard along the diagonal. One centre instead of a row pair per point costs a third and is exact for
-//! a translating body under uniform pressure. [`coulomb`](super) friction per point is the other
-//! model.
+//! a translating body under uniform pressure.
 //!
 //! Source: Catto, "Box2D v3.1" release notes and Bepu's contact constraints for the central rows.
 
-use super::block::{ContactInput, FrictionRow};
-use super::prepare::{Pair, PairImpulse, Point, invert};
-use crate::base::wide::Wide;
-use crate::dim3::math::MAX_MANIFOLD_POINTS;
+use super::block::{ContactBlock, ContactInput, FrictionRow};
+use super::prepare::{Pair, Point};
+use super::rows::{Frame, invert, push};
+use crate::base::wide::{Lane, Wide};
+use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
+
+/// Of two eigenvalues, the smaller one counts if it is at least about this share of the larger one.
+/// Bodies that can slide freely stay above a hundredth, whatever their shape.
+const EIGENVALUE_RATIO_MIN: Real = 1.0e-3;
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
@@ -33,9 +38,9 @@ pub(super) struct WideFriction<W> {
     pub tangent_mass: [W; 3],
     pub twist_mass: W,
     pub lever: W,
+    pub twist_coupling: [W; 2],
     pub surface_velocity: [W; 2],
-    pub impulse: [W; 2],
-    pub twist_impulse: W,
+    pub impulse: [W; 3],
 }
 
 /// The rows of a block's friction.
@@ -48,28 +53,25 @@ pub(super) fn prepare<W: Wide>(
 ) -> WideFriction<W> {
     let (center, lever) = center(points, prediction);
     let frame = &pair.frame;
-    let impulse = frame.local(WideVector::load(&input.friction_impulse));
-    let surface = frame.local(WideVector::load(&input.tangent_velocity));
+    let [x, y] = frame.tangential(WideVector::load(&input.friction_impulse));
+    let (tangents, twist_coupling) = tangent_matrix(pair, center);
     WideFriction {
         center,
         coefficient: W::load(&input.friction),
-        tangent_mass: tangent_mass(pair, center),
+        tangent_mass: invert_matrix(tangents),
         twist_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
         lever,
-        surface_velocity: [surface.x, surface.y],
-        impulse: [impulse.x, impulse.y],
-        twist_impulse: W::load(&input.twist_impulse),
+        twist_coupling,
+        surface_velocity: frame.tangential(WideVector::load(&input.tangent_velocity)),
+        impulse: [x, y, W::load(&input.twist_impulse)],
     }
 }
 
 /// The friction centre, and the mean distance of the points from it.
 #[inline(always)]
-fn center<W: Wide>(
-    points: &[Point<W>; MAX_MANIFOLD_POINTS],
-    prediction: W,
-) -> (WideVector<W>, W) {
+fn center<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> (WideVector<W>, W) {
     // Weights fade out as points move apart; the floor keeps a manifold that hovers well defined.
-    let floor = prediction * W::splat(0.01);
+    let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let mut weights = [W::zero(); MAX_MANIFOLD_POINTS];
     let mut sum = W::zero();
     let mut center = WideVector::zero();
@@ -89,30 +91,47 @@ fn center<W: Wide>(
     (center, lever * inv_sum)
 }
 
-/// The inverse of the tangents' 2×2 matrix `K`.
+/// The matrix `K` of the two tangential rows (11, 12, 22), and their coupling with the twist row.
 #[inline(always)]
-fn tangent_mass<W: Wide>(pair: &Pair<W>, center: WideVector<W>) -> [W; 3] {
-    let inv_mass = pair.poses[0].inv_mass + pair.poses[1].inv_mass;
+fn tangent_matrix<W: Wide>(pair: &Pair<W>, center: WideVector<W>) -> ([W; 3], [W; 2]) {
+    let inv_mass = pair.inv_mass[0] + pair.inv_mass[1];
     let (t1, t2) = (pair.frame.t1, pair.frame.t2);
-    let [a11, a12, a22] = angular_part(pair.inv_inertia[0], center);
-    let [b11, b12, b22] = angular_part(pair.inv_inertia[1], center + pair.offset);
-    let k11 = t1.dot(t1.component_mul(inv_mass)) + a11 + b11;
-    let k12 = t1.dot(t2.component_mul(inv_mass)) + a12 + b12;
-    let k22 = t2.dot(t2.component_mul(inv_mass)) + a22 + b22;
-    let inv_det = invert(k11 * k22 - k12 * k12);
-    [k22 * inv_det, -(k12 * inv_det), k11 * inv_det]
+    let [a11, a12, a22, a13, a23] = angular_part(pair.inv_inertia[0], center);
+    let [b11, b12, b22, b13, b23] = angular_part(pair.inv_inertia[1], center + pair.offset);
+    let tangents = [
+        t1.dot(t1.component_mul(inv_mass)) + a11 + b11,
+        t1.dot(t2.component_mul(inv_mass)) + a12 + b12,
+        t2.dot(t2.component_mul(inv_mass)) + a22 + b22,
+    ];
+    (tangents, [a13 + b13, a23 + b23])
 }
 
-/// `J I⁻¹ Jᵀ` of the two tangential rows at a point: 11, 12, 22.
+/// `J I⁻¹ Jᵀ` of the two tangential rows at a point and the twist row `J₃ = (0, 0, 1)`: 11, 12, 22, 13,
+/// 23.
 #[inline(always)]
-fn angular_part<W: Wide>(i: WideSymmetric<W>, r: WideVector<W>) -> [W; 3] {
-    // I⁻¹ J₂ᵀ with J₂ = (-r₃, 0, r₁)
-    let column = [i.m13 * r.x - i.m11 * r.z, i.m23 * r.x - i.m12 * r.z, i.m33 * r.x - i.m13 * r.z];
-    let cross = r.y * r.z * i.m23;
+fn angular_part<W: Wide>(i: WideSymmetric<W>, r: WideVector<W>) -> [W; 5] {
+    // Components of I⁻¹ J₁ᵀ and I⁻¹ J₂ᵀ.
+    let (i1y, i1z) = (i.m22 * r.z - i.m23 * r.y, i.m23 * r.z - i.m33 * r.y);
+    let i2x = i.m13 * r.x - i.m11 * r.z;
+    let (i2y, i2z) = (i.m23 * r.x - i.m12 * r.z, i.m33 * r.x - i.m13 * r.z);
+    [r.z * i1y - r.y * i1z, r.z * i2y - r.y * i2z, r.x * i2z - r.z * i2x, i1z, i2z]
+}
+
+/// The inverse of a symmetric 2×2 matrix of no negative eigenvalue.
+///
+/// Bodies with locked axes may be free to slide along one direction alone. Their matrix has one
+/// eigenvalue, which is its trace, and a determinant of rounding errors. One over the trace inverts it
+/// along that direction, and leaves the impulse parallel to the sliding.
+#[inline(always)]
+fn invert_matrix<W: Wide>([k11, k12, k22]: [W; 3]) -> [W; 3] {
+    let trace = k11 + k22;
+    let det = k11 * k22 - k12 * k12;
+    let regular = (trace * trace * W::splat(EIGENVALUE_RATIO_MIN)).lt(det);
+    let (inv_det, inv_trace) = (invert(det), invert(trace));
     [
-        r.z * r.z * i.m22 - (cross + cross) + r.y * r.y * i.m33,
-        r.z * column[1] - r.y * column[2],
-        r.x * column[2] - r.z * column[0],
+        W::select(regular, k22 * inv_det, inv_trace),
+        W::select(regular, -(k12 * inv_det), W::zero()),
+        W::select(regular, k11 * inv_det, inv_trace),
     ]
 }
 
@@ -122,93 +141,105 @@ impl<W: Wide> WideFriction<W> {
         Self {
             center: WideVector::load(&row.center),
             coefficient: W::load(&row.coefficient),
-            tangent_mass: [
-                W::load(&row.tangent_mass[0]),
-                W::load(&row.tangent_mass[1]),
-                W::load(&row.tangent_mass[2]),
-            ],
+            tangent_mass: load(&row.tangent_mass),
             twist_mass: W::load(&row.twist_mass),
             lever: W::load(&row.lever),
-            surface_velocity: [
-                W::load(&row.surface_velocity[0]),
-                W::load(&row.surface_velocity[1]),
-            ],
-            impulse: [W::load(&row.impulse[0]), W::load(&row.impulse[1])],
-            twist_impulse: W::load(&row.twist_impulse),
+            twist_coupling: load(&row.twist_coupling),
+            surface_velocity: load(&row.surface_velocity),
+            impulse: load(&row.impulse),
         }
     }
 
     #[inline(always)]
-    pub fn store(&self, row: &mut FrictionRow) {
+    pub fn store(self, row: &mut FrictionRow) {
         self.center.store(&mut row.center);
         self.coefficient.store(&mut row.coefficient);
-        for k in 0..3 {
-            self.tangent_mass[k].store(&mut row.tangent_mass[k]);
-        }
+        store(self.tangent_mass, &mut row.tangent_mass);
         self.twist_mass.store(&mut row.twist_mass);
         self.lever.store(&mut row.lever);
-        for k in 0..2 {
-            self.surface_velocity[k].store(&mut row.surface_velocity[k]);
-        }
-        self.store_impulses(row);
+        store(self.twist_coupling, &mut row.twist_coupling);
+        store(self.surface_velocity, &mut row.surface_velocity);
+        store(self.impulse, &mut row.impulse);
     }
 
-    #[inline(always)]
-    pub fn store_impulses(&self, row: &mut FrictionRow) {
-        self.impulse[0].store(&mut row.impulse[0]);
-        self.impulse[1].store(&mut row.impulse[1]);
-        self.twist_impulse.store(&mut row.twist_impulse);
-    }
-
-    /// Solves the three rows once, for velocities in the contact frame, and returns what it added.
+    /// Solves the three rows once under a normal impulse and returns what it added.
     #[inline(always)]
     pub fn solve(
         &mut self,
-        linear: WideVector<W>,
-        w: [WideVector<W>; 2],
+        frame: &Frame<W>,
         c: WideVector<W>,
+        [m1, m2]: [WideMotion<W>; 2],
         normal_impulse: W,
-    ) -> PairImpulse<W> {
+    ) -> [W; 3] {
         let limit = self.coefficient * normal_impulse;
-        let mut added = PairImpulse::zero();
-        let twist = self.solve_twist(w[1].z - w[0].z, limit);
-        added.angular1.z = twist;
-        added.angular2.z = twist;
+        let (w1, w2) = (frame.local(m1.angular), frame.local(m2.angular));
+        let twist = self.solve_twist(w2.z - w1.z, limit * self.lever);
 
+        let linear = frame.tangential(m2.linear - m1.linear);
         let (a, b) = (self.center, self.center + c);
-        let vx = linear.x + (w[1].y * b.z - w[1].z * b.y) - (w[0].y * a.z - w[0].z * a.y)
-            - self.surface_velocity[0];
-        let vy = linear.y + (w[1].z * b.x - w[1].x * b.z) - (w[0].z * a.x - w[0].x * a.z)
-            - self.surface_velocity[1];
-        let tangential = self.solve_tangents(vx, vy, limit);
-        added.add_tangential(tangential, a, c);
-        added
+        let vx = linear[0] + (w2.y * b.z - w2.z * b.y) - (w1.y * a.z - w1.z * a.y);
+        let vy = linear[1] + (w2.z * b.x - w2.x * b.z) - (w1.z * a.x - w1.x * a.z);
+        let slip = [
+            vx + self.twist_coupling[0] * twist - self.surface_velocity[0],
+            vy + self.twist_coupling[1] * twist - self.surface_velocity[1],
+        ];
+        let [x, y] = self.solve_tangents(slip, limit);
+        [x, y, twist]
     }
 
     #[inline(always)]
     fn solve_twist(&mut self, spin: W, limit: W) -> W {
-        let limit = limit * self.lever;
-        let wanted = self.twist_impulse - self.twist_mass * spin;
-        let clamped = wanted.min(limit).max(-limit);
-        let added = clamped - self.twist_impulse;
-        self.twist_impulse = clamped;
-        added
+        let old = self.impulse[2];
+        let wanted = old - self.twist_mass * spin;
+        self.impulse[2] = wanted.min(limit).max(-limit);
+        self.impulse[2] - old
     }
 
     #[inline(always)]
-    fn solve_tangents(&mut self, vx: W, vy: W, limit: W) -> [W; 2] {
+    fn solve_tangents(&mut self, [vx, vy]: [W; 2], limit: W) -> [W; 2] {
         let [m11, m12, m22] = self.tangent_mass;
-        let x = self.impulse[0] - (m11 * vx + m12 * vy);
-        let y = self.impulse[1] - (m12 * vx + m22 * vy);
-        // Back onto the circle of radius `limit`.
-        let length_squared = x * x + y * y;
-        let outside = (limit * limit).lt(length_squared);
-        let one = W::splat(1.0);
-        let length = W::select(outside, length_squared, one).sqrt();
-        let scale = W::select(outside, limit / length, one);
-        let (x, y) = (x * scale, y * scale);
-        let added = [x - self.impulse[0], y - self.impulse[1]];
-        self.impulse = [x, y];
-        added
+        let [old_x, old_y, _] = self.impulse;
+        let x = old_x - (m11 * vx + m12 * vy);
+        let y = old_y - (m12 * vx + m22 * vy);
+        // Back onto the circle of radius `limit`, if outside.
+        let length = (x * x + y * y).sqrt().max(W::splat(Real::MIN_POSITIVE));
+        let scale = (limit / length).min(W::splat(1.0));
+        (self.impulse[0], self.impulse[1]) = (x * scale, y * scale);
+        [self.impulse[0] - old_x, self.impulse[1] - old_y]
+    }
+
+    /// The velocities after impulses at the friction centre have acted: two along the tangents, one
+    /// about the normal.
+    #[inline(always)]
+    pub fn apply(
+        &self,
+        [x, y, twist]: [W; 3],
+        block: &ContactBlock,
+        frame: &Frame<W>,
+        velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        let (a, b) = (self.center, self.center + WideVector::load(&block.offset));
+        // ρ × P with P₃ = 0.
+        let moments = [
+            [-(a.z * y), a.z * x, a.x * y - a.y * x + twist],
+            [-(b.z * y), b.z * x, b.x * y - b.y * x + twist],
+        ];
+        push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
+    }
+}
+
+#[inline(always)]
+fn load<W: Wide, const N: usize>(from: &[Lane; N]) -> [W; N] {
+    let mut numbers = [W::zero(); N];
+    for (number, lane) in numbers.iter_mut().zip(from) {
+        *number = W::load(lane);
+    }
+    numbers
+}
+
+#[inline(always)]
+pub(super) fn store<W: Wide, const N: usize>(numbers: [W; N], to: &mut [Lane; N]) {
+    for (number, lane) in numbers.into_iter().zip(to) {
+        number.store(lane);
     }
 }

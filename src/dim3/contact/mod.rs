@@ -40,6 +40,7 @@
 mod block;
 mod friction;
 mod prepare;
+mod rows;
 mod solve;
 
 pub(crate) use block::{ContactBlock, ContactInput};

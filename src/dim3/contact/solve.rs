@@ -1,13 +1,13 @@
 //! The passes over a block: solve and relax in each substep, restitution once at the end.
 
 use super::block::ContactBlock;
-use super::friction::WideFriction;
-use super::prepare::{Frame, NormalRow, PairImpulse};
+use super::friction::{self, WideFriction};
+use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::MAX_MANIFOLD_POINTS;
 use crate::dim3::state::{BodyState, WideMotion, gather_states, scatter_velocities};
-use crate::dim3::wide::{WideSymmetric, WideVector, load_symmetric, mul_inertia};
+use crate::dim3::wide::WideVector;
 use crate::model::params::{ContactPass, Softness};
 
 /// Velocities and displacements of a block's two bodies.
@@ -16,35 +16,28 @@ struct Bodies<W> {
     displacements: [WideMotion<W>; 2],
 }
 
-/// # Safety
-/// As [`gather_states`], for both bodies.
-#[inline(always)]
-unsafe fn gather_bodies<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    block: &ContactBlock,
-) -> Bodies<W> {
-    // SAFETY: the caller's promise.
-    let ([v1, d1], [v2, d2]) = unsafe {
-        (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-    };
-    Bodies { velocities: [v1, v2], displacements: [d1, d2] }
-}
+impl<W: Wide> Bodies<W> {
+    /// # Safety
+    /// As [`gather_states`], for both bodies.
+    #[inline(always)]
+    unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
+        // SAFETY: the caller's promise.
+        let ([v1, d1], [v2, d2]) = unsafe {
+            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
+        };
+        Self { velocities: [v1, v2], displacements: [d1, d2] }
+    }
 
-/// # Safety
-/// As [`scatter_velocities`], for both bodies.
-#[inline(always)]
-unsafe fn apply<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    block: &ContactBlock,
-    frame: &Frame<W>,
-    impulse: &PairImpulse<W>,
-    [m1, m2]: [WideMotion<W>; 2],
-) {
-    let (m1, m2) = impulse.apply(block, frame, m1, m2);
-    // SAFETY: the caller's promise.
-    unsafe {
-        scatter_velocities(states, &block.bodies[0], m1);
-        scatter_velocities(states, &block.bodies[1], m2);
+    /// # Safety
+    /// As [`scatter_velocities`], for both bodies.
+    #[inline(always)]
+    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &ContactBlock) {
+        let [v1, v2] = self.velocities;
+        // SAFETY: the caller's promise.
+        unsafe {
+            scatter_velocities(states, &block.bodies[0], v1);
+            scatter_velocities(states, &block.bodies[1], v2);
+        }
     }
 }
 
@@ -60,16 +53,10 @@ pub(crate) unsafe fn solve<W: Wide>(
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { gather_bodies::<W>(states, block) };
-    let frame = Frame::load(block);
-    let c = WideVector::load(&block.offset);
-    let velocity = NormalRow::new(&frame, c, bodies.velocities);
-    let displacement = NormalRow::new(&frame, c, bodies.displacements);
-    let soft = SoftRow::of(block, pass);
-    let mut impulse = PairImpulse::zero();
-    solve_normals::<W, true>(block, velocity, displacement, &soft, pass, &mut impulse);
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    solve_normals::<W, true>(block, &mut bodies, pass);
     // SAFETY: the caller's promise.
-    unsafe { apply(states, block, &frame, &impulse, bodies.velocities) };
+    unsafe { bodies.scatter(states, block) };
 }
 
 /// The normal rows without bias, which takes out the velocity that the bias of the solve pass put in
@@ -88,119 +75,117 @@ pub(crate) unsafe fn relax<W: Wide>(
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { gather_bodies::<W>(states, block) };
-    let frame = Frame::load(block);
-    let c = WideVector::load(&block.offset);
-    let velocity = NormalRow::new(&frame, c, bodies.velocities);
-    let displacement = NormalRow::new(&frame, c, bodies.displacements);
-    let mut impulse = PairImpulse::zero();
-    solve_normals::<W, false>(block, velocity, displacement, &SoftRow::rigid(), pass, &mut impulse);
-
-    // The normal impulses turn the bodies, and that moves the points along the surfaces.
-    let [m1, m2] = bodies.velocities;
-    let linear = frame.local(m2.linear - m1.linear);
-    let inertia: [WideSymmetric<W>; 2] =
-        [load_symmetric(&block.inv_inertia[0]), load_symmetric(&block.inv_inertia[1])];
-    let w1 = frame.local(m1.angular) - mul_inertia(inertia[0], impulse.angular1);
-    let w2 = frame.local(m2.angular) + mul_inertia(inertia[1], impulse.angular2);
-    let mut friction = WideFriction::load(&block.friction);
-    let tangential = friction.solve(linear, [w1, w2], c, total_impulse(block));
-    friction.store_impulses(&mut block.friction);
-    impulse.linear = impulse.linear + tangential.linear;
-    impulse.angular1 = impulse.angular1 + tangential.angular1;
-    impulse.angular2 = impulse.angular2 + tangential.angular2;
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    solve_normals::<W, false>(block, &mut bodies, pass);
+    solve_friction(block, &mut bodies);
     for k in 0..MAX_MANIFOLD_POINTS {
         let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
         total.store(&mut block.totals[k]);
     }
     // SAFETY: the caller's promise.
-    unsafe { apply(states, block, &frame, &impulse, bodies.velocities) };
+    unsafe { bodies.scatter(states, block) };
 }
 
-/// The sum of the normal impulses.
+/// Solves the friction rows once, under the normal impulses as they are.
 #[inline(always)]
-fn total_impulse<W: Wide>(block: &ContactBlock) -> W {
-    let mut sum = W::load(&block.points[0].impulse);
+fn solve_friction<W: Wide>(block: &mut ContactBlock, bodies: &mut Bodies<W>) {
+    let frame = Frame::load(block);
+    let c = WideVector::load(&block.offset);
+    let mut normal_impulse = W::load(&block.points[0].impulse);
     for point in &block.points[1..] {
-        sum = sum + W::load(&point.impulse);
+        normal_impulse = normal_impulse + W::load(&point.impulse);
     }
-    sum
-}
-
-/// [`Softness`] of each lane.
-struct SoftRow<W> {
-    /// Bias rate times mass scale (1/s).
-    rate: W,
-    mass_scale: W,
-    impulse_scale: W,
-}
-
-impl<W: Wide> SoftRow<W> {
-    #[inline(always)]
-    fn of(block: &ContactBlock, pass: &ContactPass) -> Self {
-        let is_static = W::splat(0.5).lt(W::load(&block.is_static));
-        let (a, b): (Softness, Softness) = (pass.static_softness, pass.softness);
-        let pick = |fixed, free| (W::splat(fixed), W::splat(free));
-        let (rate1, rate2) = pick(a.bias_rate * a.mass_scale, b.bias_rate * b.mass_scale);
-        let (mass1, mass2) = pick(a.mass_scale, b.mass_scale);
-        let (impulse1, impulse2) = pick(a.impulse_scale, b.impulse_scale);
-        Self {
-            rate: W::select(is_static, rate1, rate2),
-            mass_scale: W::select(is_static, mass1, mass2),
-            impulse_scale: W::select(is_static, impulse1, impulse2),
-        }
-    }
-
-    #[inline(always)]
-    fn rigid() -> Self {
-        Self { rate: W::zero(), mass_scale: W::splat(1.0), impulse_scale: W::zero() }
-    }
+    let mut friction = WideFriction::load(&block.friction);
+    let added = friction.solve(&frame, c, bodies.velocities, normal_impulse);
+    friction::store(friction.impulse, &mut block.friction.impulse);
+    bodies.velocities = friction.apply(added, block, &frame, bodies.velocities);
 }
 
 /// Gauss–Seidel over the points of each lane.
 #[inline(always)]
 fn solve_normals<W: Wide, const BIAS: bool>(
     block: &mut ContactBlock,
-    velocity: NormalRow<W>,
-    displacement: NormalRow<W>,
-    soft: &SoftRow<W>,
+    bodies: &mut Bodies<W>,
     pass: &ContactPass,
-    impulse: &mut PairImpulse<W>,
 ) {
-    let (inv_h, push) = (W::splat(pass.inv_substep), W::splat(-pass.push_velocity_max));
-    let (zero, one, allowed) = (W::zero(), W::splat(1.0), W::splat(pass.allowed_error));
+    let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
-    let mut rows = [zero; MAX_MANIFOLD_POINTS];
-    for k in 0..MAX_MANIFOLD_POINTS {
-        rows[k] = velocity.at(W::load(&block.points[k].x), W::load(&block.points[k].y));
-    }
+    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
+    let displacement = NormalRow::new(&frame, c, bodies.displacements);
+    let soft = SoftRow::<W>::new(pass);
+    let mut sum = NormalImpulse::zero();
     let mut coupling = 0;
     for k in 0..MAX_MANIFOLD_POINTS {
         let point = &mut block.points[k];
         let (x, y) = (W::load(&point.x), W::load(&point.y));
         let separation = W::load(&point.separation) + displacement.at(x, y);
-        let apart = zero.lt(separation);
-        let (bias, mass_scale, impulse_scale) = if BIAS {
-            let error = (separation + allowed).min(zero);
-            let overlapping = (error * soft.rate).max(push);
-            (
-                W::select(apart, separation * inv_h, overlapping),
-                W::select(apart, one, soft.mass_scale),
-                W::select(apart, zero, soft.impulse_scale),
-            )
-        } else {
-            (W::select(apart, separation * inv_h, zero), one, zero)
-        };
         let old = W::load(&point.impulse);
-        let wanted = W::load(&point.mass) * (rows[k] * mass_scale + bias) + old * impulse_scale;
-        let new = (old - wanted).max(zero);
+        let wanted = soft.wanted::<BIAS>(rows[k], separation, W::load(&point.mass), old);
+        let new = (old - wanted).max(W::zero());
         let added = new - old;
         new.store(&mut point.impulse);
-        impulse.add_normal(added, x, y, c);
+        sum.add(added, x, y);
         for row in &mut rows[k + 1..] {
             *row = *row + W::load(&block.coupling[coupling]) * added;
             coupling += 1;
         }
+    }
+    bodies.velocities = sum.apply(block, &frame, bodies.velocities);
+}
+
+/// The relative normal velocities at the points.
+#[inline(always)]
+fn velocities_at<W: Wide>(block: &ContactBlock, row: NormalRow<W>) -> [W; MAX_MANIFOLD_POINTS] {
+    let mut velocities = [W::zero(); MAX_MANIFOLD_POINTS];
+    for (velocity, point) in velocities.iter_mut().zip(&block.points) {
+        *velocity = row.at(W::load(&point.x), W::load(&point.y));
+    }
+    velocities
+}
+
+/// A [`ContactPass`] in registers.
+struct SoftRow<W> {
+    /// Bias rate times mass scale (1/s).
+    rate: W,
+    mass_scale: W,
+    impulse_scale: W,
+    inv_substep: W,
+    /// Overlap that is left alone.
+    allowed: W,
+    /// Fastest that overlap is undone, downwards.
+    push: W,
+}
+
+impl<W: Wide> SoftRow<W> {
+    #[inline(always)]
+    fn new(pass: &ContactPass) -> Self {
+        let Softness { bias_rate, mass_scale, impulse_scale } = pass.softness;
+        Self {
+            rate: W::splat(bias_rate * mass_scale),
+            mass_scale: W::splat(mass_scale),
+            impulse_scale: W::splat(impulse_scale),
+            inv_substep: W::splat(pass.inv_substep),
+            allowed: W::splat(pass.allowed_error),
+            push: W::splat(-pass.push_velocity_max),
+        }
+    }
+
+    /// By how much the impulse of a point should fall.
+    #[inline(always)]
+    fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
+        let zero = W::zero();
+        let apart = zero.lt(separation);
+        // Those that are apart may close the gap within the substep, and no more.
+        let closing = separation * self.inv_substep;
+        if !BIAS {
+            return mass * (velocity + W::select(apart, closing, zero));
+        }
+        let error = (separation + self.allowed).min(zero);
+        let opening = (error * self.rate).max(self.push);
+        let bias = W::select(apart, closing, opening);
+        let mass_scale = W::select(apart, W::splat(1.0), self.mass_scale);
+        let impulse_scale = W::select(apart, zero, self.impulse_scale);
+        mass * (velocity * mass_scale + bias) + impulse * impulse_scale
     }
 }
 
@@ -222,17 +207,13 @@ pub(crate) unsafe fn restitute<W: Wide>(
         return;
     }
     // SAFETY: the caller's promise.
-    let bodies = unsafe { gather_bodies::<W>(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
-    let velocity = NormalRow::new(&frame, c, bodies.velocities);
+    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
     let (zero, threshold) = (W::zero(), W::splat(-pass.restitution_threshold));
     let restitution = W::load(&block.restitution);
-    let mut impulse = PairImpulse::zero();
-    let mut rows = [zero; MAX_MANIFOLD_POINTS];
-    for k in 0..MAX_MANIFOLD_POINTS {
-        rows[k] = velocity.at(W::load(&block.points[k].x), W::load(&block.points[k].y));
-    }
+    let mut sum = NormalImpulse::zero();
     let mut coupling = 0;
     for k in 0..MAX_MANIFOLD_POINTS {
         let approach = W::load(&block.approach[k]);
@@ -245,12 +226,13 @@ pub(crate) unsafe fn restitute<W: Wide>(
         let added = new - old;
         new.store(&mut point.impulse);
         (total + added).store(&mut block.totals[k]);
-        impulse.add_normal(added, W::load(&point.x), W::load(&point.y), c);
+        sum.add(added, W::load(&point.x), W::load(&point.y));
         for row in &mut rows[k + 1..] {
             *row = *row + W::load(&block.coupling[coupling]) * added;
             coupling += 1;
         }
     }
+    bodies.velocities = sum.apply(block, &frame, bodies.velocities);
     // SAFETY: the caller's promise.
-    unsafe { apply(states, block, &frame, &impulse, bodies.velocities) };
+    unsafe { bodies.scatter(states, block) };
 }

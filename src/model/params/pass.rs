@@ -8,10 +8,8 @@ use crate::dim::math::Real;
 pub(crate) struct ContactPass {
     /// One over the length of a substep (1/s).
     pub inv_substep: Real,
-    /// How contacts between two movable bodies are softened.
+    /// How contacts are softened.
     pub softness: Softness,
-    /// The same against something that cannot move: stiffer, since the other side cannot yield.
-    pub static_softness: Softness,
     /// Fastest that overlap is undone (length/s).
     pub push_velocity_max: Real,
     /// Approach slower than this does not bounce (length/s).
@@ -23,11 +21,9 @@ pub(crate) struct ContactPass {
 impl ContactPass {
     /// For substeps of `substep` seconds.
     pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
-        let softness = params.contact_softness(substep);
         Self {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
-            softness,
-            static_softness: softness,
+            softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
             restitution_threshold: params.restitution_velocity_threshold(),
             allowed_error: params.allowed_linear_error(),
