@@ -8,6 +8,7 @@ mod table;
 
 mod bounce;
 mod fall;
+mod load;
 mod friction;
 mod stacks;
 mod tipping;

@@ -108,9 +108,8 @@ pub(crate) struct ContactBlock {
 }
 
 // docs/data-layout.md counts these bytes.
-const _: () = assert!(
-    size_of::<ContactBlock>() == 29 * size_of::<Lane>() + 2 * LANES * size_of::<u32>()
-);
+const _: () =
+    assert!(size_of::<ContactBlock>() == 29 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: one tangential row at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -154,6 +153,16 @@ impl ContactBlock {
             approach: [zero; MAX_MANIFOLD_POINTS],
         }
     };
+
+    /// Scales the impulses with which the next substep starts.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        let normal = self.points.iter_mut().map(|point| &mut point.impulse);
+        for lane in normal.chain(core::iter::once(&mut self.friction.impulse)) {
+            for impulse in &mut lane.0 {
+                *impulse *= factor;
+            }
+        }
+    }
 
     /// The friction impulse of one lane, in world space.
     pub fn friction_impulse(&self, lane: usize) -> Vector {

@@ -78,9 +78,11 @@ pub(crate) unsafe fn relax<W: Wide>(
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
     solve_friction(block, &mut bodies);
-    for k in 0..MAX_MANIFOLD_POINTS {
-        let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
-        total.store(&mut block.totals[k]);
+    if pass.is_last_visit {
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
+            total.store(&mut block.totals[k]);
+        }
     }
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
@@ -195,6 +197,8 @@ impl<W: Wide> SoftRow<W> {
 /// slowly than the threshold, or that no impulse ever stopped, are left alone: else resting bodies
 /// would hop.
 ///
+/// The impulse of a bounce counts into the step's, but is no load that the next step could start with.
+///
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
@@ -218,13 +222,12 @@ pub(crate) unsafe fn restitute<W: Wide>(
     for k in 0..MAX_MANIFOLD_POINTS {
         let approach = W::load(&block.approach[k]);
         let total = W::load(&block.totals[k]);
-        let point = &mut block.points[k];
+        let point = &block.points[k];
         let hit = approach.lt(threshold) & zero.lt(total) & zero.lt(restitution);
         let old = W::load(&point.impulse);
         let wanted = W::load(&point.mass) * (rows[k] + restitution * approach);
         let new = W::select(hit, (old - wanted).max(zero), old);
         let added = new - old;
-        new.store(&mut point.impulse);
         (total + added).store(&mut block.totals[k]);
         sum.add(added, W::load(&point.x));
         for row in &mut rows[k + 1..] {

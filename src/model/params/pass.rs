@@ -16,6 +16,9 @@ pub(crate) struct ContactPass {
     pub restitution_threshold: Real,
     /// Overlap that is left alone (length).
     pub allowed_error: Real,
+    /// Is this the last visit of the constraints in the substep? Then its impulses are the substep's,
+    /// and count into those of the step.
+    pub is_last_visit: bool,
 }
 
 impl ContactPass {
@@ -27,6 +30,7 @@ impl ContactPass {
             push_velocity_max: params.max_corrective_velocity(),
             restitution_threshold: params.restitution_velocity_threshold(),
             allowed_error: params.allowed_linear_error(),
+            is_last_visit: true,
         }
     }
 }

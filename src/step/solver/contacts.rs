@@ -91,6 +91,13 @@ impl SolverContacts {
         }
     }
 
+    /// Lets a substep start with this share of the last one's impulses, as the bodies do.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        if factor != 1.0 {
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+        }
+    }
+
     /// Solves all constraints once, with bias.
     pub fn solve(
         &mut self,

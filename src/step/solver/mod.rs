@@ -63,6 +63,7 @@ pub(crate) fn solve(
     let substeps = params.num_solver_iterations + extra;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
+    let early_pass = ContactPass { is_last_visit: false, ..pass };
     contacts.load(&islands.graph, narrow_phase, states);
     contacts.prepare(states, params, *simd, tasks);
     counters.velocity_assembly_time.pause();
@@ -70,13 +71,15 @@ pub(crate) fn solve(
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
+        contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
             contacts.solve(states, &pass, *simd, tasks);
         }
         states.integrate_positions(h);
-        for _ in 0..=params.num_additional_friction_iterations {
-            contacts.relax(states, &pass, *simd, tasks);
+        for _ in 0..params.num_additional_friction_iterations {
+            contacts.relax(states, &early_pass, *simd, tasks);
         }
+        contacts.relax(states, &pass, *simd, tasks);
     }
     contacts.restitute(states, &pass, *simd, tasks);
     counters.velocity_resolution_time.pause();
