@@ -42,6 +42,8 @@ mod friction;
 mod prepare;
 mod rows;
 mod solve;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use block::{ContactBlock, ContactInput};
 pub(crate) use prepare::prepare;

@@ -18,6 +18,8 @@
 
 mod bodies;
 mod contacts;
+#[cfg(test)]
+mod tests;
 
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;

@@ -1,0 +1,222 @@
+//! The rows that 3D alone has: two tangents that are solved together, and the twist about the normal.
+//!
+//! What both dimensions have is tested where the passes are driven from, in `step/solver/tests`.
+
+use super::block::ContactInput;
+use super::friction::{self, WideFriction};
+use super::prepare::{Pair, Point};
+use super::rows::Frame;
+use crate::base::random::Random;
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
+use crate::dim3::math::{
+    AngularInertia, MAX_MANIFOLD_POINTS, Real, Rotation, Vector, cross, mul_inertia, tangents,
+};
+use crate::dim3::state::WideMotion;
+use crate::dim3::wide::{WideSymmetric, WideVector, set_symmetric_lane};
+use parry::mass_properties::MassProperties;
+
+const ROUNDING: Real = 1000.0 * Real::EPSILON;
+
+/// The lane that is looked at.
+const LANE: usize = LANES - 1;
+
+fn random_vector(random: &mut Random) -> Vector {
+    Vector::new(random.within(-1.0, 1.0), random.within(-1.0, 1.0), random.within(-1.0, 1.0))
+}
+
+/// The same vector in every lane.
+fn lanes(vector: Vector) -> WideVector<Lane> {
+    WideVector { x: Lane::splat(vector.x), y: Lane::splat(vector.y), z: Lane::splat(vector.z) }
+}
+
+struct FrameAbout(Vector);
+
+impl Kernel for FrameAbout {
+    type Output = [Vector; 3];
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> Self::Output {
+        let frame = Frame::<W>::about(WideVector::splat(self.0));
+        let mut axes = [lanes(Vector::ZERO); 3];
+        frame.t1.store(&mut axes[0]);
+        frame.t2.store(&mut axes[1]);
+        frame.n.store(&mut axes[2]);
+        [axes[0].lane(LANE), axes[1].lane(LANE), axes[2].lane(LANE)]
+    }
+}
+
+#[test]
+fn frames_are_those_of_single_vectors_and_right_handed() {
+    let mut random = Random(1);
+    let mut normals = vec![Vector::X, -Vector::Y, Vector::Z, -Vector::Z];
+    normals.extend((0..100).map(|_| random_vector(&mut random).normalize()));
+    for n in normals {
+        let [t1, t2, _] = Simd::detect().run(FrameAbout(n));
+        let expected = tangents(n);
+        assert!((t1 - expected[0]).length() < ROUNDING && (t2 - expected[1]).length() < ROUNDING);
+        assert!((t1.cross(t2) - n).length() < ROUNDING, "not right-handed about {n}");
+    }
+}
+
+/// Two bodies whose first centre of mass is the origin, and where they touch.
+struct Touch {
+    normal: Vector,
+    offset: Vector,
+    inv_inertia: [AngularInertia; 2],
+    velocities: [(Vector, Vector); 2],
+    points: Vec<Vector>,
+    coefficient: Real,
+    normal_impulse: Real,
+}
+
+impl Touch {
+    /// A square of points with a half diagonal of 0.3 about a middle; any bodies, any velocities.
+    fn random(random: &mut Random) -> Self {
+        let normal = random_vector(random).normalize();
+        let middle = random_vector(random);
+        let [t1, t2] = tangents(normal);
+        let points = [t1, t2, -t1, -t2].map(|arm| middle + arm * 0.3).to_vec();
+        let mut body = || {
+            let moments = random_vector(random).abs() + Vector::splat(0.3);
+            let mass = MassProperties::new(Vector::ZERO, 1.0, moments);
+            mass.world_inv_inertia(&Rotation::from_scaled_axis(random_vector(random) * 3.0))
+        };
+        let inv_inertia = [body(), body()];
+        let mut motion = || (random_vector(random), random_vector(random));
+        let velocities = [motion(), motion()];
+        let offset = random_vector(random);
+        let (coefficient, normal_impulse) = (0.5, 1000.0);
+        Self { normal, offset, inv_inertia, velocities, points, coefficient, normal_impulse }
+    }
+
+    /// Their velocities after an impulse at a point and a twist about the normal. Both have mass 1.
+    fn pushed(&self, impulse: Vector, twist: Real, point: Vector) -> [(Vector, Vector); 2] {
+        let [(v1, w1), (v2, w2)] = self.velocities;
+        let [i1, i2] = &self.inv_inertia;
+        let moment = self.normal * twist;
+        [
+            (v1 - impulse, w1 - mul_inertia(i1, point.cross(impulse) + moment)),
+            (v2 + impulse, w2 + mul_inertia(i2, (point + self.offset).cross(impulse) + moment)),
+        ]
+    }
+}
+
+/// Velocity of the second body relative to the first at a point: along the plane, and about the normal.
+fn slip(
+    touch: &Touch,
+    [(v1, w1), (v2, w2)]: [(Vector, Vector); 2],
+    point: Vector,
+) -> (Vector, Real) {
+    let v = v2 + cross(w2, point + touch.offset) - v1 - cross(w1, point);
+    (v - touch.normal * touch.normal.dot(v), (w2 - w1).dot(touch.normal))
+}
+
+/// One visit of the friction rows: the impulse in world space and the twist.
+struct Visit<'a>(&'a Touch);
+
+impl Kernel for Visit<'_> {
+    type Output = (Vector, Real);
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> Self::Output {
+        let touch = self.0;
+        let frame = Frame::<W>::about(WideVector::splat(touch.normal));
+        let mut inv_inertia = [WideSymmetric::default(); 2];
+        let mut local = [frame.local_symmetric([WideVector::zero(); 3]); 2];
+        for side in 0..2 {
+            set_symmetric_lane(&mut inv_inertia[side], LANE, &touch.inv_inertia[side]);
+            let world = crate::dim3::wide::load_symmetric(&inv_inertia[side]);
+            local[side] = frame.local_symmetric(frame.columns(world));
+        }
+        let zero = W::zero();
+        let mut points =
+            [Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
+                MAX_MANIFOLD_POINTS];
+        for (point, &at) in points.iter_mut().zip(&touch.points) {
+            point.local = frame.local(WideVector::splat(at));
+            point.present = W::splat(1.0);
+        }
+        let pair = Pair {
+            frame,
+            offset: frame.local(WideVector::splat(touch.offset)),
+            inv_mass: [WideVector::splat(Vector::ONE); 2],
+            inv_inertia: local,
+        };
+        let mut input = ContactInput::EMPTY;
+        input.friction = Lane::splat(touch.coefficient);
+        let mut rows: WideFriction<W> = friction::prepare(&input, &pair, &points, W::splat(0.02));
+        let [(v1, w1), (v2, w2)] = touch.velocities;
+        let motions = [
+            WideMotion { linear: WideVector::splat(v1), angular: WideVector::splat(w1) },
+            WideMotion { linear: WideVector::splat(v2), angular: WideVector::splat(w2) },
+        ];
+        let [x, y, twist] =
+            rows.solve(&frame, pair.offset, motions, W::splat(touch.normal_impulse));
+        let (mut impulse, mut about) = (lanes(Vector::ZERO), Lane::ZERO);
+        (frame.t1 * x + frame.t2 * y).store(&mut impulse);
+        twist.store(&mut about);
+        (impulse.lane(LANE), about.0[LANE])
+    }
+}
+
+fn middle(points: &[Vector]) -> Vector {
+    points.iter().sum::<Vector>() / points.len() as Real
+}
+
+#[test]
+fn one_visit_stops_the_sliding_of_the_friction_centre() {
+    let mut random = Random(2);
+    for _ in 0..100 {
+        let touch = Touch::random(&mut random);
+        let center = middle(&touch.points);
+        let (impulse, twist) = Simd::detect().run(Visit(&touch));
+        let (sliding, _) = slip(&touch, touch.pushed(impulse, twist, center), center);
+        assert!(sliding.length() < ROUNDING, "{sliding} is left");
+        // The twist row was solved first, and alone.
+        let (_, spin) = slip(&touch, touch.pushed(Vector::ZERO, twist, center), center);
+        assert!(spin.abs() < ROUNDING, "{spin} is left");
+    }
+}
+
+#[test]
+fn the_twist_is_bounded_by_friction_times_load_times_lever() {
+    let mut random = Random(3);
+    for _ in 0..100 {
+        let mut touch = Touch::random(&mut random);
+        touch.normal_impulse = random.within(0.0, 0.01);
+        let (impulse, twist) = Simd::detect().run(Visit(&touch));
+        let limit = touch.coefficient * touch.normal_impulse;
+        assert!(impulse.length() <= limit * (1.0 + 8.0 * Real::EPSILON));
+        assert!(twist.abs() <= limit * 0.3 * (1.0 + ROUNDING));
+        // It spins fast enough that the bound is reached, against the spin.
+        let (_, spin) = slip(&touch, touch.velocities, middle(&touch.points));
+        assert!(spin.abs() < 0.1 || (twist + spin.signum() * limit * 0.3).abs() < ROUNDING * limit);
+    }
+}
+
+#[test]
+fn a_single_point_has_no_lever_to_twist() {
+    let mut random = Random(4);
+    let mut touch = Touch::random(&mut random);
+    touch.points.truncate(1);
+    let (impulse, twist) = Simd::detect().run(Visit(&touch));
+    assert_eq!(twist, 0.0);
+    assert!(impulse.length() > 0.0);
+}
+
+/// Where the load is far from enough to stop it, the whole of it goes against the sliding, whatever the
+/// direction. (Of bodies that do not turn: else a push in one direction also starts the other.)
+#[test]
+fn the_cone_is_round() {
+    let mut random = Random(5);
+    for _ in 0..100 {
+        let mut touch = Touch::random(&mut random);
+        touch.inv_inertia = [crate::dim3::math::zero_inertia(); 2];
+        touch.normal_impulse = 0.001;
+        let center = middle(&touch.points);
+        let (sliding, _) = slip(&touch, touch.velocities, center);
+        let (impulse, _) = Simd::detect().run(Visit(&touch));
+        let expected = -sliding.normalize() * (touch.coefficient * touch.normal_impulse);
+        assert!((impulse - expected).length() < ROUNDING * expected.length());
+    }
+}

@@ -1,0 +1,243 @@
+//! What is read and written: the same bits from all registers, no body but the own ones, all digits
+//! far from the origin, and impulses that outlast a step.
+
+use super::scene::{Body, Contact, LANE, SUBSTEP, Scene, random_direction, random_vector};
+use crate::base::random::Random;
+use crate::base::wide::{LANES, Simd};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, ang_length_squared};
+use crate::dim::state::BodyPose;
+
+const ROUNDING: Real = 1000.0 * Real::EPSILON;
+
+/// A manifold of any number of points near the origin.
+fn random_manifold(random: &mut Random) -> Contact {
+    let count = 1 + random.below(MAX_MANIFOLD_POINTS);
+    let points: Vec<_> = (0..count).map(|_| random_vector(random, 0.5)).collect();
+    let mut contact = Contact::at(random_direction(random), &points);
+    for (_, separation) in &mut contact.points {
+        *separation = random.within(-0.02, 0.02);
+    }
+    contact.friction = random.within(0.0, 1.0);
+    contact.restitution = random.within(-1.0, 1.0).max(0.0);
+    contact.tangent_velocity = random_vector(random, 0.1);
+    contact
+}
+
+/// A step of two substeps.
+fn step(scene: &mut Scene) {
+    scene.prepare();
+    for _ in 0..2 {
+        scene.begin_substep(-Vector::Y * 10.0);
+        scene.solve();
+        for state in &mut scene.states {
+            state.advance(SUBSTEP);
+        }
+        scene.relax();
+    }
+    scene.restitute();
+}
+
+#[test]
+fn all_registers_give_the_same_bits() {
+    let mut random = Random(21);
+    for _ in 0..20 {
+        let mut scenes = [Scene::empty(), Scene::empty()];
+        scenes[0].simd = Simd::baseline();
+        scenes[1].simd = Simd::detect();
+        for lane in 0..LANES {
+            let bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+            let contact = random_manifold(&mut random);
+            for scene in &mut scenes {
+                scene.pass.softness.impulse_scale = 0.05;
+                scene.pass.softness.bias_rate = 20.0;
+                scene.add(lane, bodies, &contact);
+            }
+        }
+        // Numbers are printed so that different ones look different.
+        let [baseline, detected] = scenes.map(|mut scene| {
+            step(&mut scene);
+            format!("{:?} {:?} {:?}", scene.states, scene.block, scene.input)
+        });
+        assert_eq!(baseline, detected);
+    }
+}
+
+#[test]
+fn lanes_do_not_touch_each_other() {
+    let mut random = Random(22);
+    let mut together = Scene::empty();
+    let mut alone = Vec::new();
+    for lane in 0..LANES {
+        let bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+        let contact = random_manifold(&mut random);
+        together.add(lane, bodies, &contact);
+        alone.push(Scene::new(bodies, &contact));
+    }
+    step(&mut together);
+    for (lane, scene) in alone.iter_mut().enumerate() {
+        step(scene);
+        for body in 1..=2 {
+            assert_eq!(together.velocity(2 * lane + body), scene.velocity(body));
+        }
+    }
+}
+
+#[test]
+fn read_only_bodies_and_the_world_are_not_written() {
+    let mut random = Random(23);
+    for read_only in [0, 1] {
+        for _ in 0..20 {
+            let mut bodies = [Body::random(&mut random), Body::random(&mut random)];
+            bodies[read_only].read_only = true;
+            let contact = random_manifold(&mut random);
+            let mut scene = Scene::new(bodies.map(Some), &contact);
+            scene.input.impulses[0].0[LANE] = 1.0;
+            scene.prepare();
+            assert_ne!(scene.velocity(2 - read_only).0, bodies[1 - read_only].linvel);
+            scene.solve();
+            scene.relax();
+            scene.restitute();
+            let body = bodies[read_only];
+            assert_eq!(scene.velocity(read_only + 1), (body.linvel, body.angvel));
+        }
+    }
+    let mut scene =
+        Scene::new([None, Some(Body::random(&mut random))], &random_manifold(&mut random));
+    step(&mut scene);
+    assert_eq!(format!("{:?}", scene.states[0]), format!("{:?}", Scene::empty().states[0]));
+}
+
+/// Turning a body does not change how far it has moved: velocities are written, displacements are not.
+#[test]
+fn displacements_stay() {
+    let mut random = Random(24);
+    let bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+    let mut scene = Scene::new(bodies, &random_manifold(&mut random));
+    scene.prepare();
+    for state in &mut scene.states {
+        state.advance(0.01);
+    }
+    let displacements: Vec<_> = scene.states.iter().map(|state| state.displacement()).collect();
+    scene.solve();
+    scene.relax();
+    scene.restitute();
+    let after: Vec<_> = scene.states.iter().map(|state| state.displacement()).collect();
+    assert_eq!(displacements, after);
+}
+
+/// A vector of few binary digits, which can be moved far away without rounding.
+fn coarse(vector: Vector) -> Vector {
+    (vector * 64.0).round() / 64.0
+}
+
+/// The same scene at the origin and far away. Centres and points need no rounding in either place; the
+/// levers would, if they were computed from points in the world.
+#[test]
+fn levers_keep_their_digits_far_from_the_origin() {
+    let mut random = Random(25);
+    let far = Vector::splat(10_000.0);
+    for kind in 0..3 {
+        for _ in 0..20 {
+            let mut bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+            if kind < 2 {
+                bodies[kind] = None;
+            }
+            for body in bodies.iter_mut().flatten() {
+                body.center = coarse(body.center);
+            }
+            let points =
+                [(); MAX_MANIFOLD_POINTS].map(|()| coarse(random_vector(&mut random, 0.5)));
+            let mut contact = Contact::at(random_direction(&mut random), &points).rough(0.5);
+            let mut near = Scene::new(bodies, &contact);
+            for body in bodies.iter_mut().flatten() {
+                body.center += far;
+            }
+            for (point, _) in &mut contact.points {
+                *point += far;
+            }
+            let mut away = Scene::new(bodies, &contact);
+            step(&mut near);
+            step(&mut away);
+            assert_eq!(format!("{:?}", near.block), format!("{:?}", away.block));
+            assert_eq!(format!("{:?}", near.states), format!("{:?}", away.states));
+            let there = away.input.points[0].lane(LANE);
+            assert!(
+                (near.input.points[0].lane(LANE) + far - there).length() < 1.0e5 * Real::EPSILON
+            );
+        }
+    }
+}
+
+#[test]
+fn points_and_separations_are_reported() {
+    let mut random = Random(26);
+    for _ in 0..50 {
+        let mut bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+        bodies[random.below(2)] = None;
+        let contact = random_manifold(&mut random);
+        let mut scene = Scene::new(bodies, &contact);
+        scene.prepare();
+        let input = &scene.input;
+        assert!((input.world_normal.lane(LANE) - contact.normal).length() < ROUNDING);
+        for (k, &(point, separation)) in contact.points.iter().enumerate() {
+            assert!((input.points[k].lane(LANE) - point).length() < ROUNDING);
+            assert!((input.separations[k].0[LANE] - separation).abs() < ROUNDING);
+        }
+    }
+}
+
+/// The impulses that a step ends with, given to the next one, act on the bodies as they did before.
+#[test]
+fn warm_starting_repeats_the_impulses() {
+    let mut random = Random(27);
+    for _ in 0..50 {
+        let bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
+        let contact = random_manifold(&mut random);
+        let mut first = Scene::new(bodies, &contact);
+        first.prepare();
+        for _ in 0..3 {
+            first.relax();
+        }
+        let mut second = Scene::new(bodies, &contact);
+        second.input.friction_impulse.set_lane(LANE, first.block.friction_impulse(LANE));
+        second.input.set_twist_impulse(LANE, first.block.twist_impulse(LANE));
+        for k in 0..MAX_MANIFOLD_POINTS {
+            second.input.impulses[k].0[LANE] = first.block.points[k].impulse.0[LANE];
+        }
+        second.prepare();
+        for body in 1..=2 {
+            let ((v1, w1), (v2, w2)) = (first.velocity(body), second.velocity(body));
+            assert!((v1 - v2).length() < ROUNDING, "{v1} and {v2}");
+            assert!(ang_length_squared(w1 - w2).sqrt() < ROUNDING, "{w1} and {w2}");
+        }
+    }
+}
+
+/// The impulses of a step are those of its substeps, each counted once however often it was visited.
+#[test]
+fn totals_count_each_substep_once() {
+    let body = Body { linvel: -Vector::Y, ..Body::block() };
+    let mut scene = Scene::new([None, Some(body)], &Contact::at(Vector::Y, &[-Vector::Y]));
+    scene.prepare();
+    for _ in 0..3 {
+        scene.begin_substep(-Vector::Y * 10.0);
+        scene.solve();
+        for is_last_visit in [false, false, true] {
+            scene.pass.is_last_visit = is_last_visit;
+            scene.relax();
+        }
+    }
+    // What stopped it at once, and then carried its weight.
+    let expected = 1.0 + 3.0 * 10.0 * SUBSTEP;
+    let total = scene.block.totals[0].0[LANE];
+    assert!((total - expected).abs() < ROUNDING, "{total} instead of {expected}");
+}
+
+#[test]
+fn empty_lanes_do_nothing() {
+    let mut scene = Scene::empty();
+    step(&mut scene);
+    assert_eq!(scene.input.bodies, [[BodyPose::WORLD_INDEX; LANES]; 2]);
+    assert_eq!(format!("{:?}", scene.states), format!("{:?}", Scene::empty().states));
+    assert_eq!(scene.normal_impulse(), 0.0);
+}
