@@ -64,6 +64,9 @@ impl ContactInput {
 
     /// Nothing: there is no twist about a normal in the plane.
     pub fn set_twist_impulse(&mut self, _lane: usize, _impulse: Real) {}
+
+    /// Nothing: points do not have friction of their own.
+    pub fn set_tangent_impulse(&mut self, _point: usize, _lane: usize, _impulse: [Real; 1]) {}
 }
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.

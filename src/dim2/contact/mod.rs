@@ -38,6 +38,7 @@
 //! Constraints" (GDC 2009) for sequential impulses.
 
 mod block;
+mod coulomb;
 mod friction;
 mod prepare;
 mod rows;
@@ -46,5 +47,6 @@ mod solve;
 mod tests;
 
 pub(crate) use block::{ContactBlock, ContactInput};
-pub(crate) use prepare::prepare;
+pub(crate) use coulomb::CoulombBlock;
+pub(crate) use prepare::{Surroundings, prepare};
 pub(crate) use solve::{relax, restitute, solve};

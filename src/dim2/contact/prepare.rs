@@ -1,5 +1,6 @@
 //! From manifolds to constraints: once per step.
 
+use super::coulomb::CoulombBlock;
 use super::block::{COUPLINGS, ContactBlock, ContactInput};
 use super::friction::{self, WideFriction};
 use super::rows::{Frame, NormalImpulse, NormalRow, invert};
@@ -29,9 +30,18 @@ pub(super) struct Pair<W> {
     pub offset: WideVector<W>,
 }
 
+/// The bodies as constraints are prepared.
+#[derive(Copy, Clone)]
+pub(crate) struct Surroundings<'a> {
+    pub poses: &'a [BodyPose],
+    pub states: &'a DisjointMut<'a, BodyState>,
+    /// Velocities before any impulse.
+    pub before: &'a [BodyState],
+}
+
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
 ///
-/// `before` holds the velocities before any such impulse; `prediction` is how far apart points may be.
+/// `prediction` is how far apart points may be.
 ///
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
@@ -39,9 +49,8 @@ pub(super) struct Pair<W> {
 pub(crate) unsafe fn prepare<W: Wide>(
     input: &mut ContactInput,
     block: &mut ContactBlock,
-    poses: &[BodyPose],
-    states: &DisjointMut<BodyState>,
-    before: &[BodyState],
+    _coulomb: Option<&mut CoulombBlock>,
+    Surroundings { poses, states, before }: Surroundings<'_>,
     prediction: Real,
 ) {
     let (pair, points) = read_geometry::<W>(input, poses);

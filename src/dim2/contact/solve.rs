@@ -1,6 +1,7 @@
 //! The passes over a block: solve and relax in each substep, restitution once at the end.
 
 use super::block::ContactBlock;
+use super::coulomb::CoulombBlock;
 use super::friction::WideFriction;
 use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
@@ -71,6 +72,7 @@ pub(crate) unsafe fn solve<W: Wide>(
 #[inline(always)]
 pub(crate) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
+    _coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
     pass: &ContactPass,
 ) {

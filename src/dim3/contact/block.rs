@@ -32,6 +32,9 @@ pub(crate) struct ContactInput {
     /// Friction impulse with which to start, in world space.
     pub friction_impulse: WideVector<Lane>,
     pub twist_impulse: Lane,
+    /// Friction impulses of the points with which to start, along the two tangents: for friction per
+    /// point.
+    pub tangent_impulses: [[Lane; 2]; MAX_MANIFOLD_POINTS],
 
     /// Out: the normal in world space.
     pub world_normal: WideVector<Lane>,
@@ -58,6 +61,7 @@ impl ContactInput {
             tangent_velocity: vector,
             friction_impulse: vector,
             twist_impulse: Lane::ZERO,
+            tangent_impulses: [[Lane::ZERO; 2]; MAX_MANIFOLD_POINTS],
             world_normal: vector,
             points: [vector; MAX_MANIFOLD_POINTS],
             separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
@@ -67,6 +71,12 @@ impl ContactInput {
     /// Sets the twist impulse about the normal with which one lane starts.
     pub fn set_twist_impulse(&mut self, lane: usize, impulse: Real) {
         self.twist_impulse.0[lane] = impulse;
+    }
+
+    /// Sets the friction impulse of a point with which one lane starts.
+    pub fn set_tangent_impulse(&mut self, point: usize, lane: usize, impulse: [Real; 2]) {
+        self.tangent_impulses[point][0].0[lane] = impulse[0];
+        self.tangent_impulses[point][1].0[lane] = impulse[1];
     }
 }
 

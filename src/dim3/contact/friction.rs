@@ -14,7 +14,7 @@
 //!
 //! The circle is the exact cone; a box of two independent rows would let a body slide √2 times as
 //! hard along the diagonal. One centre instead of a row pair per point costs a third and is exact for
-//! a translating body under uniform pressure.
+//! a translating body under uniform pressure. Friction per point is [the other model](super::coulomb).
 //!
 //! Source: Catto, "Box2D v3.1" release notes and Bepu's contact constraints for the central rows.
 
@@ -172,13 +172,9 @@ impl<W: Wide> WideFriction<W> {
         normal_impulse: W,
     ) -> [W; 3] {
         let limit = self.coefficient * normal_impulse;
-        let (w1, w2) = (frame.local(m1.angular), frame.local(m2.angular));
-        let twist = self.solve_twist(w2.z - w1.z, limit * self.lever);
-
-        let linear = frame.tangential(m2.linear - m1.linear);
-        let (a, b) = (self.center, self.center + c);
-        let vx = linear[0] + (w2.y * b.z - w2.z * b.y) - (w1.y * a.z - w1.z * a.y);
-        let vy = linear[1] + (w2.z * b.x - w2.x * b.z) - (w1.z * a.x - w1.x * a.z);
+        let spin = frame.n.dot(m2.angular - m1.angular);
+        let twist = self.solve_twist(spin, limit * self.lever);
+        let [vx, vy] = slip(frame, self.center, c, [m1, m2]);
         let slip = [
             vx + self.twist_coupling[0] * twist - self.surface_velocity[0],
             vy + self.twist_coupling[1] * twist - self.surface_velocity[1],
@@ -196,16 +192,11 @@ impl<W: Wide> WideFriction<W> {
     }
 
     #[inline(always)]
-    fn solve_tangents(&mut self, [vx, vy]: [W; 2], limit: W) -> [W; 2] {
-        let [m11, m12, m22] = self.tangent_mass;
-        let [old_x, old_y, _] = self.impulse;
-        let x = old_x - (m11 * vx + m12 * vy);
-        let y = old_y - (m12 * vx + m22 * vy);
-        // Back onto the circle of radius `limit`, if outside.
-        let length = (x * x + y * y).sqrt().max(W::splat(Real::MIN_POSITIVE));
-        let scale = (limit / length).min(W::splat(1.0));
-        (self.impulse[0], self.impulse[1]) = (x * scale, y * scale);
-        [self.impulse[0] - old_x, self.impulse[1] - old_y]
+    fn solve_tangents(&mut self, slip: [W; 2], limit: W) -> [W; 2] {
+        let [old_x, old_y, twist] = self.impulse;
+        let [x, y] = to_cone(self.tangent_mass, [old_x, old_y], slip, limit);
+        self.impulse = [x, y, twist];
+        [x - old_x, y - old_y]
     }
 
     /// The velocities after impulses at the friction centre have acted: two along the tangents, one
@@ -219,17 +210,60 @@ impl<W: Wide> WideFriction<W> {
         velocities: [WideMotion<W>; 2],
     ) -> [WideMotion<W>; 2] {
         let (a, b) = (self.center, self.center + WideVector::load(&block.offset));
-        // ρ × P with P₃ = 0.
-        let moments = [
-            [-(a.z * y), a.z * x, a.x * y - a.y * x + twist],
-            [-(b.z * y), b.z * x, b.x * y - b.y * x + twist],
-        ];
+        let mut moments = [moment(a, [x, y]), moment(b, [x, y])];
+        moments[0][2] = moments[0][2] + twist;
+        moments[1][2] = moments[1][2] + twist;
         push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
     }
 }
 
+/// The relative velocity along the two tangents, at a point of the contact frame.
 #[inline(always)]
-fn load<W: Wide, const N: usize>(from: &[Lane; N]) -> [W; N] {
+pub(super) fn slip<W: Wide>(
+    frame: &Frame<W>,
+    a: WideVector<W>,
+    c: WideVector<W>,
+    [m1, m2]: [WideMotion<W>; 2],
+) -> [W; 2] {
+    let (w1, w2) = (frame.local(m1.angular), frame.local(m2.angular));
+    let linear = frame.tangential(m2.linear - m1.linear);
+    let b = a + c;
+    [
+        linear[0] + (w2.y * b.z - w2.z * b.y) - (w1.y * a.z - w1.z * a.y),
+        linear[1] + (w2.z * b.x - w2.x * b.z) - (w1.z * a.x - w1.x * a.z),
+    ]
+}
+
+/// The moment `ρ × P` of an impulse along the tangents (`P₃ = 0`) at a point.
+#[inline(always)]
+pub(super) fn moment<W: Wide>(rho: WideVector<W>, [x, y]: [W; 2]) -> [W; 3] {
+    [-(rho.z * y), rho.z * x, rho.x * y - rho.y * x]
+}
+
+/// The impulse along the tangents that stops the slip, or as much of it as the cone allows.
+#[inline(always)]
+pub(super) fn to_cone<W: Wide>(
+    [m11, m12, m22]: [W; 3],
+    [old_x, old_y]: [W; 2],
+    [vx, vy]: [W; 2],
+    limit: W,
+) -> [W; 2] {
+    let x = old_x - (m11 * vx + m12 * vy);
+    let y = old_y - (m12 * vx + m22 * vy);
+    // Back onto the circle of radius `limit`, if outside.
+    let length = (x * x + y * y).sqrt().max(W::splat(Real::MIN_POSITIVE));
+    let scale = (limit / length).min(W::splat(1.0));
+    [x * scale, y * scale]
+}
+
+/// The inverse of the matrix `K` of the two tangential rows at a point: 11, 12, 22.
+#[inline(always)]
+pub(super) fn tangent_mass<W: Wide>(pair: &Pair<W>, point: WideVector<W>) -> [W; 3] {
+    invert_matrix(tangent_matrix(pair, point).0)
+}
+
+#[inline(always)]
+pub(super) fn load<W: Wide, const N: usize>(from: &[Lane; N]) -> [W; N] {
     let mut numbers = [W::zero(); N];
     for (number, lane) in numbers.iter_mut().zip(from) {
         *number = W::load(lane);

@@ -1,13 +1,14 @@
 //! From manifolds to constraints: once per step.
 
 use super::block::{COUPLINGS, ContactBlock, ContactInput};
-use super::friction::{self, WideFriction};
+use super::coulomb::CoulombBlock;
+use super::friction;
 use super::rows::{Frame, NormalImpulse, NormalRow, invert};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::{
-    BodyPose, BodyState, WidePose, gather_poses, gather_states, gather_velocities,
+    BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, gather_velocities,
     scatter_velocities,
 };
 use crate::dim3::wide::{WideSymmetric, WideVector};
@@ -33,9 +34,19 @@ pub(super) struct Pair<W> {
     pub inv_inertia: [WideSymmetric<W>; 2],
 }
 
+/// The bodies as constraints are prepared.
+#[derive(Copy, Clone)]
+pub(crate) struct Surroundings<'a> {
+    pub poses: &'a [BodyPose],
+    pub states: &'a DisjointMut<'a, BodyState>,
+    /// Velocities before any impulse.
+    pub before: &'a [BodyState],
+}
+
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
 ///
-/// `before` holds the velocities before any such impulse; `prediction` is how far apart points may be.
+/// `prediction` is how far apart points may be.
+/// Friction is at each point if there is a place for its rows in `coulomb`.
 ///
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
@@ -43,9 +54,8 @@ pub(super) struct Pair<W> {
 pub(crate) unsafe fn prepare<W: Wide>(
     input: &mut ContactInput,
     block: &mut ContactBlock,
-    poses: &[BodyPose],
-    states: &DisjointMut<BodyState>,
-    before: &[BodyState],
+    coulomb: Option<&mut CoulombBlock>,
+    Surroundings { poses, states, before }: Surroundings<'_>,
     prediction: Real,
 ) {
     let poses =
@@ -57,7 +67,17 @@ pub(crate) unsafe fn prepare<W: Wide>(
     friction.store(&mut block.friction);
     write_approach(block, &pair, &points, before);
     // SAFETY: the caller's promise.
-    unsafe { warm_start(block, &pair, &points, &friction, states) };
+    let mut velocities = unsafe { gather_both(states, block) };
+    velocities = match coulomb {
+        None => friction.apply(friction.impulse, block, &pair.frame, velocities),
+        Some(rows) => {
+            rows.prepare(input, block, &pair, &points);
+            rows.warm_start(block, &pair.frame, velocities)
+        }
+    };
+    velocities = warm_start(block, &pair, &points, velocities);
+    // SAFETY: the caller's promise.
+    unsafe { scatter_both(states, block, velocities) };
 }
 
 /// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c`
@@ -213,28 +233,46 @@ fn write_approach<W: Wide>(
     }
 }
 
-/// Applies the impulses that the last step ended with.
-///
-/// # Safety
-/// As [`gather_states`] and [`scatter_velocities`], for the bodies of the block.
+/// Applies the normal impulses that the last step ended with.
 #[inline(always)]
-unsafe fn warm_start<W: Wide>(
+fn warm_start<W: Wide>(
     block: &ContactBlock,
     pair: &Pair<W>,
     points: &[Point<W>; MAX_MANIFOLD_POINTS],
-    friction: &WideFriction<W>,
-    states: &DisjointMut<BodyState>,
-) {
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
     let mut impulse = NormalImpulse::zero();
     for point in points {
         impulse.add(point.impulse, point.local.x, point.local.y);
     }
+    impulse.apply(block, &pair.frame, velocities)
+}
+
+/// # Safety
+/// As [`gather_states`], for both bodies.
+#[inline(always)]
+unsafe fn gather_both<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    block: &ContactBlock,
+) -> [WideMotion<W>; 2] {
     // SAFETY: the caller's promise.
     unsafe {
-        let [v1, _] = gather_states::<W>(states, &block.bodies[0]);
-        let [v2, _] = gather_states::<W>(states, &block.bodies[1]);
-        let velocities = friction.apply(friction.impulse, block, &pair.frame, [v1, v2]);
-        let [v1, v2] = impulse.apply(block, &pair.frame, velocities);
+        let [v1, _] = gather_states(states, &block.bodies[0]);
+        let [v2, _] = gather_states(states, &block.bodies[1]);
+        [v1, v2]
+    }
+}
+
+/// # Safety
+/// As [`scatter_velocities`], for both bodies.
+#[inline(always)]
+unsafe fn scatter_both<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    block: &ContactBlock,
+    [v1, v2]: [WideMotion<W>; 2],
+) {
+    // SAFETY: the caller's promise.
+    unsafe {
         scatter_velocities(states, &block.bodies[0], v1);
         scatter_velocities(states, &block.bodies[1], v2);
     }

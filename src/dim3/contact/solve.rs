@@ -1,6 +1,7 @@
 //! The passes over a block: solve and relax in each substep, restitution once at the end.
 
 use super::block::ContactBlock;
+use super::coulomb::CoulombBlock;
 use super::friction::{self, WideFriction};
 use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
@@ -71,13 +72,19 @@ pub(crate) unsafe fn solve<W: Wide>(
 #[inline(always)]
 pub(crate) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
+    coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
-    solve_friction(block, &mut bodies);
+    match coulomb {
+        None => solve_friction(block, &mut bodies),
+        Some(rows) => {
+            bodies.velocities = rows.solve(block, &Frame::load(block), bodies.velocities);
+        }
+    }
     if pass.is_last_visit {
         for k in 0..MAX_MANIFOLD_POINTS {
             let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);

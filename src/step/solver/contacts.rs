@@ -4,12 +4,12 @@ use super::bodies::SolverBodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput};
+use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{ContactManifold, NarrowPhase};
-use crate::model::params::{ContactPass, IntegrationParameters};
+use crate::model::params::{ContactPass, FrictionModel, IntegrationParameters};
 use core::ops::Range;
 
 /// Blocks that are worth handing over to another thread together (some ten microseconds).
@@ -21,6 +21,8 @@ pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
     inputs: Vec<ContactInput>,
+    /// Friction per point of each block; empty with the standard friction model.
+    coulomb: Vec<CoulombBlock>,
     /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
     colors: Vec<Range<usize>>,
     len: usize,
@@ -79,22 +81,23 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks,
     ) {
+        let per_point = params.friction_model == FrictionModel::Coulomb;
+        let rows = if per_point { self.blocks.len() } else { 0 };
+        self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let prediction = params.prediction_distance();
         let (poses, states, before) = bodies.shared();
-        let (inputs, blocks) =
-            (DisjointMut::new(&mut self.inputs), DisjointMut::new(&mut self.blocks));
-        for color in &self.colors {
-            tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
-                let range = color.start + range.start..color.start + range.end;
-                simd.run(Prepare { range, inputs, blocks, poses, states, before, prediction });
-            });
-        }
+        let inputs = DisjointMut::new(&mut self.inputs);
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(Prepare { range, inputs, blocks, poses, states, before, prediction });
+        });
     }
 
     /// Lets a substep start with this share of the last one's impulses, as the bodies do.
     pub fn scale_impulses(&mut self, factor: Real) {
         if factor != 1.0 {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+            self.coulomb.iter_mut().for_each(|rows| rows.scale_impulses(factor));
         }
     }
 
@@ -106,8 +109,10 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks,
     ) {
-        self.for_each_color(bodies, tasks, |blocks, states| {
-            simd.run(Solve { blocks, states, pass });
+        let (_, states, _) = bodies.shared();
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(Solve { range, blocks, states, pass });
         });
     }
 
@@ -119,8 +124,10 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks,
     ) {
-        self.for_each_color(bodies, tasks, |blocks, states| {
-            simd.run(Relax { blocks, states, pass });
+        let (_, states, _) = bodies.shared();
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(Relax { range, blocks, states, pass });
         });
     }
 
@@ -132,30 +139,28 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks,
     ) {
-        self.for_each_color(bodies, tasks, |blocks, states| {
-            simd.run(Restitute { blocks, states, pass });
-        });
-    }
-
-    fn for_each_color(
-        &mut self,
-        bodies: &mut SolverBodies,
-        tasks: Tasks,
-        work: impl Fn(&mut [ContactBlock], DisjointMut<'_, BodyState>) + Sync,
-    ) {
         let (_, states, _) = bodies.shared();
-        for color in &self.colors {
-            let blocks = &mut self.blocks[color.clone()];
-            tasks.par_chunks_mut(blocks, BLOCKS_PER_TASK, |blocks| work(blocks, states));
-        }
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(Restitute { range, blocks, states, pass });
+        });
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
     pub fn store(&self, graph: &ConstraintGraph, narrow_phase: &mut NarrowPhase) {
-        for (((_, chunk), block), input) in chunks(graph).zip(&self.blocks).zip(&self.inputs) {
+        for (index, (_, chunk)) in chunks(graph).enumerate() {
+            let (block, input) = (&self.blocks[index], &self.inputs[index]);
             for (lane, at) in chunk.iter().enumerate() {
                 let pair = &mut narrow_phase.contacts[at.pair];
-                store_lane(block, input, lane, &mut pair.manifolds[at.manifold as usize]);
+                let manifold = &mut pair.manifolds[at.manifold as usize];
+                store_lane(block, input, lane, manifold);
+                if let Some(coulomb) = self.coulomb.get(index) {
+                    for (k, point) in manifold.data.points.iter_mut().enumerate() {
+                        let impulse = coulomb.impulse(k, lane);
+                        let sound = impulse.iter().all(|value| value.is_finite());
+                        point.warmstart_tangent_impulse = if sound { impulse } else { [0.0; _] };
+                    }
+                }
             }
         }
     }
@@ -204,6 +209,7 @@ fn load_lane(input: &mut ContactInput, lane: usize, indices: [u32; 2], manifold:
         input.anchors[1][k].set_lane(lane, point.anchor2);
         input.present[k].0[lane] = 1.0;
         input.impulses[k].0[lane] = point.warmstart_impulse;
+        input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);
     }
 }
 
@@ -231,22 +237,58 @@ fn store_lane(
 /// Did the numbers of a manifold stay finite? Otherwise its impulses must not start the next step: the
 /// bodies would never get rid of them.
 fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count: usize) -> bool {
-    let of_pair = [input.world_normal.lane(lane), block.friction_impulse(lane)];
-    of_pair.iter().all(|vector| vector.is_finite())
-        && block.twist_impulse(lane).is_finite()
-        && (0..count).all(|k| {
-            input.points[k].lane(lane).is_finite()
-                && input.separations[k].0[lane].is_finite()
-                && block.totals[k].0[lane].is_finite()
-                && block.points[k].impulse.0[lane].is_finite()
-        })
+    // Stays zero unless a number is not finite: 0·∞ and 0·NaN are NaN.
+    let mut probe = 0.0 * input.world_normal.lane(lane).element_sum();
+    probe += 0.0 * block.friction_impulse(lane).element_sum();
+    probe += 0.0 * block.twist_impulse(lane);
+    for k in 0..count {
+        probe += 0.0 * input.points[k].lane(lane).element_sum();
+        probe += 0.0 * input.separations[k].0[lane];
+        probe += 0.0 * block.totals[k].0[lane];
+        probe += 0.0 * block.points[k].impulse.0[lane];
+    }
+    probe == 0.0
+}
+
+/// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
+fn for_each_color(colors: &[Range<usize>], tasks: Tasks, work: impl Fn(Range<usize>) + Sync) {
+    for color in colors {
+        tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
+            work(color.start + range.start..color.start + range.end);
+        });
+    }
+}
+
+/// All blocks, and the friction per point of each if that is wanted.
+#[derive(Clone, Copy)]
+struct Blocks<'a> {
+    contacts: DisjointMut<'a, ContactBlock>,
+    coulomb: DisjointMut<'a, CoulombBlock>,
+}
+
+impl<'a> Blocks<'a> {
+    fn new(contacts: &'a mut [ContactBlock], coulomb: &'a mut [CoulombBlock]) -> Self {
+        Self { contacts: DisjointMut::new(contacts), coulomb: DisjointMut::new(coulomb) }
+    }
+
+    /// # Safety
+    /// Nobody else may use the block with this index meanwhile.
+    #[inline(always)]
+    unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
+        // SAFETY: the caller's promise; every index of a colour is one of a block.
+        unsafe {
+            let block = self.contacts.get_mut(index);
+            let per_point = index < self.coulomb.len();
+            (block, if per_point { Some(self.coulomb.get_mut(index)) } else { None })
+        }
+    }
 }
 
 /// See [`contact::prepare`].
 struct Prepare<'a> {
     range: Range<usize>,
     inputs: DisjointMut<'a, ContactInput>,
-    blocks: DisjointMut<'a, ContactBlock>,
+    blocks: Blocks<'a>,
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
     before: &'a [BodyState],
@@ -258,19 +300,15 @@ impl Kernel for Prepare<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
+        let Self { poses, states, before, prediction, .. } = self;
         for index in self.range {
             // SAFETY: each block belongs to one task, and the constraints of one colour share no body
             // that is not read-only.
             unsafe {
-                let (input, block) = (self.inputs.get_mut(index), self.blocks.get_mut(index));
-                contact::prepare::<W>(
-                    input,
-                    block,
-                    self.poses,
-                    &self.states,
-                    self.before,
-                    self.prediction,
-                );
+                let (block, coulomb) = self.blocks.get(index);
+                let input = self.inputs.get_mut(index);
+                let surroundings = contact::Surroundings { poses, states: &states, before };
+                contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
             }
         }
     }
@@ -278,9 +316,10 @@ impl Kernel for Prepare<'_> {
 
 /// A pass over some blocks of one colour.
 macro_rules! pass_kernel {
-    ($name:ident, $function:ident) => {
+    ($name:ident, |$block:ident, $coulomb:ident, $states:ident, $pass:ident| $visit:expr) => {
         struct $name<'a> {
-            blocks: &'a mut [ContactBlock],
+            range: Range<usize>,
+            blocks: Blocks<'a>,
             states: DisjointMut<'a, BodyState>,
             pass: &'a ContactPass,
         }
@@ -290,16 +329,24 @@ macro_rules! pass_kernel {
 
             #[inline(always)]
             fn run<W: Wide>(self) {
-                for block in self.blocks {
-                    // SAFETY: the constraints of one colour share no body that is not read-only, and
-                    // one colour is done before the next begins.
-                    unsafe { contact::$function::<W>(block, &self.states, self.pass) };
+                let ($states, $pass) = (&self.states, self.pass);
+                for index in self.range {
+                    // SAFETY: each block belongs to one task, the constraints of one colour share no
+                    // body that is not read-only, and one colour is done before the next begins.
+                    unsafe {
+                        let ($block, $coulomb) = self.blocks.get(index);
+                        $visit
+                    }
                 }
             }
         }
     };
 }
 
-pass_kernel!(Solve, solve);
-pass_kernel!(Relax, relax);
-pass_kernel!(Restitute, restitute);
+pass_kernel!(Solve, |block, _coulomb, states, pass| contact::solve::<W>(block, states, pass));
+pass_kernel!(Relax, |block, coulomb, states, pass| {
+    contact::relax::<W>(block, coulomb, states, pass);
+});
+pass_kernel!(Restitute, |block, _coulomb, states, pass| {
+    contact::restitute::<W>(block, states, pass);
+});

@@ -1,0 +1,23 @@
+//! Friction at each point: in 2D it needs no rows of its own.
+//!
+//! All points of a manifold lie on one line and slide along it, so one tangential row whose limit is `μ`
+//! times the sum of the normal impulses is the exact cone already.
+
+use crate::dim2::math::Real;
+
+/// Nothing. In 3D: the rows of each point.
+#[derive(Clone, Debug)]
+pub(crate) struct CoulombBlock;
+
+impl CoulombBlock {
+    /// Nothing.
+    pub const EMPTY: Self = Self;
+
+    /// Nothing.
+    pub fn scale_impulses(&mut self, _factor: Real) {}
+
+    /// Zero: the friction impulse is kept for the manifold as a whole.
+    pub fn impulse(&self, _point: usize, _lane: usize) -> [Real; 1] {
+        [0.0]
+    }
+}

@@ -1,0 +1,136 @@
+//! Friction at each point, within the exact cone of that point: the other friction model.
+//!
+//! Each point `k` has two tangential rows, solved together, with an impulse `λt` of its own:
+//!
+//! ```text
+//! |λt_k| ≤ μ λ_k        rows, matrix and signs as in `friction`, with the point for the centre
+//! ```
+//!
+//! Torque about the normal comes out of the points by itself. The points are visited in turn and each
+//! sees what those before it did, by way of the bodies: four small solves in sequence, about twice the
+//! work of the [central rows](super::friction). Kept out of [`ContactBlock`] so that worlds with the
+//! standard model do not carry it through the caches.
+
+use super::block::{ContactBlock, ContactInput};
+use super::friction::{self, tangent_mass, to_cone};
+use super::prepare::{Pair, Point};
+use super::rows::{Frame, push};
+use crate::base::wide::{Lane, Wide};
+use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim3::state::WideMotion;
+use crate::dim3::wide::WideVector;
+
+/// The tangential rows of one point of each lane.
+#[derive(Copy, Clone, Debug)]
+#[repr(C)]
+struct TangentRows {
+    /// Height of the point in the contact frame, from the first centre of mass. The other two
+    /// coordinates stand in the block.
+    z: Lane,
+    /// Inverse of the 2×2 effective-mass matrix: 11, 12, 22.
+    mass: [Lane; 3],
+    /// Friction impulse of this substep along the two tangents.
+    impulse: [Lane; 2],
+}
+
+/// Friction of each point of a [`ContactBlock`].
+#[derive(Clone, Debug)]
+pub(crate) struct CoulombBlock([TangentRows; MAX_MANIFOLD_POINTS]);
+
+impl CoulombBlock {
+    /// No friction in any lane.
+    pub const EMPTY: Self = Self(
+        [TangentRows { z: Lane::ZERO, mass: [Lane::ZERO; 3], impulse: [Lane::ZERO; 2] };
+            MAX_MANIFOLD_POINTS],
+    );
+
+    /// The friction impulse at a point of one lane, along the two tangents.
+    pub fn impulse(&self, point: usize, lane: usize) -> [Real; 2] {
+        self.0[point].impulse.map(|impulse| impulse.0[lane])
+    }
+
+    /// Multiplies all impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        for impulse in self.0.iter_mut().flat_map(|rows| &mut rows.impulse) {
+            impulse.0.iter_mut().for_each(|value| *value *= factor);
+        }
+    }
+
+    /// Fills the rows, and puts the block's central rows out of action.
+    #[inline(always)]
+    pub(super) fn prepare<W: Wide>(
+        &mut self,
+        input: &ContactInput,
+        block: &mut ContactBlock,
+        pair: &Pair<W>,
+        points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    ) {
+        block.friction.impulse = [Lane::ZERO; 3];
+        for (k, rows) in self.0.iter_mut().enumerate() {
+            points[k].local.z.store(&mut rows.z);
+            friction::store(tangent_mass(pair, points[k].local), &mut rows.mass);
+            rows.impulse = input.tangent_impulses[k];
+        }
+    }
+
+    /// Applies the impulses with which the step starts.
+    #[inline(always)]
+    pub(super) fn warm_start<W: Wide>(
+        &self,
+        block: &ContactBlock,
+        frame: &Frame<W>,
+        mut velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let impulse = friction::load(&self.0[k].impulse);
+            velocities = self.apply(k, impulse, block, frame, velocities);
+        }
+        velocities
+    }
+
+    /// Solves the rows of all points once, under the normal impulses as they are.
+    #[inline(always)]
+    pub(super) fn solve<W: Wide>(
+        &mut self,
+        block: &ContactBlock,
+        frame: &Frame<W>,
+        mut velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        let coefficient = W::load(&block.friction.coefficient);
+        let c = WideVector::load(&block.offset);
+        let surface: [W; 2] = friction::load(&block.friction.surface_velocity);
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let limit = coefficient * W::load(&block.points[k].impulse);
+            let slip = friction::slip(frame, self.point(k, block), c, velocities);
+            let slip = [slip[0] - surface[0], slip[1] - surface[1]];
+            let old: [W; 2] = friction::load(&self.0[k].impulse);
+            let new = to_cone(friction::load(&self.0[k].mass), old, slip, limit);
+            friction::store(new, &mut self.0[k].impulse);
+            let added = [new[0] - old[0], new[1] - old[1]];
+            velocities = self.apply(k, added, block, frame, velocities);
+        }
+        velocities
+    }
+
+    #[inline(always)]
+    fn point<W: Wide>(&self, k: usize, block: &ContactBlock) -> WideVector<W> {
+        let row = &block.points[k];
+        WideVector { x: W::load(&row.x), y: W::load(&row.y), z: W::load(&self.0[k].z) }
+    }
+
+    /// The velocities after an impulse along the tangents at a point.
+    #[inline(always)]
+    fn apply<W: Wide>(
+        &self,
+        k: usize,
+        [x, y]: [W; 2],
+        block: &ContactBlock,
+        frame: &Frame<W>,
+        velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        let a = self.point::<W>(k, block);
+        let b = a + WideVector::load(&block.offset);
+        let moments = [friction::moment(a, [x, y]), friction::moment(b, [x, y])];
+        push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
+    }
+}
