@@ -158,7 +158,11 @@ impl<T> Arena<T> {
     /// Two elements at once; `None` for each stale index, and for the second one if both are the same.
     pub fn get2_mut(&mut self, a: Index, b: Index) -> (Option<&mut T>, Option<&mut T>) {
         if a.index == b.index {
-            return if self.contains(a) { (self.get_mut(a), None) } else { (None, self.get_mut(b)) };
+            return if self.contains(a) {
+                (self.get_mut(a), None)
+            } else {
+                (None, self.get_mut(b))
+            };
         }
         let of = |slot: &'_ mut Slot<T>, index: Index| match slot {
             Slot::Taken { generation, value } if *generation == index.generation => {

@@ -80,7 +80,9 @@ impl<'a, T> DisjointMut<'a, T> {
         let cells = &self.elements[range];
         // SAFETY: the caller promises that there is no other reference to the elements;
         // `UnsafeCell<T>` has the layout of `T` and allows writing through a shared reference.
-        unsafe { core::slice::from_raw_parts_mut(cells.as_ptr().cast_mut().cast::<T>(), cells.len()) }
+        unsafe {
+            core::slice::from_raw_parts_mut(cells.as_ptr().cast_mut().cast::<T>(), cells.len())
+        }
     }
 }
 

@@ -118,11 +118,8 @@ impl ConstraintGraph {
 
 /// The lowest colour whose bit is not set, in the range for two dynamic bodies or for one.
 fn lowest_free(used: u64, both_dynamic: bool) -> u32 {
-    let range = if both_dynamic {
-        (1_u64 << DYNAMIC_COLORS) - 1
-    } else {
-        !((1_u64 << DYNAMIC_COLORS) - 1)
-    };
+    let range =
+        if both_dynamic { (1_u64 << DYNAMIC_COLORS) - 1 } else { !((1_u64 << DYNAMIC_COLORS) - 1) };
     let free = !used & range;
     if free == 0 { OVERFLOW } else { free.trailing_zeros() }
 }

@@ -12,9 +12,9 @@
 //! * A kinematic body with an awake pair is awake: the solver needs to know where it is.
 
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::ColliderHandle;
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::collider::ColliderHandle;
 use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, IslandManager, NONE};
 
@@ -537,7 +537,10 @@ impl Structure<'_> {
         self.narrow_phase.contacts.validate();
         self.narrow_phase.intersections.validate();
         for (position, &handle) in self.islands.awake.iter().enumerate() {
-            assert_eq!(self.bodies[handle].link.awake, position as u32, "{handle:?} is listed awake");
+            assert_eq!(
+                self.bodies[handle].link.awake, position as u32,
+                "{handle:?} is listed awake"
+            );
         }
         for (handle, body) in self.bodies.iter() {
             if body.link.awake != NONE {
@@ -569,7 +572,11 @@ impl Structure<'_> {
                 let solved = pair.attached;
                 if let ([Some(slot1), Some(slot2)], true) = (dynamic, solved) {
                     let island_of = |slot| self.body(slot).map(|body| body.link.island);
-                    assert_eq!(island_of(slot1), island_of(slot2), "touching bodies share an island");
+                    assert_eq!(
+                        island_of(slot1),
+                        island_of(slot2),
+                        "touching bodies share an island"
+                    );
                 }
                 let wanted = solved && dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
                 for (index, manifold) in pair.manifolds.iter().enumerate() {

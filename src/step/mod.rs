@@ -144,13 +144,7 @@ fn move_bodies(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.solver_time.pause();
 
     parts.counters.stages.update_time.resume();
-    advance::advance(
-        parts.bodies,
-        parts.colliders,
-        parts.islands,
-        parts.broad_phase,
-        parts.params,
-    );
+    advance::advance(parts.bodies, parts.colliders, parts.islands, parts.broad_phase, parts.params);
     parts.counters.stages.update_time.pause();
 }
 

@@ -1,7 +1,7 @@
 //! From manifolds to constraints: once per step.
 
-use super::coulomb::CoulombBlock;
 use super::block::{COUPLINGS, ContactBlock, ContactInput};
+use super::coulomb::CoulombBlock;
 use super::friction::{self, WideFriction};
 use super::rows::{Frame, NormalImpulse, NormalRow, invert};
 use crate::base::disjoint::DisjointMut;

@@ -1,9 +1,9 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
 use super::manifold::ContactManifold;
+use super::store::Pair;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
-use super::store::Pair;
 use smallvec::SmallVec;
 
 /// Two colliders that are close enough to touch, and their contact manifolds.

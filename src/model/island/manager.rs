@@ -99,7 +99,11 @@ impl IslandManager {
     /// The bound of how far any point of the body in a slot moved in the last step.
     #[inline]
     pub(crate) fn motion_of(&self, body_slot: u32) -> Real {
-        if body_slot == NONE { 0.0 } else { self.motion.get(body_slot as usize).copied().unwrap_or(0.0) }
+        if body_slot == NONE {
+            0.0
+        } else {
+            self.motion.get(body_slot as usize).copied().unwrap_or(0.0)
+        }
     }
 
     /// Notes how far any point of the body in a slot moved.

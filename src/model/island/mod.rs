@@ -3,6 +3,6 @@
 mod link;
 mod manager;
 
-pub use manager::IslandManager;
 pub(crate) use link::{BodyLink, NONE};
 pub(crate) use manager::Island;
+pub use manager::IslandManager;

@@ -94,7 +94,9 @@ fn boxes_that_are_not_finite_or_too_far_are_left_out() {
         tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin);
         assert!(proxy.tree.is_some());
         tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::splat(bad)), &margin);
-        assert!(proxy.is_refused && proxy.tree.is_none() && tree.boxes(TreeKind::Movable).is_empty());
+        assert!(
+            proxy.is_refused && proxy.tree.is_none() && tree.boxes(TreeKind::Movable).is_empty()
+        );
     }
 }
 

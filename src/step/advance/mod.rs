@@ -55,7 +55,9 @@ fn update_sleep_timer(body: &mut RigidBody, params: &IntegrationParameters) {
     let angular = activation.angular_threshold;
     // A negative threshold says that the body never sleeps.
     let still = if body.body_type.is_kinematic() {
-        linear >= 0.0 && body.linvel.length_squared() == 0.0 && ang_length_squared(body.angvel) == 0.0
+        linear >= 0.0
+            && body.linvel.length_squared() == 0.0
+            && ang_length_squared(body.angvel) == 0.0
     } else {
         linear >= 0.0
             && angular >= 0.0

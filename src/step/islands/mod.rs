@@ -83,8 +83,9 @@ fn report(
         return;
     }
     let wants = |handle| {
-        set.get(handle)
-            .is_some_and(|collider| collider.active_events().contains(ActiveEvents::COLLISION_EVENTS))
+        set.get(handle).is_some_and(|collider| {
+            collider.active_events().contains(ActiveEvents::COLLISION_EVENTS)
+        })
     };
     if touching && (wants(collider1) || wants(collider2)) {
         *reported = true;

@@ -12,8 +12,8 @@ use crate::model::collider::{
     ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle, ColliderSet,
 };
 use crate::model::contact::{
-    AwakePair, ContactManifold, ContactPair, DUE, IntersectionPair, NarrowPhase, Pair, PairId, PairStore,
-    SolverFlags,
+    AwakePair, ContactManifold, ContactPair, DUE, IntersectionPair, NarrowPhase, Pair, PairId,
+    PairStore, SolverFlags,
 };
 use crate::model::hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
 use crate::model::island::IslandManager;
@@ -68,8 +68,7 @@ impl Outcome {
     }
 
     /// The boxes no longer overlap.
-    const APART: Self =
-        Self { change: Some(PairChange::Apart), slack: DUE, reports_force: false };
+    const APART: Self = Self { change: Some(PairChange::Apart), slack: DUE, reports_force: false };
 }
 
 /// Brings all awake pairs up to date.
@@ -114,8 +113,7 @@ fn update_store<P: Update + Pair>(
         for index in range {
             let AwakePair { id, slack, reports_force, .. } = awake[due[index] as usize];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
-            let (slot, result) =
-                unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
+            let (slot, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = PairStore::pair_mut(slot) else { continue };
             let last = Outcome::unchanged(slack, reports_force);
             *result = look_at(around, pair, last, &mut worker);
@@ -159,10 +157,7 @@ struct PairView<'a> {
 }
 
 impl<'a> PairView<'a> {
-    fn of(
-        around: Surroundings<'a>,
-        handles: [ColliderHandle; 2],
-    ) -> Option<Self> {
+    fn of(around: Surroundings<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
         let collider1 = around.colliders.get(handles[0])?;
         let collider2 = around.colliders.get(handles[1])?;
         let body = |collider: &Collider| around.bodies.get(collider.parent()?);
@@ -288,9 +283,8 @@ impl ContactPair {
         let moved = contacts.map(|contact| {
             (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
         });
-        let turned = Vector::AXES.map(|axis| {
-            (pose12.rotation * axis - self.pose12.rotation * axis).length_squared()
-        });
+        let turned = Vector::AXES
+            .map(|axis| (pose12.rotation * axis - self.pose12.rotation * axis).length_squared());
         let chord = TURN_BOUND * turned.into_iter().fold(0.0, Real::max).sqrt();
         moved.fold(0.0, Real::max).sqrt() + chord * reach
     }

@@ -69,8 +69,7 @@ impl Digest<'_> {
         if changes.intersects(mass) {
             self.note_mass(handle, reweighed);
         }
-        let asleep =
-            self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping);
+        let asleep = self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping);
         if changes.contains(RigidBodyChanges::SLEEP) && !asleep {
             self.structure.wake_body(handle);
         }

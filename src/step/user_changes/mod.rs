@@ -80,7 +80,12 @@ impl Digest<'_> {
     }
 
     /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.
-    fn remove_pairs_of(&mut self, handle: ColliderHandle, wake_up: bool, flags: CollisionEventFlags) {
+    fn remove_pairs_of(
+        &mut self,
+        handle: ColliderHandle,
+        wake_up: bool,
+        flags: CollisionEventFlags,
+    ) {
         let slot = handle.into_raw_parts().0;
         if wake_up {
             self.structure.wake_touching(slot);

@@ -25,7 +25,8 @@ fn extreme_sizes_and_places_do_no_harm() {
     let mut random = Random(2);
     for round in 0..10_000 {
         let kinds = [random.below(KINDS), random.below(KINDS)];
-        let mut size = |smallest: i32| 10.0_f64.powi(random.below((11 - smallest) as usize) as i32 + smallest);
+        let mut size =
+            |smallest: i32| 10.0_f64.powi(random.below((11 - smallest) as usize) as i32 + smallest);
         // Hulls of points that are all the same to their makers are refused long before.
         let [size1, size2] = kinds.map(|kind| size(if kind < samples::HULL { -25 } else { -6 }));
         let range = size(-25);

@@ -2,6 +2,7 @@
 
 use super::scene::{Body, Contact, LANE, SUBSTEP, Scene, random_direction, random_vector};
 use crate::base::random::Random;
+use crate::dim::contact::CoulombBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
@@ -37,10 +38,11 @@ fn substep(scene: &mut Scene, acceleration: Vector) -> Real {
 #[test]
 fn sliding_slows_by_friction_times_weight_in_every_direction() {
     let mut random = Random(11);
-    for _ in 0..30 {
+    for round in 0..30 {
         let normal = random_direction(&mut random);
         let direction = random_tangent(&mut random, normal);
         let mut scene = block_on_ground(normal, direction);
+        scene.coulomb = (round % 2 == 1).then_some(CoulombBlock::EMPTY);
         scene.prepare();
         let mut speed: Real = 1.0;
         for _ in 0..100 {

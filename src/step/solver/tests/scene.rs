@@ -3,7 +3,7 @@
 use crate::base::disjoint::DisjointMut;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput};
+use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
@@ -130,6 +130,8 @@ pub struct Scene {
     pub before: Vec<BodyState>,
     pub input: ContactInput,
     pub block: ContactBlock,
+    /// Friction per point, if that is wanted.
+    pub coulomb: Option<CoulombBlock>,
     pub pass: ContactPass,
     pub prediction: Real,
     pub simd: Simd,
@@ -144,6 +146,7 @@ impl Scene {
             before: vec![BodyState::default()],
             input: ContactInput::EMPTY,
             block: ContactBlock::EMPTY,
+            coulomb: None,
             pass: ContactPass {
                 inv_substep: 1.0 / SUBSTEP,
                 softness: Softness::RIGID,
@@ -272,16 +275,18 @@ impl Kernel for Run<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        let Scene { poses, states, before, input, block, pass, prediction, .. } = self.scene;
+        let Scene { poses, states, before, input, block, coulomb, pass, prediction, .. } =
+            self.scene;
         let states = DisjointMut::new(states);
         // SAFETY: no other thread knows these states.
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    contact::prepare::<W>(input, block, poses, &states, before, *prediction);
+                    let around = contact::Surroundings { poses, states: &states, before };
+                    contact::prepare::<W>(input, block, coulomb.as_mut(), around, *prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
-                Pass::Relax => contact::relax::<W>(block, &states, pass),
+                Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
                 Pass::Restitute => contact::restitute::<W>(block, &states, pass),
             }
         }
