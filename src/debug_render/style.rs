@@ -58,7 +58,7 @@ impl Default for DebugRenderStyle {
             collider_kinematic_color: [32.0, 0.90, 0.60, 1.0],
             collider_parentless_color: [150.0, 0.25, 0.50, 1.0],
             collider_aabb_color: [280.0, 0.70, 0.65, 0.5],
-            sleep_color_multiplier: [1.0, 0.7, 0.6, 1.0],
+            sleep_color_multiplier: [1.0, 0.75, 0.7, 1.0],
             sleep_eligible_color_multiplier: [1.0, 0.9, 0.85, 1.0],
             disabled_color_multiplier: [1.0, 0.0, 0.5, 0.5],
             rigid_body_axes_length: 0.5,

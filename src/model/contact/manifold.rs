@@ -108,8 +108,9 @@ pub struct ContactManifoldData {
     pub friction: Real,
     /// Combined restitution coefficient.
     pub restitution: Real,
-    /// Velocity of the second surface relative to the first along the contact plane, in world space,
-    /// as a conveyor belt has (length/s). Set by [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
+    /// Velocity along the contact plane, in world space, at which friction makes the second body move
+    /// against the first (length/s): that of the surface of a conveyor belt that is the first body,
+    /// the opposite for one that is the second. Set by [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
     pub tangent_velocity: Vector,
     /// Dominance group of the first body minus that of the second. Positive: the first body moves
     /// the second as if it had infinite mass.

@@ -86,14 +86,16 @@ impl ContactModificationContext<'_> {
         }
     }
 
-    /// Velocity of the second surface relative to the first, in world space (length/s).
+    /// Velocity at which friction makes the second body move against the first, in world space
+    /// (length/s).
     pub fn tangent_velocity(&self) -> Vector {
         self.manifold.data.tangent_velocity
     }
 
-    /// Makes the surfaces run like a conveyor belt: sets the velocity of the second surface relative to
-    /// the first, in world space (length/s). Only the part along the contact plane counts. A
-    /// non-finite velocity is refused: the old one stays, with a warning in the log.
+    /// Makes a surface run like a conveyor belt: sets the velocity at which friction makes the second
+    /// body move against the first, in world space (length/s). That is the velocity of the belt's
+    /// surface if the belt is the first body, and the opposite if it is the second. Only the part along
+    /// the contact plane counts. A non-finite velocity is refused: the old one stays, with a warning in the log.
     pub fn set_tangent_velocity(&mut self, velocity: Vector) {
         if velocity.is_finite() {
             self.manifold.data.tangent_velocity = velocity;
