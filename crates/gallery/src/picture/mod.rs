@@ -47,7 +47,8 @@ pub struct Triangle {
     pub color: Color,
     /// Is it part of the surroundings? The camera makes no effort to show those.
     pub scenery: bool,
-    /// Is it part of a large plane? Such triangles get a faint grid and fade out with distance.
+    /// Is it part of a large plane? Such triangles get a faint grid, fade out with distance, and are seen
+    /// from their front only: from where their corners turn counter-clockwise.
     pub floor: bool,
 }
 

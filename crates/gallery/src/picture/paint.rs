@@ -9,8 +9,10 @@ use super::{Line, Point, Triangle, clip};
 const LINE_WIDTH: f32 = 1.15;
 /// Lines shorter than this many pixels get fainter, or else a far crowd would be a white blot.
 const SHORT_LINE: f32 = 9.0;
-/// The faintest that shortness makes a line.
+/// The faintest that shortness makes a line. In a flat scene nothing shades the insides, so lines have
+/// more to tell.
 const FAINTEST: f32 = 0.12;
+const FAINTEST_FLAT: f32 = 0.4;
 /// How much nearer a line counts than it is, so that the faces it borders do not hide it.
 const LINE_LIFT: f32 = 1.0025;
 /// How much of a colour a surface in full light shows.
@@ -42,7 +44,8 @@ fn edge(canvas: &mut Canvas, camera: &Camera, line: &Line) {
     let Some(ends) = ends else { return };
     let [a, b] = ends.map(|end| canvas.place(end.x / end.w, end.y / end.w));
     let length = ((b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)).sqrt() / FINENESS as f32;
-    let strength = if camera.flat { 1.0 } else { (length / SHORT_LINE).clamp(FAINTEST, 1.0) };
+    let faintest = if camera.flat { FAINTEST_FLAT } else { FAINTEST };
+    let strength = (length / SHORT_LINE).clamp(faintest, 1.0);
     let stroke = Stroke {
         ends: [a, b],
         nearness: ends.map(|end| LINE_LIFT / end.w),
@@ -118,6 +121,9 @@ fn whole([low, high]: [f32; 2], limit: usize) -> std::ops::Range<usize> {
 }
 
 fn surface(canvas: &mut Canvas, camera: &Camera, triangle: &Triangle) {
+    if triangle.floor && !camera.flat && !faces_eye(camera, triangle) {
+        return;
+    }
     let polygon = clip::triangle(triangle.corners.map(|p| camera.see(p)), camera.nearest());
     let [first, rest @ ..] = polygon.as_slice() else { return };
     let shade = Shade::new(camera, triangle);
@@ -171,6 +177,12 @@ fn twice_area(a: [f32; 2], b: [f32; 2], point: [f32; 2]) -> f32 {
         if area == 0.0 { f32::EPSILON } else { area }
     };
     if (a[0], a[1]) < (b[0], b[1]) { rising(a, b) } else { -rising(b, a) }
+}
+
+/// Do the triangle's corners turn counter-clockwise as seen from the eye?
+fn faces_eye(camera: &Camera, triangle: &Triangle) -> bool {
+    let [a, b, c] = triangle.corners;
+    dot(cross(sub(b, a), sub(c, a)), camera.toward_eye(a)) > 0.0
 }
 
 /// How a triangle's pixels look.

@@ -1,0 +1,78 @@
+//! What most scenes begin with.
+
+use crate::common::Dice;
+use crate::rapier::prelude::*;
+use std::f64::consts::PI;
+
+/// Half a turn (rad).
+pub(crate) const HALF_TURN: Real = PI as Real;
+
+/// A world with a level floor: a box with its top at y = 0 that reaches `half_extent` to each side, and
+/// as far down as pictures show.
+pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    let floor = ColliderBuilder::cuboid(half_extent, half_extent);
+    world.insert(RigidBodyBuilder::fixed().translation(-Vector::Y * half_extent), floor);
+    world
+}
+
+/// Adds a dynamic body with one collider.
+pub(crate) fn add(
+    world: &mut PhysicsWorld,
+    place: Vector,
+    collider: ColliderBuilder,
+) -> RigidBodyHandle {
+    world.insert(RigidBodyBuilder::dynamic().translation(place), collider).0
+}
+
+/// Adds a fixed body with one collider.
+pub(crate) fn add_fixed(
+    world: &mut PhysicsWorld,
+    place: Vector,
+    collider: ColliderBuilder,
+) -> RigidBodyHandle {
+    world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
+}
+
+/// Adds a wall on either side, `half_extent` from the y axis.
+pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Real) {
+    let (half_height, thickness) = (0.5 * height, 0.25);
+    for side in [-half_extent - thickness, half_extent + thickness] {
+        let wall = ColliderBuilder::cuboid(thickness, half_height);
+        add_fixed(world, Vector::new(side, half_height), wall);
+    }
+}
+
+/// A square with this half extent.
+pub(crate) fn square(half_extent: Real) -> ColliderBuilder {
+    ColliderBuilder::cuboid(half_extent, half_extent)
+}
+
+/// The corners of an irregular stone: random points on a circle, no two of them close together.
+pub(crate) fn stone(dice: &mut Dice, radius: Real, corners: usize) -> Vec<Vector> {
+    let turn = 2.0 * HALF_TURN / corners as Real;
+    (0..corners)
+        .map(|i| {
+            let angle = turn * (i as Real + dice.between(-0.35, 0.35));
+            Vector::new(angle.cos(), angle.sin()) * radius
+        })
+        .collect()
+}
+
+/// Adds a pyramid of squares: `base` of them at the bottom, centred at `foot`.
+pub(crate) fn add_pyramid(
+    world: &mut PhysicsWorld,
+    foot: Vector,
+    base: usize,
+    square_of: &ColliderBuilder,
+    half: Real,
+) {
+    for row in 0..base {
+        let count = base - row;
+        for column in 0..count {
+            let x = (2 * column) as Real - (count - 1) as Real;
+            let y = (2 * row + 1) as Real;
+            add(world, foot + Vector::new(x, y) * half, square_of.clone());
+        }
+    }
+}

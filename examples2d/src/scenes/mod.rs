@@ -1,0 +1,86 @@
+//! One file for each scene, and the list of them all.
+
+pub mod primitives;
+pub mod all_shapes;
+pub mod compound;
+pub mod convex_polygons;
+pub mod restitution;
+pub mod friction;
+pub mod damping;
+pub mod gravity_scale;
+pub mod forces;
+pub mod locked_axes;
+pub mod dominance;
+pub mod platforms;
+pub mod sensors;
+pub mod collision_groups;
+pub mod solver_groups;
+pub mod contact_forces;
+pub mod one_way_platforms;
+pub mod conveyor_belts;
+pub mod collider_edits;
+pub mod body_types;
+pub mod sleeping;
+pub mod trimesh;
+pub mod heightfield;
+pub mod polyline;
+pub mod voxels;
+pub mod heavy_on_light;
+pub mod card_house;
+pub mod arch;
+pub mod dominoes;
+pub mod rain;
+pub mod pyramid20;
+pub mod tower30;
+pub mod large_pyramid;
+pub mod many_pyramids;
+pub mod tumbler;
+pub mod spinner;
+pub mod compounds;
+pub mod smash;
+pub mod downpour;
+
+use crate::common::SceneInfo;
+
+/// All scenes, in the order in which the gallery shows them.
+pub const SCENES: [SceneInfo; 39] = [
+    primitives::INFO,
+    all_shapes::INFO,
+    compound::INFO,
+    convex_polygons::INFO,
+    restitution::INFO,
+    friction::INFO,
+    damping::INFO,
+    gravity_scale::INFO,
+    forces::INFO,
+    locked_axes::INFO,
+    dominance::INFO,
+    platforms::INFO,
+    sensors::INFO,
+    collision_groups::INFO,
+    solver_groups::INFO,
+    contact_forces::INFO,
+    one_way_platforms::INFO,
+    conveyor_belts::INFO,
+    collider_edits::INFO,
+    body_types::INFO,
+    sleeping::INFO,
+    trimesh::INFO,
+    heightfield::INFO,
+    polyline::INFO,
+    voxels::INFO,
+    heavy_on_light::INFO,
+    card_house::INFO,
+    arch::INFO,
+    dominoes::INFO,
+    rain::INFO,
+    pyramid20::INFO,
+    tower30::INFO,
+    large_pyramid::INFO,
+    many_pyramids::INFO,
+    tumbler::INFO,
+    spinner::INFO,
+    compounds::INFO,
+    smash::INFO,
+    downpour::INFO,
+];

@@ -1,0 +1,29 @@
+//! A tower, in which every error of the solver adds up from the bottom to the top.
+
+use crate::common::{Scene, SceneInfo};
+use crate::kit::{add, square, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "tower30",
+    description: "A tower of 30 boxes stays up and falls asleep.",
+    category: Category::Stress,
+    steps: 300,
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    build_sized(30)
+}
+
+/// Builds a tower of this many boxes.
+pub fn build_sized(boxes: usize) -> Scene {
+    let mut world = world_with_floor(100.0);
+    for i in 0..boxes {
+        add(&mut world, Vector::Y * (0.5 + i as Real), square(0.5).friction(0.6));
+    }
+    Scene::new(world, View::flat())
+}

@@ -1,0 +1,14 @@
+//! What the 2D and the 3D scenes have in common. Both crates compile these files, each against its own
+//! engine, which their roots import under the name `rapier`.
+
+mod dice;
+mod draw;
+mod run;
+mod scene;
+
+#[cfg(test)]
+mod tests;
+
+pub use dice::Dice;
+pub use run::entries;
+pub use scene::{Scene, SceneInfo};

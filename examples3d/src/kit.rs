@@ -1,0 +1,78 @@
+//! What most scenes begin with.
+
+use crate::rapier::prelude::*;
+use std::f64::consts::PI;
+
+/// Half a turn (rad).
+pub(crate) const HALF_TURN: Real = PI as Real;
+
+/// A world with a level floor: a box with its top at y = 0 that reaches `half_extent` to each side.
+pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    let floor = ColliderBuilder::cuboid(half_extent, 1.0, half_extent);
+    world.insert(RigidBodyBuilder::fixed().translation(-Vector::Y), floor);
+    world
+}
+
+/// Adds a dynamic body with one collider.
+pub(crate) fn add(
+    world: &mut PhysicsWorld,
+    place: Vector,
+    collider: ColliderBuilder,
+) -> RigidBodyHandle {
+    world.insert(RigidBodyBuilder::dynamic().translation(place), collider).0
+}
+
+/// Adds a fixed body with one collider.
+pub(crate) fn add_fixed(
+    world: &mut PhysicsWorld,
+    place: Vector,
+    collider: ColliderBuilder,
+) -> RigidBodyHandle {
+    world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
+}
+
+/// Adds four walls around the square that reaches `half_extent` from the y axis.
+pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Real) {
+    let (half_height, thickness) = (0.5 * height, 0.25);
+    let offset = half_extent + thickness;
+    for side in [-offset, offset] {
+        let across = ColliderBuilder::cuboid(thickness, half_height, offset + thickness);
+        add_fixed(world, Vector::new(side, half_height, 0.0), across);
+        let along = ColliderBuilder::cuboid(offset + thickness, half_height, thickness);
+        add_fixed(world, Vector::new(0.0, half_height, side), along);
+    }
+}
+
+/// A cube with this half extent.
+pub(crate) fn cube(half_extent: Real) -> ColliderBuilder {
+    ColliderBuilder::cuboid(half_extent, half_extent, half_extent)
+}
+
+/// The corners of an irregular rock: random points on a sphere.
+pub(crate) fn rock(dice: &mut crate::common::Dice, radius: Real, corners: usize) -> Vec<Vector> {
+    (0..corners)
+        .map(|_| {
+            let mut number = || dice.between(-1.0, 1.0);
+            Vector::new(number(), number(), number()).normalize_or(Vector::Y) * radius
+        })
+        .collect()
+}
+
+/// Adds a pyramid of cubes, one cube thick: `base` cubes at the bottom, centred at `foot`.
+pub(crate) fn add_pyramid(
+    world: &mut PhysicsWorld,
+    foot: Vector,
+    base: usize,
+    cube_of: &ColliderBuilder,
+    half: Real,
+) {
+    for row in 0..base {
+        let count = base - row;
+        for column in 0..count {
+            let x = (2 * column) as Real - (count - 1) as Real;
+            let y = (2 * row + 1) as Real;
+            add(world, foot + Vector::new(x, y, 0.0) * half, cube_of.clone());
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Many small pyramids: many islands, each of which could fall asleep by itself.
+
+use crate::common::{Scene, SceneInfo};
+use crate::kit::{add_pyramid, cube, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "many_pyramids",
+    description: "196 pyramids of 55 boxes each, in 14 rows: 10,780 boxes.",
+    category: Category::Stress,
+    steps: 120,
+    build,
+};
+
+/// Boxes at the base of each pyramid.
+const BASE: usize = 10;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    build_sized(14)
+}
+
+/// Builds this many rows of as many pyramids.
+pub fn build_sized(rows: usize) -> Scene {
+    let half = 0.5;
+    let spacing = 2.0 * half * (BASE + 1) as Real;
+    let extent = 0.5 * spacing * rows as Real + spacing;
+    let mut world = world_with_floor(2.0 * extent);
+    let shape = cube(half).friction(0.6);
+    let center = (rows - 1) as Real / 2.0;
+    for row in 0..rows {
+        for column in 0..rows {
+            let x = spacing * (column as Real - center);
+            let z = 0.5 * spacing * (row as Real - center);
+            add_pyramid(&mut world, Vector::new(x, 0.0, z), BASE, &shape, half);
+        }
+    }
+    Scene::new(world, View::orbit(32.0, 22.0))
+}
