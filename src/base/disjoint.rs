@@ -71,19 +71,6 @@ impl<'a, T> DisjointMut<'a, T> {
         // SAFETY: the caller promises the range, and that there is no other reference to the element.
         unsafe { &mut *self.cell(index).get() }
     }
-
-    /// A range of elements, for writing. The range is checked.
-    ///
-    /// # Safety
-    /// Nobody else may have a reference to one of the elements while this one lives.
-    pub unsafe fn range_mut(&self, range: core::ops::Range<usize>) -> &'a mut [T] {
-        let cells = &self.elements[range];
-        // SAFETY: the caller promises that there is no other reference to the elements;
-        // `UnsafeCell<T>` has the layout of `T` and allows writing through a shared reference.
-        unsafe {
-            core::slice::from_raw_parts_mut(cells.as_ptr().cast_mut().cast::<T>(), cells.len())
-        }
-    }
 }
 
 #[cfg(test)]

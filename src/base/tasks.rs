@@ -5,7 +5,6 @@
 //! plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
 //! item is worked on once, by itself, and results go to a place that depends on the item alone.
 
-use super::disjoint::DisjointMut;
 use core::ops::Range;
 
 /// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
@@ -20,6 +19,7 @@ pub struct Tasks {
 
 impl Tasks {
     /// The calling thread alone.
+    #[cfg(any(test, not(feature = "parallel")))]
     pub const fn serial() -> Self {
         Self { threads: 1 }
     }
@@ -37,6 +37,7 @@ impl Tasks {
     }
 
     /// How many threads there are.
+    #[cfg(test)]
     pub fn threads(&self) -> usize {
         self.threads
     }
@@ -56,39 +57,8 @@ impl Tasks {
             let piece = count.div_ceil(self.threads * PIECES_PER_THREAD).next_multiple_of(grain);
             return split(0..count, piece, &work);
         }
-        let _ = grain;
+        let _ = (grain, self.threads); // of no use to one thread
         work(0..count);
-    }
-
-    /// Calls `work` once with each item and its index; `grain` as for [`Self::par_for`].
-    pub fn par_for_each_mut<T: Send + Sync>(
-        &self,
-        items: &mut [T],
-        grain: usize,
-        work: impl Fn(usize, &mut T) + Sync,
-    ) {
-        let shared = DisjointMut::new(items);
-        self.par_for(shared.len(), grain, |range| {
-            for index in range {
-                // SAFETY: `par_for` hands out each index below the length once.
-                work(index, unsafe { shared.get_mut(index) });
-            }
-        });
-    }
-
-    /// Calls `work` with slices that together are all items, each item in one of them; `grain` as for
-    /// [`Self::par_for`].
-    pub fn par_chunks_mut<T: Send + Sync>(
-        &self,
-        items: &mut [T],
-        grain: usize,
-        work: impl Fn(&mut [T]) + Sync,
-    ) {
-        let shared = DisjointMut::new(items);
-        self.par_for(shared.len(), grain, |range| {
-            // SAFETY: `par_for` hands out each index below the length once.
-            work(unsafe { shared.range_mut(range) });
-        });
     }
 }
 
@@ -144,9 +114,6 @@ mod tests {
     #[test]
     fn every_item_is_worked_on_once() {
         check_cover(Tasks::current());
-        let mut items = vec![1; 1000];
-        Tasks::current().par_for_each_mut(&mut items, 3, |index, item| *item += index);
-        assert!(items.iter().enumerate().all(|(index, &item)| item == index + 1));
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub mod names;
 pub mod mass;
 pub mod math;
 pub mod shapes;
+#[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;
 mod surface;
 

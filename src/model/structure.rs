@@ -120,10 +120,10 @@ impl Structure<'_> {
 
     fn unlist_awake(&mut self, position: u32) {
         self.islands.awake.swap_remove(position as usize);
-        if let Some(&moved) = self.islands.awake.get(position as usize) {
-            if let Some(body) = self.bodies.get_unnoted_mut(moved) {
-                body.link.awake = position;
-            }
+        if let Some(&moved) = self.islands.awake.get(position as usize)
+            && let Some(body) = self.bodies.get_unnoted_mut(moved)
+        {
+            body.link.awake = position;
         }
     }
 
@@ -181,10 +181,11 @@ impl Structure<'_> {
 
     fn wake_kinematic_of(&mut self, slots: [u32; 2]) {
         for slot in slots {
-            if let Some((handle, body)) = self.bodies.at_slot(slot) {
-                if body.is_kinematic() && body.link.awake == NONE {
-                    self.wake_body(handle);
-                }
+            if let Some((handle, body)) = self.bodies.at_slot(slot)
+                && body.is_kinematic()
+                && body.link.awake == NONE
+            {
+                self.wake_body(handle);
             }
         }
     }
@@ -396,10 +397,10 @@ impl Structure<'_> {
         for manifold in 0..self.narrow_phase.contacts[id].manifolds.len() {
             self.uncolor(ManifoldRef { pair: id, manifold: manifold as u32 });
         }
-        if let [Some(slot1), Some(_)] = self.dynamic_slots(slots) {
-            if let Some(island) = self.body(slot1).map(|body| body.link.island) {
-                self.islands.island_mut(island).cut_links += 1;
-            }
+        if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
+            && let Some(island) = self.body(slot1).map(|body| body.link.island)
+        {
+            self.islands.island_mut(island).cut_links += 1;
         }
     }
 

@@ -62,6 +62,7 @@ impl Lane {
 ///
 /// All operations act on each lane by itself. Every function is `#[inline(always)]`; why that
 /// matters stands at [`Kernel`].
+#[allow(dead_code, reason = "a whole set of operations; not every dimension needs each")]
 pub trait Wide<S = Real, const N: usize = LANES>:
     Copy
     + Add<Output = Self>

@@ -184,8 +184,11 @@ impl Overlap<'_> {
             return;
         }
         let [a, b] = CORNERS[index];
-        let signs =
-            if index % 2 == 0 { self.incident.signs(0.0, b) } else { self.incident.signs(a, 0.0) };
+        let signs = if index.is_multiple_of(2) {
+            self.incident.signs(0.0, b)
+        } else {
+            self.incident.signs(a, 0.0)
+        };
         if !inside[0] && enter.0 > 0.0 {
             self.add(ends[0] + along * enter.0, enter.1, signs);
         }

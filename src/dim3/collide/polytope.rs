@@ -174,7 +174,7 @@ fn box_corners(half: Vector, id: usize) -> Corners {
     let corner = |index: usize| {
         let (a, b) = signs[index];
         let at = normal + u * a + v * b;
-        let along = if index % 2 == 0 { normal + v * b } else { normal + u * a };
+        let along = if index.is_multiple_of(2) { normal + v * b } else { normal + u * a };
         Corner { point: at * half, vertex: box_feature(at), edge: box_feature(along) }
     };
     (0..4).map(corner).collect()

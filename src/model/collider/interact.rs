@@ -9,10 +9,10 @@ use crate::model::body::RigidBodyType;
 /// their groups do not meet, or if one is disabled. A collider without a body counts as fixed.
 pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
     let (flags1, flags2) = (&collider1.flags, &collider2.flags);
-    if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent()) {
-        if body1 == body2 {
-            return false;
-        }
+    if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent())
+        && body1 == body2
+    {
+        return false;
     }
     let type1 = collider1.parent_type.unwrap_or(RigidBodyType::Fixed);
     let type2 = collider2.parent_type.unwrap_or(RigidBodyType::Fixed);

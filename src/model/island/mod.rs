@@ -4,5 +4,4 @@ mod link;
 mod manager;
 
 pub(crate) use link::{BodyLink, NONE};
-pub(crate) use manager::Island;
 pub use manager::IslandManager;

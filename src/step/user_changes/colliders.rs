@@ -14,7 +14,7 @@ impl Digest<'_> {
     ) {
         let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
         collider.replace_broken_shape();
-        let changes = core::mem::replace(&mut collider.changes, ColliderChanges::empty());
+        let changes = std::mem::take(&mut collider.changes);
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
 
         // What is another kind of pair, or of other bodies, cannot be kept.
