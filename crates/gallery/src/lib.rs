@@ -18,6 +18,8 @@ mod table;
 
 pub use catalog::{Category, Entry, SceneRun, StageTimes, Stats};
 pub use picture::{Color, Line, Pen, Point, Triangle, View};
+pub use progress::Progress;
+pub use table::{Table, grouped};
 
 use args::{Options, Request};
 use mode::Mode;

@@ -12,7 +12,7 @@ const BAR_WIDTH: usize = 28;
 const EIGHTHS: [&str; 8] = ["", "▏", "▎", "▍", "▌", "▋", "▊", "▉"];
 
 /// The progress of one scene.
-pub(crate) struct Progress<'a> {
+pub struct Progress<'a> {
     label: &'a str,
     /// Columns that all labels share, so that the bars stand below each other.
     label_width: usize,
@@ -24,14 +24,14 @@ pub(crate) struct Progress<'a> {
 
 impl<'a> Progress<'a> {
     /// Progress over `steps` steps of the scene called `label`.
-    pub(crate) fn new(label: &'a str, label_width: usize, steps: usize) -> Self {
+    pub fn new(label: &'a str, label_width: usize, steps: usize) -> Self {
         let started = Instant::now();
         let drawn = io::stderr().is_terminal().then_some(started);
         Self { label, label_width, steps, started, drawn }
     }
 
     /// Tells that `done` steps have been taken.
-    pub(crate) fn advance(&mut self, done: usize) {
+    pub fn advance(&mut self, done: usize) {
         let Some(drawn) = self.drawn else { return };
         if drawn.elapsed() < REDRAW_INTERVAL {
             return;
@@ -50,7 +50,7 @@ impl<'a> Progress<'a> {
     }
 
     /// Takes the bar away, where there is one.
-    pub(crate) fn clear(&self) {
+    pub fn clear(&self) {
         if self.drawn.is_some() {
             let _ = io::stderr().write_all(b"\r\x1b[K");
         }

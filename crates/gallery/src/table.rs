@@ -6,24 +6,24 @@ use std::io::{self, Write};
 const GAP: &str = "  ";
 
 /// A table under construction. The first column is text, all others are figures.
-pub(crate) struct Table {
+pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
     /// A table with these column headings.
-    pub(crate) fn new(headings: &[&str]) -> Self {
+    pub fn new(headings: &[&str]) -> Self {
         Self { rows: vec![headings.iter().map(|&heading| heading.to_owned()).collect()] }
     }
 
     /// Adds a row, which has as many cells as there are headings.
-    pub(crate) fn push(&mut self, cells: Vec<String>) {
+    pub fn push(&mut self, cells: Vec<String>) {
         debug_assert_eq!(cells.len(), self.rows[0].len());
         self.rows.push(cells);
     }
 
     /// Prints it, with a rule below the headings.
-    pub(crate) fn print(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub fn print(&self, out: &mut dyn Write) -> io::Result<()> {
         let widths = self.widths();
         let rule = "─".repeat(widths.iter().sum::<usize>() + GAP.len() * (widths.len() - 1));
         for (number, row) in self.rows.iter().enumerate() {
@@ -48,7 +48,7 @@ impl Table {
 }
 
 /// A whole number in groups of three digits: `1 234 567`.
-pub(crate) fn grouped(number: usize) -> String {
+pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (index, digit) in digits.chars().enumerate() {

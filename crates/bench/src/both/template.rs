@@ -1,0 +1,125 @@
+//! A scene as this engine has built it, to be run here or transcribed elsewhere.
+
+use super::examples;
+use super::ours::prelude::*;
+use super::rapier::Rapier;
+use super::this::This;
+use super::{BOX_FEATURE, start_box};
+use crate::catalog::Scene;
+use crate::engine::{Engine, Kind, Unsupported};
+
+/// Length of a step for all engines (s).
+pub const DT: f32 = 1.0 / 60.0;
+/// Substeps of a step for all engines.
+pub const SUBSTEPS: usize = 4;
+
+/// A scene, built but not yet run.
+pub struct Template {
+    /// Builds it.
+    build: fn() -> examples::Scene,
+    /// What was built.
+    pub world: PhysicsWorld,
+    /// Its bodies, in the order in which other engines get them.
+    pub bodies: Vec<RigidBodyHandle>,
+}
+
+impl Template {
+    /// Builds the scene.
+    pub fn new(build: fn() -> examples::Scene) -> Self {
+        let world = build().world;
+        let bodies = world.bodies.iter().map(|(handle, _)| handle).collect();
+        Self { build, world, bodies }
+    }
+
+    /// The scene once more, with the rules that hold for all engines.
+    pub fn fresh_world(&self) -> PhysicsWorld {
+        let mut world = (self.build)().world;
+        world.integration_parameters.dt = DT;
+        world.integration_parameters.num_solver_iterations = SUBSTEPS;
+        for (_, body) in world.bodies.iter_mut() {
+            *body.activation_mut() = RigidBodyActivation::cannot_sleep();
+        }
+        world
+    }
+
+    /// Each body with its colliders, in order.
+    pub fn parts(&self) -> impl Iterator<Item = (&RigidBody, impl Iterator<Item = &Collider>)> {
+        self.bodies.iter().map(|&handle| {
+            let body = &self.world.bodies[handle];
+            (body, body.colliders().iter().map(|&collider| &self.world.colliders[collider]))
+        })
+    }
+
+    /// The colliders without a body.
+    pub fn loose_colliders(&self) -> impl Iterator<Item = &Collider> {
+        self.world.colliders.iter().map(|(_, collider)| collider).filter(|c| c.parent().is_none())
+    }
+}
+
+/// The scenes of the gallery with these names, each with whether it runs when no scene is named.
+pub fn catalog(dimension: &'static str, names: &[(&str, bool)]) -> Vec<Scene> {
+    let infos = names
+        .iter()
+        .filter_map(|(name, by_default)| examples::find(name).map(|info| (info, *by_default)));
+    infos
+        .map(|(info, by_default)| Scene {
+            name: info.name,
+            dimension,
+            steps: info.steps,
+            by_default,
+            build: Box::new(|| Box::new(Template::new(info.build))),
+        })
+        .collect()
+}
+
+impl crate::engine::Template for Template {
+    fn dynamic_bodies(&self) -> usize {
+        self.world.bodies.iter().filter(|(_, body)| body.is_dynamic()).count()
+    }
+
+    fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
+        match kind {
+            Kind::This => Ok(Box::new(This::new(self))),
+            Kind::Rapier => Ok(Box::new(Rapier::new(self))),
+            Kind::Box => start_box(self, threads).unwrap_or_else(|| {
+                Err(Unsupported::because(format!("built without the feature {BOX_FEATURE}")))
+            }),
+        }
+    }
+
+    fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)> {
+        let mut world = self.fresh_world();
+        let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        for done in 1..=steps {
+            world.step();
+            for (index, (name, milliseconds)) in stages(&world).into_iter().enumerate() {
+                match sums.get_mut(index) {
+                    Some((_, sum)) => *sum += milliseconds,
+                    None => sums.push((name, milliseconds)),
+                }
+            }
+            after_step(done);
+        }
+        sums.iter_mut().for_each(|(_, sum)| *sum /= steps as f64);
+        sums
+    }
+}
+
+/// How long the stages of the last step took (ms). Indented ones are part of the one above.
+fn stages(world: &PhysicsWorld) -> [(&'static str, f64); 11] {
+    let counters = &world.physics_pipeline.counters;
+    let (stages, solver) = (&counters.stages, &counters.solver);
+    [
+        ("step", counters.step_time.time_ms()),
+        ("  user changes", stages.user_changes.time_ms()),
+        ("  broad phase", counters.cd.broad_phase_time.time_ms()),
+        ("  narrow phase", counters.cd.narrow_phase_time.time_ms()),
+        ("  islands", stages.island_construction_time.time_ms()),
+        ("  solver", stages.solver_time.time_ms()),
+        ("    assembly", solver.velocity_assembly_time.time_ms()),
+        ("    substeps", solver.velocity_resolution_time.time_ms()),
+        ("    write back", solver.velocity_writeback_time.time_ms()),
+        ("  continuous", stages.ccd_time.time_ms()),
+        ("  advance", stages.update_time.time_ms()),
+    ]
+}

@@ -1,0 +1,46 @@
+//! The scenes of the benchmark: those of the galleries in which nothing happens but contacts.
+
+use crate::engine::{Kind, Template};
+
+/// A scene of the benchmark.
+pub struct Scene {
+    /// Its name in the gallery.
+    pub name: &'static str,
+    /// `2d` or `3d`.
+    pub dimension: &'static str,
+    /// Number of steps.
+    pub steps: usize,
+    /// Does it run when no scene is named?
+    pub by_default: bool,
+    /// Builds it with this engine.
+    pub build: Box<dyn Fn() -> Box<dyn Template> + Send + Sync>,
+}
+
+impl Scene {
+    /// `3d/large_pyramid`
+    pub fn title(&self) -> String {
+        format!("{}/{}", self.dimension, self.name)
+    }
+
+    /// What the engine is called in this dimension.
+    pub fn engine_name(&self, kind: Kind) -> &'static str {
+        engine_name(kind, self.dimension)
+    }
+}
+
+/// What the engine is called in this dimension.
+pub fn engine_name(kind: Kind, dimension: &str) -> &'static str {
+    match kind {
+        Kind::This => "this engine",
+        Kind::Rapier => "Rapier 0.36.1",
+        Kind::Box if dimension == "2d" => "Box2D",
+        Kind::Box => "Box3D",
+    }
+}
+
+/// All scenes, 3D first.
+pub fn scenes() -> Vec<Scene> {
+    let mut scenes = crate::solid::scenes();
+    scenes.extend(crate::flat::scenes());
+    scenes
+}

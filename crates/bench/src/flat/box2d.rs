@@ -1,0 +1,249 @@
+//! Box2D, through the crate that builds it from its C sources.
+//!
+//! Box2D knows circles, capsules and convex polygons of up to 8 corners; what else it knows the benchmark
+//! does not transcribe. Left to itself it mixes
+//! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+
+use super::ours::prelude::*;
+use super::overlap::deepest_overlap;
+use super::template::{DT, SUBSTEPS, Template};
+use crate::engine::{Engine, Stats, Unsupported};
+use boxdd_sys::ffi::*;
+
+/// Box2D's own limit.
+const MAX_POLYGON_VERTICES: usize = 8;
+
+/// A world in Box2D.
+pub struct Box2d<'t> {
+    template: &'t Template,
+    world: World,
+    bodies: Vec<b2BodyId>,
+}
+
+/// A world that is destroyed when it is dropped.
+struct World(b2WorldId);
+
+impl Drop for World {
+    fn drop(&mut self) {
+        // SAFETY: the id is that of a live world, which nobody else destroys.
+        unsafe { b2DestroyWorld(self.0) };
+    }
+}
+
+impl<'t> Box2d<'t> {
+    /// The scene at its start.
+    pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
+        let world = create_world(template, threads);
+        let mut bodies = Vec::with_capacity(template.bodies.len());
+        for (body, colliders) in template.parts() {
+            let id = create_body(&world, body)?;
+            for collider in colliders {
+                let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
+                create_shape(id, collider, &local)?;
+            }
+            // SAFETY: the body was created above.
+            unsafe {
+                b2Body_SetLinearVelocity(id, vector(body.linvel()));
+                b2Body_SetAngularVelocity(id, body.angvel());
+            }
+            bodies.push(id);
+        }
+        // SAFETY: the definition is the default one, the world is live.
+        let ground = unsafe { b2CreateBody(world.0, &b2DefaultBodyDef()) };
+        for collider in template.loose_colliders() {
+            create_shape(ground, collider, collider.position())?;
+        }
+        Ok(Self { template, world, bodies })
+    }
+}
+
+impl Engine for Box2d<'_> {
+    fn step(&mut self) {
+        // SAFETY: the world is live.
+        unsafe { b2World_Step(self.world.0, DT, SUBSTEPS as i32) };
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats::default();
+        let mut poses = Vec::with_capacity(self.bodies.len());
+        for &body in &self.bodies {
+            let (pairs, points) = count_contacts(body);
+            stats.pairs += pairs;
+            stats.points += points;
+            stats.kinetic_energy += kinetic_energy(body);
+            // SAFETY: the body is live as long as the world is.
+            let (p, q) = unsafe { (b2Body_GetPosition(body), b2Body_GetRotation(body)) };
+            let rotation = Rotation { re: q.c, im: q.s };
+            poses.push(Pose::from_parts(Vector::new(p.x, p.y), rotation));
+        }
+        stats.overlap = deepest_overlap(self.template, &poses);
+        stats
+    }
+
+    fn foreign_bytes(&self) -> usize {
+        // SAFETY: reads a counter. There is no other world of this engine at the time.
+        usize::try_from(unsafe { b2GetByteCount() }).unwrap_or(0)
+    }
+}
+
+fn create_world(template: &Template, threads: usize) -> World {
+    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    unsafe {
+        let mut definition = b2DefaultWorldDef();
+        definition.gravity = vector(template.world.gravity);
+        definition.enableSleep = false;
+        definition.enableContinuous = false;
+        definition.frictionCallback = Some(average);
+        definition.restitutionCallback = Some(average);
+        definition.workerCount = threads as i32;
+        World(b2CreateWorld(&definition))
+    }
+}
+
+/// How the coefficients of two shapes mix.
+extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f32 {
+    0.5 * (coefficient1 + coefficient2)
+}
+
+fn create_body(world: &World, body: &RigidBody) -> Result<b2BodyId, Unsupported> {
+    if body.dominance_group() != 0 {
+        return Err(Unsupported::because("no dominance"));
+    }
+    if body.mass_properties().additional_local_mprops().is_some() {
+        return Err(Unsupported::because("additional mass is not transcribed"));
+    }
+    let axes = body.locked_axes();
+    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    unsafe {
+        let mut definition = b2DefaultBodyDef();
+        definition.type_ = match body.body_type() {
+            RigidBodyType::Dynamic => b2BodyType_b2_dynamicBody,
+            RigidBodyType::Fixed => b2BodyType_b2_staticBody,
+            _ => b2BodyType_b2_kinematicBody,
+        };
+        definition.position = vector(body.translation());
+        definition.rotation = rotation(body.rotation());
+        definition.linearDamping = body.linear_damping();
+        definition.angularDamping = body.angular_damping();
+        definition.gravityScale = body.gravity_scale();
+        definition.enableSleep = false;
+        definition.isEnabled = body.is_enabled();
+        definition.motionLocks = b2MotionLocks {
+            linearX: axes.contains(LockedAxes::TRANSLATION_LOCKED_X),
+            linearY: axes.contains(LockedAxes::TRANSLATION_LOCKED_Y),
+            angularZ: axes.contains(LockedAxes::ROTATION_LOCKED_Z),
+        };
+        Ok(b2CreateBody(world.0, &definition))
+    }
+}
+
+fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(), Unsupported> {
+    let definition = shape_definition(collider)?;
+    let at = |point: Vector| vector(*local * point);
+    // SAFETY: the body is live, definitions and geometry outlive the calls, which copy them.
+    unsafe {
+        match collider.shape().as_typed_shape() {
+            TypedShape::Ball(ball) => {
+                let circle = b2Circle { center: at(Vector::ZERO), radius: ball.radius };
+                b2CreateCircleShape(body, &definition, &circle);
+            }
+            TypedShape::Capsule(capsule) => {
+                let (a, b) = (capsule.segment.a, capsule.segment.b);
+                let capsule = b2Capsule { center1: at(a), center2: at(b), radius: capsule.radius };
+                b2CreateCapsuleShape(body, &definition, &capsule);
+            }
+            TypedShape::Cuboid(cuboid) => {
+                let half = cuboid.half_extents;
+                let (center, turn) = (vector(local.translation), rotation(&local.rotation));
+                let polygon = b2MakeOffsetBox(half.x, half.y, center, turn);
+                b2CreatePolygonShape(body, &definition, &polygon);
+            }
+            TypedShape::ConvexPolygon(polygon) => {
+                let points: Vec<b2Vec2> = polygon.points().iter().map(|&p| at(p)).collect();
+                if points.len() > MAX_POLYGON_VERTICES {
+                    return Err(Unsupported::because("a polygon has too many corners"));
+                }
+                let hull = b2ComputeHull(points.as_ptr(), points.len() as i32);
+                if hull.count == 0 {
+                    return Err(Unsupported::because("it refuses a polygon"));
+                }
+                let polygon = b2MakePolygon(&hull, 0.0);
+                b2CreatePolygonShape(body, &definition, &polygon);
+            }
+            _ => {
+                let kind = collider.shape().shape_type();
+                return Err(Unsupported::because(format!("shape {kind:?} is not transcribed")));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {
+    if collider.contact_skin() != 0.0 {
+        return Err(Unsupported::because("no contact skin"));
+    }
+    let rules = [collider.friction_combine_rule(), collider.restitution_combine_rule()];
+    if rules != [CoefficientCombineRule::Average; 2] {
+        return Err(Unsupported::because("coefficients are mixed by average alone"));
+    }
+    let groups = collider.collision_groups();
+    if collider.solver_groups() != InteractionGroups::all() {
+        return Err(Unsupported::because("no solver groups"));
+    }
+    let area = collider.volume();
+    // SAFETY: returns plain values.
+    let mut definition = unsafe { b2DefaultShapeDef() };
+    definition.density = if area > 0.0 { collider.mass() / area } else { 0.0 };
+    definition.material.friction = collider.friction();
+    definition.material.restitution = collider.restitution();
+    definition.filter.categoryBits = groups.memberships.bits().into();
+    definition.filter.maskBits = groups.filter.bits().into();
+    definition.isSensor = collider.is_sensor();
+    Ok(definition)
+}
+
+/// The touching pairs in which the body is the first, and their points.
+fn count_contacts(body: b2BodyId) -> (usize, usize) {
+    let mut counts = (0, 0);
+    // SAFETY: the body is live; as many contacts are initialised as the second call says.
+    unsafe {
+        let capacity = b2Body_GetContactCapacity(body);
+        let mut contacts: Vec<b2ContactData> = Vec::with_capacity(capacity as usize);
+        let count = b2Body_GetContactData(body, contacts.as_mut_ptr(), capacity);
+        contacts.set_len(count as usize);
+        for contact in contacts {
+            if b2Shape_GetBody(contact.shapeIdA).index1 == body.index1 {
+                counts.0 += 1;
+                counts.1 += contact.manifold.pointCount as usize;
+            }
+        }
+    }
+    counts
+}
+
+fn kinetic_energy(body: b2BodyId) -> f64 {
+    // SAFETY: the body is live; plain values in, plain values out.
+    let (kind, mass, inertia, linear, angular) = unsafe {
+        (
+            b2Body_GetType(body),
+            b2Body_GetMass(body),
+            b2Body_GetRotationalInertia(body),
+            b2Body_GetLinearVelocity(body),
+            b2Body_GetAngularVelocity(body),
+        )
+    };
+    if kind != b2BodyType_b2_dynamicBody {
+        return 0.0;
+    }
+    let speed_squared = linear.x * linear.x + linear.y * linear.y;
+    0.5 * f64::from(mass * speed_squared + inertia * angular * angular)
+}
+
+fn vector(v: Vector) -> b2Vec2 {
+    b2Vec2 { x: v.x, y: v.y }
+}
+
+fn rotation(rotation: &Rotation) -> b2Rot {
+    b2Rot { c: rotation.re, s: rotation.im }
+}

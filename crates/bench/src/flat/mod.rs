@@ -1,0 +1,67 @@
+//! The scenes in 2D, and the engines that run them.
+
+use examples2d as examples;
+use rapier2d as ours;
+use rapier2d_peer as peer;
+
+#[cfg(feature = "box2d")]
+mod box2d;
+#[path = "../both/overlap.rs"]
+mod overlap;
+#[path = "../both/rapier.rs"]
+mod rapier;
+#[path = "../both/template.rs"]
+mod template;
+#[path = "../both/this.rs"]
+mod this;
+
+use crate::catalog::Scene;
+use crate::engine::{Engine, Unsupported};
+use template::Template;
+
+/// The feature with which the third engine is built in.
+const BOX_FEATURE: &str = "box2d";
+
+/// The third engine, if it is built in.
+#[cfg(feature = "box2d")]
+fn start_box(
+    template: &Template,
+    threads: usize,
+) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
+    Some(box2d::Box2d::new(template, threads).map(|engine| Box::new(engine) as _))
+}
+
+/// The third engine, if it is built in.
+#[cfg(not(feature = "box2d"))]
+fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
+    None
+}
+
+/// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
+const SCENES: [(&str, bool); 12] = [
+    ("large_pyramid", true),
+    ("many_pyramids", true),
+    ("smash", false),
+    ("tumbler", false),
+    ("spinner", false),
+    ("compounds", false),
+    ("downpour", false),
+    ("tower30", false),
+    ("pyramid20", false),
+    ("card_house", false),
+    ("heavy_on_light", false),
+    ("heightfield", false),
+];
+
+/// The scenes in 2D.
+pub fn scenes() -> Vec<Scene> {
+    template::catalog("2d", &SCENES)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_scene_is_in_the_gallery() {
+        assert_eq!(super::scenes().len(), super::SCENES.len());
+    }
+}

@@ -1,0 +1,82 @@
+//! # Benchmark — how fast is this engine beside its peers?
+//!
+//! Builds each scene once with this engine, transcribes it into every other engine, and lets them
+//! take the same steps by turns: one round of each, then the next round. The machine may be busy
+//! with other things; what disturbs one engine is then likely to disturb the next, so that the ratio
+//! means more than the milliseconds.
+//!
+//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps, no continuous collision
+//! detection (this engine has none yet), contact stiffness and recycling as each engine's own
+//! defaults have them, the same compiler profile. Every step counts, the first one too.
+//!
+//! All engines are linked into one program. This engine and Rapier share the geometry crate, and
+//! cargo gives both the sum of the features they ask for: this engine asks for none beyond the
+//! defaults, so Rapier gets the geometry that it would get alone.
+
+#![expect(
+    clippy::duplicate_mod,
+    reason = "the files of `both` are compiled once against the 2D and once against the 3D engines"
+)]
+
+mod args;
+mod catalog;
+mod contest;
+mod engine;
+mod flat;
+mod memory;
+mod profile;
+mod report;
+mod solid;
+
+use args::{Options, Request};
+use std::io::Write;
+use std::process::ExitCode;
+
+#[global_allocator]
+static ALLOCATOR: memory::Counting = memory::Counting;
+
+/// Exit code when the command line cannot be understood.
+const EXIT_USAGE: u8 = 2;
+
+fn main() -> ExitCode {
+    let scenes = catalog::scenes();
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let outcome = match args::parse(&arguments, &scenes) {
+        Ok(Request::Help) => args::print_help(&scenes),
+        Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
+        Ok(Request::Run(options)) => run(&scenes, &options),
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "bench: {error}");
+            return ExitCode::from(EXIT_USAGE);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        // The reader of a pipe may leave before the end, as `head` does: not a failure.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "bench: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs the contests and reports them.
+fn run(scenes: &[catalog::Scene], options: &Options) -> std::io::Result<()> {
+    let mut contests = Vec::new();
+    for &threads in &options.threads {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(std::io::Error::other)?;
+        for &index in &options.scenes {
+            // This engine and Rapier use the pool they are called in; the others start threads.
+            contests.push(pool.install(|| contest::run(&scenes[index], threads, options)));
+        }
+    }
+    report::print(&mut std::io::stdout().lock(), &contests)?;
+    if options.write {
+        report::write(&contests, options)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! The table of results, for the terminal and for the documentation.
+
+use crate::args::Options;
+use crate::catalog::engine_name;
+use crate::contest::{Contest, Score};
+use crate::engine::Kind;
+use gallery::{Table, grouped};
+use std::io::{self, Write};
+use std::path::Path;
+
+const HEADINGS: [&str; 12] = [
+    "scene",
+    "threads",
+    "engine",
+    "ms/step",
+    "ratio",
+    "best ms",
+    "ratio",
+    "pairs",
+    "points",
+    "overlap",
+    "kinetic J",
+    "bytes/body",
+];
+
+/// Where `--write` leaves the page, seen from the root of the repository.
+const PAGE: &str = "docs/benchmarks/latest.md";
+
+/// What the columns mean, and the rules.
+const LEGEND: &str = "\
+ms/step: mean over all steps of the step's median over the rounds. best ms: the same with the step's
+fastest round. ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
+pairs, points: touching pairs and their contact points at the end, by each engine's own account.
+overlap: deepest overlap of any pair at the end, measured in the same way for all. kinetic: energy of all
+dynamic bodies at the end. bytes/body: memory of the world at the end per dynamic body, contacts and all.";
+
+/// Prints the table.
+pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
+    let mut table = Table::new(&HEADINGS);
+    rows(contests).into_iter().for_each(|row| table.push(row));
+    table.print(out)?;
+    for line in absences(contests) {
+        writeln!(out, "{line}")?;
+    }
+    writeln!(out, "\n{LEGEND}")
+}
+
+/// Writes the table as a page of the documentation.
+pub fn write(contests: &[Contest], options: &Options) -> io::Result<()> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let path = root.join(PAGE);
+    std::fs::create_dir_all(path.parent().unwrap_or(&root))?;
+    std::fs::write(&path, page(contests, options))
+}
+
+/// The page, in Markdown.
+fn page(contests: &[Contest], options: &Options) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let mut page = format!(
+        "# Beside its peers\n\n\
+         Made by `cargo run --release -p bench --features box3d,box2d -- --write`, engines by turns in one\n\
+         process, {} rounds. Machine: {}.\n\
+         All: steps of 1/60 s, 4 substeps, no sleeping, no continuous collision detection.\n\n",
+        options.rounds,
+        machine()
+    );
+    page += &line(&HEADINGS.map(str::to_owned));
+    page += &line(&HEADINGS.map(|heading| {
+        let text = ["scene", "engine"].contains(&heading);
+        if text { "---" } else { "--:" }.to_owned()
+    }));
+    page.extend(rows(contests).iter().map(|row| line(row)));
+    page.push('\n');
+    page.extend(absences(contests).iter().map(|absence| format!("* {absence}\n")));
+    page.push_str(&format!("\n{LEGEND}\n"));
+    page
+}
+
+fn rows(contests: &[Contest]) -> Vec<Vec<String>> {
+    let rows_of = |contest: &Contest| {
+        let scores = contest
+            .results
+            .iter()
+            .filter_map(|(kind, result)| Some((*kind, result.as_ref().ok()?)));
+        scores.map(|(kind, score)| row(contest, kind, score)).collect::<Vec<_>>()
+    };
+    contests.iter().flat_map(rows_of).collect()
+}
+
+fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
+    let ratio = |time: fn(&Score) -> f64| match contest.ours() {
+        Some(ours) if kind != Kind::This => format!("{:.2}", time(score) / time(ours)),
+        _ => String::new(),
+    };
+    let stats = &score.stats;
+    vec![
+        contest.scene.clone(),
+        contest.threads.to_string(),
+        name(contest, kind).to_owned(),
+        format!("{:.3}", score.median()),
+        ratio(Score::median),
+        format!("{:.3}", score.best()),
+        ratio(Score::best),
+        grouped(stats.pairs),
+        grouped(stats.points),
+        format!("{:.4}", stats.overlap),
+        format!("{:.3}", stats.kinetic_energy),
+        grouped(score.bytes / contest.dynamic_bodies.max(1)),
+    ]
+}
+
+/// Who did not take part, and why.
+fn absences(contests: &[Contest]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for contest in contests {
+        for (kind, result) in &contest.results {
+            if let Err(reason) = result {
+                let line =
+                    format!("{}: without {}: {}", contest.scene, name(contest, *kind), reason.0);
+                if !lines.contains(&line) {
+                    lines.push(line);
+                }
+            }
+        }
+    }
+    lines
+}
+
+fn name(contest: &Contest, kind: Kind) -> &'static str {
+    engine_name(kind, contest.scene.split('/').next().unwrap_or_default())
+}
+
+/// The processor, as far as the system tells.
+fn machine() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
+    let model = model.map_or("unknown processor", |(_, model)| model);
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{model}, {cores} hardware threads, {}", std::env::consts::OS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::{Stats, Unsupported};
+
+    fn contest() -> Contest {
+        let score = |ms| Score { rounds: vec![vec![ms]], stats: Stats::default(), bytes: 3000 };
+        Contest {
+            scene: "3d/tower".into(),
+            dynamic_bodies: 30,
+            threads: 1,
+            results: vec![
+                (Kind::This, Ok(score(2.0))),
+                (Kind::Rapier, Ok(score(4.0))),
+                (Kind::Box, Err(Unsupported("not built in".into()))),
+            ],
+        }
+    }
+
+    #[test]
+    fn the_ratio_is_above_one_when_we_are_faster() {
+        let rows = rows(&[contest()]);
+        assert_eq!(rows.len(), 2);
+        assert_eq!((rows[0][4].as_str(), rows[0][6].as_str()), ("", ""));
+        assert_eq!((rows[1][4].as_str(), rows[1][6].as_str()), ("2.00", "2.00"));
+        assert_eq!(rows[1][11], "100");
+    }
+
+    #[test]
+    fn who_is_absent_is_said_once() {
+        let lines = absences(&[contest(), contest()]);
+        assert_eq!(lines, ["3d/tower: without Box3D: not built in"]);
+    }
+}

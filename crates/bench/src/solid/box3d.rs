@@ -1,0 +1,261 @@
+//! Box3D, through the crate that builds it from its C sources.
+//!
+//! Box3D knows spheres, capsules and convex hulls (boxes are hulls); what else it knows, such as meshes,
+//! the benchmark does not transcribe. Left to itself it mixes
+//! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+
+use super::ours::prelude::*;
+use super::overlap::deepest_overlap;
+use super::template::{DT, SUBSTEPS, Template};
+use crate::engine::{Engine, Stats, Unsupported};
+use box3d_sys::*;
+
+/// Box3D's own limit.
+const MAX_HULL_VERTICES: usize = 128;
+
+/// A world in Box3D.
+pub struct Box3d<'t> {
+    template: &'t Template,
+    world: World,
+    bodies: Vec<b3BodyId>,
+}
+
+/// A world that is destroyed when it is dropped.
+struct World(b3WorldId);
+
+impl Drop for World {
+    fn drop(&mut self) {
+        // SAFETY: the id is that of a live world, which nobody else destroys.
+        unsafe { b3DestroyWorld(self.0) };
+    }
+}
+
+impl<'t> Box3d<'t> {
+    /// The scene at its start.
+    pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
+        let world = create_world(template, threads);
+        let mut bodies = Vec::with_capacity(template.bodies.len());
+        for (body, colliders) in template.parts() {
+            let id = create_body(&world, body)?;
+            for collider in colliders {
+                let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
+                create_shape(id, collider, &local)?;
+            }
+            // SAFETY: the body was created above.
+            unsafe {
+                b3Body_SetLinearVelocity(id, vector(body.linvel()));
+                b3Body_SetAngularVelocity(id, vector(body.angvel()));
+            }
+            bodies.push(id);
+        }
+        // SAFETY: the definition is the default one, the world is live.
+        let ground = unsafe { b3CreateBody(world.0, &b3DefaultBodyDef()) };
+        for collider in template.loose_colliders() {
+            create_shape(ground, collider, collider.position())?;
+        }
+        Ok(Self { template, world, bodies })
+    }
+}
+
+impl Engine for Box3d<'_> {
+    fn step(&mut self) {
+        // SAFETY: the world is live.
+        unsafe { b3World_Step(self.world.0, DT, SUBSTEPS as i32) };
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats::default();
+        let mut poses = Vec::with_capacity(self.bodies.len());
+        for &body in &self.bodies {
+            let (pairs, points) = count_contacts(body);
+            stats.pairs += pairs;
+            stats.points += points;
+            stats.kinetic_energy += kinetic_energy(body);
+            // SAFETY: the body is live as long as the world is.
+            let (p, q) = unsafe { (b3Body_GetPosition(body), b3Body_GetRotation(body)) };
+            let rotation = Rotation::from_xyzw(q.v.x, q.v.y, q.v.z, q.s);
+            poses.push(Pose::from_parts(Vector::new(p.x, p.y, p.z), rotation));
+        }
+        stats.overlap = deepest_overlap(self.template, &poses);
+        stats
+    }
+
+    fn foreign_bytes(&self) -> usize {
+        // SAFETY: reads a counter. There is no other world of this engine at the time.
+        usize::try_from(unsafe { b3GetByteCount() }).unwrap_or(0)
+    }
+}
+
+fn create_world(template: &Template, threads: usize) -> World {
+    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    unsafe {
+        let mut definition = b3DefaultWorldDef();
+        definition.gravity = vector(template.world.gravity);
+        definition.enableSleep = false;
+        definition.enableContinuous = false;
+        definition.frictionCallback = Some(average);
+        definition.restitutionCallback = Some(average);
+        definition.workerCount = threads as u32;
+        World(b3CreateWorld(&definition))
+    }
+}
+
+/// How the coefficients of two shapes mix.
+extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f32 {
+    0.5 * (coefficient1 + coefficient2)
+}
+
+fn create_body(world: &World, body: &RigidBody) -> Result<b3BodyId, Unsupported> {
+    if body.dominance_group() != 0 {
+        return Err(Unsupported::because("no dominance"));
+    }
+    if body.mass_properties().additional_local_mprops().is_some() {
+        return Err(Unsupported::because("additional mass is not transcribed"));
+    }
+    let axes = body.locked_axes();
+    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    unsafe {
+        let mut definition = b3DefaultBodyDef();
+        definition.type_ = match body.body_type() {
+            RigidBodyType::Dynamic => b3BodyType_b3_dynamicBody,
+            RigidBodyType::Fixed => b3BodyType_b3_staticBody,
+            _ => b3BodyType_b3_kinematicBody,
+        };
+        definition.position = vector(body.translation());
+        definition.rotation = quaternion(body.rotation());
+        definition.linearDamping = body.linear_damping();
+        definition.angularDamping = body.angular_damping();
+        definition.gravityScale = body.gravity_scale();
+        definition.enableSleep = false;
+        definition.isEnabled = body.is_enabled();
+        definition.motionLocks = b3MotionLocks {
+            linearX: axes.contains(LockedAxes::TRANSLATION_LOCKED_X),
+            linearY: axes.contains(LockedAxes::TRANSLATION_LOCKED_Y),
+            linearZ: axes.contains(LockedAxes::TRANSLATION_LOCKED_Z),
+            angularX: axes.contains(LockedAxes::ROTATION_LOCKED_X),
+            angularY: axes.contains(LockedAxes::ROTATION_LOCKED_Y),
+            angularZ: axes.contains(LockedAxes::ROTATION_LOCKED_Z),
+        };
+        Ok(b3CreateBody(world.0, &definition))
+    }
+}
+
+fn create_shape(body: b3BodyId, collider: &Collider, local: &Pose) -> Result<(), Unsupported> {
+    let definition = shape_definition(collider)?;
+    let at = |point: Vector| vector(*local * point);
+    // SAFETY: the body is live, definitions and geometry outlive the calls, which copy them.
+    unsafe {
+        match collider.shape().as_typed_shape() {
+            TypedShape::Ball(ball) => {
+                let sphere = b3Sphere { center: at(Vector::ZERO), radius: ball.radius };
+                b3CreateSphereShape(body, &definition, &sphere);
+            }
+            TypedShape::Capsule(capsule) => {
+                let (a, b) = (capsule.segment.a, capsule.segment.b);
+                let capsule = b3Capsule { center1: at(a), center2: at(b), radius: capsule.radius };
+                b3CreateCapsuleShape(body, &definition, &capsule);
+            }
+            TypedShape::Cuboid(cuboid) => {
+                let half = cuboid.half_extents;
+                let frame =
+                    b3Transform { p: vector(local.translation), q: quaternion(&local.rotation) };
+                let hull = b3MakeTransformedBoxHull(half.x, half.y, half.z, frame);
+                b3CreateHullShape(body, &definition, &hull.base);
+            }
+            TypedShape::ConvexPolyhedron(polyhedron) => {
+                let points: Vec<b3Vec3> = polyhedron.points().iter().map(|&p| at(p)).collect();
+                if points.len() > MAX_HULL_VERTICES {
+                    return Err(Unsupported::because("a hull has too many vertices"));
+                }
+                let hull = b3CreateHull(points.as_ptr(), points.len() as i32, points.len() as i32);
+                if hull.is_null() {
+                    return Err(Unsupported::because("it refuses a hull"));
+                }
+                b3CreateHullShape(body, &definition, hull);
+                b3DestroyHull(hull);
+            }
+            _ => {
+                let kind = collider.shape().shape_type();
+                return Err(Unsupported::because(format!("shape {kind:?} is not transcribed")));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
+    if collider.contact_skin() != 0.0 {
+        return Err(Unsupported::because("no contact skin"));
+    }
+    let rules = [collider.friction_combine_rule(), collider.restitution_combine_rule()];
+    if rules != [CoefficientCombineRule::Average; 2] {
+        return Err(Unsupported::because("coefficients are mixed by average alone"));
+    }
+    let groups = collider.collision_groups();
+    if collider.solver_groups() != InteractionGroups::all() {
+        return Err(Unsupported::because("no solver groups"));
+    }
+    let volume = collider.volume();
+    // SAFETY: returns plain values.
+    let mut definition = unsafe { b3DefaultShapeDef() };
+    definition.density = if volume > 0.0 { collider.mass() / volume } else { 0.0 };
+    definition.baseMaterial.friction = collider.friction();
+    definition.baseMaterial.restitution = collider.restitution();
+    definition.filter.categoryBits = groups.memberships.bits().into();
+    definition.filter.maskBits = groups.filter.bits().into();
+    definition.isSensor = collider.is_sensor();
+    Ok(definition)
+}
+
+/// The touching pairs in which the body is the first, and their points.
+fn count_contacts(body: b3BodyId) -> (usize, usize) {
+    let mut counts = (0, 0);
+    // SAFETY: the body is live; as many contacts are initialised as the second call says; their
+    // manifolds stay valid until the next step.
+    unsafe {
+        let capacity = b3Body_GetContactCapacity(body);
+        let mut contacts: Vec<b3ContactData> = Vec::with_capacity(capacity as usize);
+        let count = b3Body_GetContactData(body, contacts.as_mut_ptr(), capacity);
+        contacts.set_len(count as usize);
+        for contact in contacts {
+            if b3Shape_GetBody(contact.shapeIdA).index1 == body.index1 {
+                let count = contact.manifoldCount as usize;
+                let manifolds = std::slice::from_raw_parts(contact.manifolds, count);
+                counts.0 += 1;
+                counts.1 += manifolds.iter().map(|m| m.pointCount as usize).sum::<usize>();
+            }
+        }
+    }
+    counts
+}
+
+fn kinetic_energy(body: b3BodyId) -> f64 {
+    // SAFETY: the body is live; plain values in, plain values out.
+    let (kind, mass, inertia, linear, angular, rotation) = unsafe {
+        (
+            b3Body_GetType(body),
+            b3Body_GetMass(body),
+            b3Body_GetLocalRotationalInertia(body),
+            b3Body_GetLinearVelocity(body),
+            b3Body_GetAngularVelocity(body),
+            b3Body_GetRotation(body),
+        )
+    };
+    if kind != b3BodyType_b3_dynamicBody {
+        return 0.0;
+    }
+    let back = |v: b3Vec3| Vector::new(v.x, v.y, v.z);
+    let rotation = Rotation::from_xyzw(rotation.v.x, rotation.v.y, rotation.v.z, rotation.s);
+    let local = rotation.inverse() * back(angular);
+    let momentum =
+        back(inertia.cx) * local.x + back(inertia.cy) * local.y + back(inertia.cz) * local.z;
+    0.5 * f64::from(mass * back(linear).length_squared() + momentum.dot(local))
+}
+
+fn vector(v: Vector) -> b3Vec3 {
+    b3Vec3 { x: v.x, y: v.y, z: v.z }
+}
+
+fn quaternion(rotation: &Rotation) -> b3Quat {
+    b3Quat { v: b3Vec3 { x: rotation.x, y: rotation.y, z: rotation.z }, s: rotation.w }
+}

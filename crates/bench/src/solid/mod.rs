@@ -1,0 +1,67 @@
+//! The scenes in 3D, and the engines that run them.
+
+use examples3d as examples;
+use rapier3d as ours;
+use rapier3d_peer as peer;
+
+#[cfg(feature = "box3d")]
+mod box3d;
+#[path = "../both/overlap.rs"]
+mod overlap;
+#[path = "../both/rapier.rs"]
+mod rapier;
+#[path = "../both/template.rs"]
+mod template;
+#[path = "../both/this.rs"]
+mod this;
+
+use crate::catalog::Scene;
+use crate::engine::{Engine, Unsupported};
+use template::Template;
+
+/// The feature with which the third engine is built in.
+const BOX_FEATURE: &str = "box3d";
+
+/// The third engine, if it is built in.
+#[cfg(feature = "box3d")]
+fn start_box(
+    template: &Template,
+    threads: usize,
+) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
+    Some(box3d::Box3d::new(template, threads).map(|engine| Box::new(engine) as _))
+}
+
+/// The third engine, if it is built in.
+#[cfg(not(feature = "box3d"))]
+fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
+    None
+}
+
+/// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
+const SCENES: [(&str, bool); 12] = [
+    ("large_pyramid", true),
+    ("many_pyramids", true),
+    ("convex_pile", true),
+    ("tower30", false),
+    ("pyramid20", false),
+    ("junkyard", false),
+    ("washer", false),
+    ("large_world", false),
+    ("card_house", false),
+    ("heavy_on_light", false),
+    ("trimesh", false),
+    ("heightfield", false),
+];
+
+/// The scenes in 3D.
+pub fn scenes() -> Vec<Scene> {
+    template::catalog("3d", &SCENES)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_scene_is_in_the_gallery() {
+        assert_eq!(super::scenes().len(), super::SCENES.len());
+    }
+}
