@@ -38,7 +38,7 @@ pub fn clip_faces(
     raw: &mut RawManifold,
 ) -> Option<Deepest> {
     let normal = contact.face.normal;
-    let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal);
+    let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal)?;
     let ends = contact.polytope.corners(contact.face.id);
     let other_ends = contact.other.corners(other_face.id);
     let along = normal.perp(); // counter-clockwise, as the face

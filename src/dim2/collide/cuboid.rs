@@ -21,7 +21,8 @@ const RIM: Real = 5.0e-3;
 
 /// Computes the contacts of two boxes into `raw`, whose `local_n1` is the normal of last time, or zero.
 ///
-/// Returns a lower bound of the distance, 0 if there are contacts.
+/// Returns a lower bound of the distance, 0 if there are contacts. Boxes that are apart and meet with
+/// corners alone have no contacts here.
 pub fn cuboid_cuboid(
     pos12: &Pose,
     half1: Vector,
@@ -36,10 +37,11 @@ pub fn cuboid_cuboid(
     let gaps1 = center1.abs() - half1 - absolute * half2;
     let gaps2 = center2.abs() - half2 - absolute.transpose() * half1;
     let (face1, face2) = (gaps1.max_position(), gaps2.max_position());
-    if gaps1[face1] > prediction || gaps2[face2] > prediction {
-        // Along both axes at once the boxes are farther apart than along one.
-        let outside = |gaps: Vector| gaps.max(Vector::ZERO).length();
-        return outside(gaps1).max(outside(gaps2));
+    // Along several axes at once the boxes are farther apart than along one.
+    let outside = |gaps: Vector| gaps.max(Vector::ZERO).length();
+    let distance = outside(gaps1).max(outside(gaps2));
+    if distance > prediction {
+        return distance;
     }
     let tolerance = TOLERANCE * half1.min(half2).min_element();
     let oriented = |axis: Vector| if axis.dot(center1) < 0.0 { -axis } else { axis };
@@ -73,7 +75,7 @@ pub fn cuboid_cuboid(
     };
     raw.local_n1 = normals[usize::from(!is_first)];
     pair.add_points(prediction, raw);
-    0.0
+    if raw.points.is_empty() { distance } else { 0.0 }
 }
 
 /// A reference face, whose normal is the contact normal, and the box that it meets.

@@ -1,9 +1,9 @@
-//! Convex shapes with flat faces: boxes, polygons and triangles.
+//! Convex shapes with flat faces: boxes, polygons, triangles, and segments, which have two.
 
 use super::features::box_feature;
 use crate::dim::math::{Real, Vector};
 use parry::shape::{
-    ConvexPolygon, Cuboid, PackedFeatureId, Shape, SupportMap, Triangle, TypedShape,
+    ConvexPolygon, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
 };
 
 /// A convex shape with flat faces.
@@ -15,6 +15,8 @@ pub enum Polytope<'a> {
     Hull(&'a ConvexPolygon),
     /// A triangle, and whether its corners come counter-clockwise.
     Triangle(&'a Triangle, bool),
+    /// A segment: one face each way.
+    Segment(&'a Segment),
 }
 
 /// A face of a polytope, in the polytope's frame.
@@ -47,18 +49,30 @@ pub(super) struct Corner {
 }
 
 impl<'a> Polytope<'a> {
-    /// The polytope that a shape is; `None` if it is none, or has no inside.
-    pub fn of(shape: &'a dyn Shape) -> Option<Self> {
-        match shape.as_typed_shape() {
-            TypedShape::Cuboid(cuboid) => Some(Self::Cuboid(cuboid)),
-            TypedShape::ConvexPolygon(polygon) => Some(Self::Hull(polygon)),
-            TypedShape::Triangle(triangle) => {
-                let [ab, ac] = [triangle.b - triangle.a, triangle.c - triangle.a];
-                let area = ab.perp_dot(ac);
-                (area != 0.0).then_some(Self::Triangle(triangle, area > 0.0))
+    /// The polytope that a shape is, and how thick (length units) the layer around it is; `None` if it
+    /// is none, or has no inside.
+    pub fn of(shape: &'a dyn Shape) -> Option<(Self, Real)> {
+        let oriented = |triangle: &'a Triangle| {
+            let area = (triangle.b - triangle.a).perp_dot(triangle.c - triangle.a);
+            (area != 0.0).then_some(Self::Triangle(triangle, area > 0.0))
+        };
+        Some(match shape.as_typed_shape() {
+            TypedShape::Cuboid(cuboid) => (Self::Cuboid(cuboid), 0.0),
+            TypedShape::ConvexPolygon(polygon) => (Self::Hull(polygon), 0.0),
+            TypedShape::Triangle(triangle) => (oriented(triangle)?, 0.0),
+            TypedShape::Segment(segment) => (Self::Segment(segment), 0.0),
+            TypedShape::Capsule(capsule) => (Self::Segment(&capsule.segment), capsule.radius),
+            TypedShape::RoundCuboid(round) => {
+                (Self::Cuboid(&round.inner_shape), round.border_radius)
             }
-            _ => None,
-        }
+            TypedShape::RoundConvexPolygon(round) => {
+                (Self::Hull(&round.inner_shape), round.border_radius)
+            }
+            TypedShape::RoundTriangle(round) => {
+                (oriented(&round.inner_shape)?, round.border_radius)
+            }
+            _ => return None,
+        })
     }
 
     /// The shape, for searches of closest points.
@@ -67,6 +81,7 @@ impl<'a> Polytope<'a> {
             Self::Cuboid(cuboid) => cuboid,
             Self::Hull(polygon) => polygon,
             Self::Triangle(triangle, _) => triangle,
+            Self::Segment(segment) => segment,
         }
     }
 
@@ -77,12 +92,14 @@ impl<'a> Polytope<'a> {
             Self::Cuboid(cuboid) => cuboid.half_extents.copysign(direction),
             Self::Hull(polygon) => polygon.local_support_point(direction),
             Self::Triangle(triangle, _) => triangle.local_support_point(direction),
+            Self::Segment(segment) => segment.local_support_point(direction),
         }
     }
 
-    /// The face whose normal is closest to a direction.
-    pub fn face_toward(&self, direction: Vector) -> Face {
-        match *self {
+    /// The face whose normal is closest to a direction; `None` if there are no faces, as of a segment
+    /// without length.
+    pub fn face_toward(&self, direction: Vector) -> Option<Face> {
+        Some(match *self {
             Self::Cuboid(cuboid) => {
                 let axis = direction.abs().max_position();
                 let is_negative = direction[axis] < 0.0;
@@ -103,7 +120,14 @@ impl<'a> Polytope<'a> {
                 let (id, normal) = best_normal(normals, direction);
                 Face { id, normal, offset: normal.dot(self.corners(id)[0].point) }
             }
-        }
+            Self::Segment(segment) => {
+                let along = (segment.b - segment.a).try_normalize()?;
+                let right = Vector::new(along.y, -along.x);
+                let is_left = right.dot(direction) < 0.0;
+                let normal = if is_left { -right } else { right };
+                Face { id: usize::from(is_left), normal, offset: normal.dot(segment.a) }
+            }
+        })
     }
 
     /// There are no edges between faces in the plane.
@@ -115,7 +139,7 @@ impl<'a> Polytope<'a> {
     pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
         match self {
             Self::Cuboid(_) => box_feature(box_face(id)),
-            Self::Hull(_) | Self::Triangle(..) => PackedFeatureId::face(id as u32),
+            _ => PackedFeatureId::face(id as u32),
         }
     }
 
@@ -138,6 +162,10 @@ impl<'a> Polytope<'a> {
                 let points = [triangle.a, triangle.b, triangle.c];
                 let ends = [id, (id + 1) % 3].map(|index| named(points[index], index));
                 if is_counter_clockwise { ends } else { [ends[1], ends[0]] }
+            }
+            Self::Segment(segment) => {
+                let ends = [named(segment.a, 0), named(segment.b, 1)];
+                if id == 0 { ends } else { [ends[1], ends[0]] }
             }
         }
     }

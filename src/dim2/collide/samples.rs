@@ -10,6 +10,8 @@ pub const KINDS: usize = 15;
 pub const CONVEX_KINDS: usize = 9;
 /// The kind that is a mesh.
 pub const MESH: usize = 10;
+/// The kind that is a box with round edges.
+pub const ROUND_BOX: usize = 7;
 /// The kind that is a convex hull.
 pub const HULL: usize = 4;
 
@@ -39,6 +41,11 @@ pub fn corners(half: Vector) -> Vec<Vector> {
 /// The rotation by `angle` radians in the plane of the first two axes.
 pub fn planar_rotation(angle: Real) -> Rotation {
     Rotation::new(angle)
+}
+
+/// No rotation: there is none about an axis in the plane.
+pub fn about_y(_angle: Real) -> Rotation {
+    Rotation::IDENTITY
 }
 
 /// Any rotation, and a translation with components in `-range..range`.

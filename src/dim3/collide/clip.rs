@@ -15,7 +15,7 @@ use parry::shape::PackedFeatureId;
 /// the deepest point is still as deep.
 const RIM: Real = 5.0e-3;
 /// Most corners of an overlap.
-const MAX_OVERLAP: usize = 32;
+const MAX_OVERLAP: usize = 64;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
 pub struct FaceContact<'a> {
@@ -61,19 +61,26 @@ pub fn clip_faces(
     flipped: bool,
     raw: &mut RawManifold,
 ) -> Option<Deepest> {
+    if let Polytope::Segment(segment) = contact.other {
+        return clip_line(contact, [segment.a, segment.b], prediction, flipped, raw);
+    }
     let normal = contact.face.normal;
-    let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal);
+    let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal)?;
     let cutting = contact.polytope.corners(contact.face.id);
     let cut = contact.other.corners(other_face.id);
     let vertex = |(index, corner): (usize, &Corner)| Vertex {
         point: *contact.pose * corner.point,
         edge: Edge::Cut(index),
     };
-    let mut overlap: Overlap = cut.iter().enumerate().map(vertex).collect();
+    // Two buffers take turns.
+    let (mut from, mut to) = (&mut Overlap::new(), &mut Overlap::new());
+    from.extend(cut.iter().enumerate().map(vertex));
     for index in 0..cutting.len() {
-        let (from, to) = (cutting[index].point, cutting[(index + 1) % cutting.len()].point);
-        overlap = cut_by(&overlap, index, from, (to - from).cross(normal));
+        let side = [cutting[index].point, cutting[(index + 1) % cutting.len()].point];
+        cut_by(from, index, side[0], (side[1] - side[0]).cross(normal), to);
+        (from, to) = (to, from);
     }
+    let overlap = from;
     let names = Names {
         cutting: &cutting,
         cut: &cut,
@@ -83,7 +90,7 @@ pub fn clip_faces(
     let inverse = contact.pose.inverse();
     let mut deepest = Real::INFINITY;
     let mut last = overlap.last()?.edge;
-    for vertex in &overlap {
+    for vertex in overlap {
         let dist = normal.dot(vertex.point) - contact.face.offset;
         deepest = deepest.min(dist);
         if dist <= prediction {
@@ -94,17 +101,77 @@ pub fn clip_faces(
         }
         last = vertex.edge;
     }
-    let tolerance = RIM * cutting[0].point.distance(cutting[1].point);
-    Some(Deepest { dist: deepest, tolerance })
+    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
 }
 
-/// The part of a polygon that lies below a plane, `outward` being its normal, of the length of the
-/// edge that it contains.
-fn cut_by(polygon: &Overlap, index: usize, on_plane: Vector, outward: Vector) -> Overlap {
+/// How much deeper another point of the other polytope must be to matter.
+fn tolerance(face: &Corners) -> Real {
+    match face.as_slice() {
+        [first, second, ..] => RIM * first.point.distance(second.point),
+        _ => 0.0,
+    }
+}
+
+/// The part of a segment above the face, as [`clip_faces`].
+///
+/// Cyrus and Beck 1978: the segment is a parameter range, which each side of the face cuts.
+fn clip_line(
+    contact: &FaceContact<'_>,
+    ends: [Vector; 2],
+    prediction: Real,
+    flipped: bool,
+    raw: &mut RawManifold,
+) -> Option<Deepest> {
+    let normal = contact.face.normal;
+    let cutting = contact.polytope.corners(contact.face.id);
+    let [start, end] = ends.map(|end| *contact.pose * end);
+    let face = contact.polytope.face_feature(contact.face.id);
+    let mut range = [0.0, 1.0];
+    let mut names = [0, 1].map(|end| (face, PackedFeatureId::vertex(end)));
+    for (index, corner) in cutting.iter().enumerate() {
+        let outward = (cutting[(index + 1) % cutting.len()].point - corner.point).cross(normal);
+        let rim = RIM * outward.length_squared();
+        let [from, to] = [start, end].map(|point| outward.dot(point - corner.point) - rim);
+        if from > 0.0 && to > 0.0 {
+            return None;
+        }
+        let (crossing, name) = (from / (from - to), (corner.edge, PackedFeatureId::edge(0)));
+        if from > 0.0 && crossing > range[0] {
+            (range[0], names[0]) = (crossing, name);
+        } else if to > 0.0 && crossing < range[1] {
+            (range[1], names[1]) = (crossing, name);
+        }
+    }
+    if range[0] > range[1] {
+        return None;
+    }
+    let mut deepest = Real::INFINITY;
+    for (share, (id, other_id)) in range.into_iter().zip(names) {
+        let point = start + (end - start) * share;
+        let dist = normal.dot(point) - contact.face.offset;
+        deepest = deepest.min(dist);
+        if dist <= prediction {
+            let (on_face, on_other) =
+                (point - normal * dist, ends[0] + (ends[1] - ends[0]) * share);
+            raw.points.push(RawPoint::flipped(on_face, on_other, id, other_id, dist, flipped));
+        }
+    }
+    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
+}
+
+/// Puts into `result` the part of a polygon that lies below a plane, `outward` being its normal, of the
+/// length of the edge that it contains.
+fn cut_by(
+    polygon: &Overlap,
+    index: usize,
+    on_plane: Vector,
+    outward: Vector,
+    result: &mut Overlap,
+) {
     let rim = RIM * outward.length_squared();
     let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
-    let mut result = Overlap::new();
-    let Some(first) = polygon.first() else { return result };
+    result.clear();
+    let Some(first) = polygon.first() else { return };
     let height_first = height(first);
     let mut height_from = height_first;
     for (position, from) in polygon.iter().enumerate() {
@@ -118,16 +185,15 @@ fn cut_by(polygon: &Overlap, index: usize, on_plane: Vector, outward: Vector) ->
         if height_from <= rim {
             // A corner on the rim that the polygon leaves the plane at is the crossing itself.
             let edge = if leaves && !is_deep { Edge::Cutting(index) } else { from.edge };
-            push(&mut result, from.point, edge);
+            push(result, from.point, edge);
         }
         if leaves && is_deep {
-            push(&mut result, crossing(), Edge::Cutting(index));
+            push(result, crossing(), Edge::Cutting(index));
         } else if height_from > rim && height_to < 0.0 {
-            push(&mut result, crossing(), from.edge);
+            push(result, crossing(), from.edge);
         }
         height_from = height_to;
     }
-    result
 }
 
 fn push(polygon: &mut Overlap, point: Vector, edge: Edge) {

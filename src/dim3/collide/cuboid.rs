@@ -46,7 +46,8 @@ enum Axis {
 
 /// Computes the contacts of two boxes into `raw`, whose `local_n1` is the normal of last time, or zero.
 ///
-/// Returns a lower bound of the distance, 0 if there are contacts.
+/// Returns a lower bound of the distance, 0 if there are contacts. Boxes that are apart and meet with
+/// corners alone have no contacts here.
 pub fn cuboid_cuboid(
     pos12: &Pose,
     half1: Vector,
@@ -60,10 +61,11 @@ pub fn cuboid_cuboid(
     let boxes = Boxes { half1, half2, rotation, center1, center2 };
     let [gaps1, gaps2] = boxes.face_gaps();
     let (face1, face2) = (gaps1.max_position(), gaps2.max_position());
-    if gaps1[face1] > prediction || gaps2[face2] > prediction {
-        // Along several axes at once the boxes are farther apart than along one.
-        let outside = |gaps: Vector| gaps.max(Vector::ZERO).length();
-        return outside(gaps1).max(outside(gaps2));
+    // Along several axes at once the boxes are farther apart than along one.
+    let outside = |gaps: Vector| gaps.max(Vector::ZERO).length();
+    let distance = outside(gaps1).max(outside(gaps2));
+    if distance > prediction {
+        return distance;
     }
     let (edge_gap, edges) = boxes.edge_gap();
     if edge_gap > prediction {
@@ -93,7 +95,7 @@ pub fn cuboid_cuboid(
         Axis::Face2(axis) => face_points(&FacePair::of_second(&boxes, axis), prediction, raw),
         Axis::Edges(axis1, axis2) => boxes.edge_point(axis1, axis2, raw),
     }
-    0.0
+    if raw.points.is_empty() { distance } else { 0.0 }
 }
 
 impl Boxes {

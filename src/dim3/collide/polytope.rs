@@ -1,15 +1,15 @@
-//! Convex shapes with flat faces: boxes, hulls and triangles.
+//! Convex shapes with flat faces: boxes, hulls and triangles. And segments, which have none.
 
 use super::cuboid::unit;
 use super::features::box_feature;
 use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::{
-    ConvexPolyhedron, Cuboid, PackedFeatureId, Shape, SupportMap, Triangle, TypedShape,
+    ConvexPolyhedron, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
 };
 
 /// Most corners of a face that are looked at. Of faces with more, some are left out evenly.
-const MAX_CORNERS: usize = 16;
+const MAX_CORNERS: usize = 32;
 
 /// A convex shape with flat faces.
 #[derive(Copy, Clone)]
@@ -20,6 +20,8 @@ pub enum Polytope<'a> {
     Hull(&'a ConvexPolyhedron),
     /// A triangle with its unit normal: a hull with two faces.
     Triangle(&'a Triangle, Vector),
+    /// A segment: an edge without faces.
+    Segment(&'a Segment),
 }
 
 /// A face of a polytope, in the polytope's frame.
@@ -57,14 +59,25 @@ pub(super) struct Corner {
 pub(super) type Corners = ArrayVec<Corner, MAX_CORNERS>;
 
 impl<'a> Polytope<'a> {
-    /// The polytope that a shape is; `None` if it is none, or has no inside and no normal.
-    pub fn of(shape: &'a dyn Shape) -> Option<Self> {
-        match shape.as_typed_shape() {
-            TypedShape::Cuboid(cuboid) => Some(Self::Cuboid(cuboid)),
-            TypedShape::ConvexPolyhedron(hull) => Some(Self::Hull(hull)),
-            TypedShape::Triangle(triangle) => Some(Self::Triangle(triangle, triangle.normal()?)),
-            _ => None,
-        }
+    /// The polytope that a shape is, and how thick (length units) the layer around it is; `None` if it
+    /// is none, or has neither inside nor normal.
+    pub fn of(shape: &'a dyn Shape) -> Option<(Self, Real)> {
+        let flat = |triangle: &'a Triangle| Some(Self::Triangle(triangle, triangle.normal()?));
+        Some(match shape.as_typed_shape() {
+            TypedShape::Cuboid(cuboid) => (Self::Cuboid(cuboid), 0.0),
+            TypedShape::ConvexPolyhedron(hull) => (Self::Hull(hull), 0.0),
+            TypedShape::Triangle(triangle) => (flat(triangle)?, 0.0),
+            TypedShape::Segment(segment) => (Self::Segment(segment), 0.0),
+            TypedShape::Capsule(capsule) => (Self::Segment(&capsule.segment), capsule.radius),
+            TypedShape::RoundCuboid(round) => {
+                (Self::Cuboid(&round.inner_shape), round.border_radius)
+            }
+            TypedShape::RoundConvexPolyhedron(round) => {
+                (Self::Hull(&round.inner_shape), round.border_radius)
+            }
+            TypedShape::RoundTriangle(round) => (flat(&round.inner_shape)?, round.border_radius),
+            _ => return None,
+        })
     }
 
     /// The shape, for searches of closest points.
@@ -73,6 +86,7 @@ impl<'a> Polytope<'a> {
             Self::Cuboid(cuboid) => cuboid,
             Self::Hull(hull) => hull,
             Self::Triangle(triangle, _) => triangle,
+            Self::Segment(segment) => segment,
         }
     }
 
@@ -83,12 +97,13 @@ impl<'a> Polytope<'a> {
             Self::Cuboid(cuboid) => cuboid.half_extents.copysign(direction),
             Self::Hull(hull) => hull.local_support_point(direction),
             Self::Triangle(triangle, _) => triangle.local_support_point(direction),
+            Self::Segment(segment) => segment.local_support_point(direction),
         }
     }
 
-    /// The face whose normal is closest to a direction.
-    pub fn face_toward(&self, direction: Vector) -> Face {
-        match *self {
+    /// The face whose normal is closest to a direction; `None` if there are no faces.
+    pub fn face_toward(&self, direction: Vector) -> Option<Face> {
+        Some(match *self {
             Self::Cuboid(cuboid) => {
                 let axis = direction.abs().max_position();
                 let is_negative = direction[axis] < 0.0;
@@ -114,7 +129,8 @@ impl<'a> Polytope<'a> {
                 let normal = if is_back { -normal } else { normal };
                 Face { id: usize::from(is_back), normal, offset: normal.dot(triangle.a) }
             }
-        }
+            Self::Segment(_) => return None,
+        })
     }
 
     /// The edge that is farthest along a direction: the one at the farthest corner that falls off
@@ -138,6 +154,9 @@ impl<'a> Polytope<'a> {
                 let ends = [points[id], points[(id + 1) % 3]];
                 Some(Edge { ends, feature: PackedFeatureId::edge(id as u32) })
             }
+            Self::Segment(segment) => {
+                Some(Edge { ends: [segment.a, segment.b], feature: PackedFeatureId::edge(0) })
+            }
         }
     }
 
@@ -145,7 +164,7 @@ impl<'a> Polytope<'a> {
     pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
         match self {
             Self::Cuboid(_) => box_feature(box_face(id)),
-            Self::Hull(_) | Self::Triangle(..) => PackedFeatureId::face(id as u32),
+            _ => PackedFeatureId::face(id as u32),
         }
     }
 
@@ -155,6 +174,7 @@ impl<'a> Polytope<'a> {
             Self::Cuboid(cuboid) => box_corners(cuboid.half_extents, id),
             Self::Hull(hull) => hull_corners(hull, id),
             Self::Triangle(triangle, _) => triangle_corners(triangle, id == 1),
+            Self::Segment(_) => Corners::new(),
         }
     }
 }

@@ -1,19 +1,22 @@
 //! At most four points of a manifold.
 
 use super::RawPoint;
-use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, tangents};
+
+/// Points whose depths differ by less than this share of the manifold's size are as deep as each other.
+const FLAT: Real = 5.0e-3;
 
 /// Keeps the deepest point and the three others that span the largest area with it.
 ///
 /// Bodies that rest on many points need no more than four to stand as firmly: the deepest, so that
 /// nothing sinks in, the one farthest from it, the one farthest from the line through these two, and
-/// the one farthest from the third on the other side of that line. Equal candidates: the first wins,
-/// so that the choice does not flicker.
+/// the one farthest from the third on the other side of that line. If all are equally deep, rounding
+/// must not choose: then the first is the one that is farthest along a fixed direction.
 pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
     if points.len() <= MAX_MANIFOLD_POINTS {
         return;
     }
-    let Some(first) = best(points, |point| -point.dist) else { return };
+    let Some(first) = first_point(points, normal) else { return };
     let p = points[first].local_p1;
     let Some(second) = best(points, |point| point.local_p1.distance_squared(p)) else { return };
     let side = normal.cross(points[second].local_p1 - p);
@@ -29,6 +32,24 @@ pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
         index += 1;
         kept.contains(&(index - 1))
     });
+}
+
+/// The deepest point, or an outermost one if none is.
+fn first_point(points: &[RawPoint], normal: Vector) -> Option<usize> {
+    let origin = points.first()?.local_p1;
+    let size_squared =
+        points.iter().map(|point| point.local_p1.distance_squared(origin)).fold(0.0, Real::max);
+    let depths = points.iter().map(|point| point.dist);
+    let (low, high) = depths.fold((Real::INFINITY, Real::NEG_INFINITY), |(low, high), dist| {
+        (low.min(dist), high.max(dist))
+    });
+    if high - low > FLAT * size_squared.sqrt() {
+        return best(points, |point| -point.dist);
+    }
+    let [tangent1, tangent2] = tangents(normal);
+    // Not along an axis, where whole edges would be equally far.
+    let direction = tangent1 + tangent2 * 0.3;
+    best(points, |point| direction.dot(point.local_p1))
 }
 
 /// The first of the points with the highest score.

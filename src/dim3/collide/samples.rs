@@ -11,6 +11,8 @@ pub const KINDS: usize = 17;
 pub const CONVEX_KINDS: usize = 11;
 /// The kind that is a mesh.
 pub const MESH: usize = 12;
+/// The kind that is a box with round edges.
+pub const ROUND_BOX: usize = 9;
 /// The kind that is a convex hull.
 pub const HULL: usize = 6;
 
@@ -47,6 +49,11 @@ pub fn corners(half: Vector) -> Vec<Vector> {
 /// The rotation by `angle` radians in the plane of the first two axes.
 pub fn planar_rotation(angle: Real) -> Rotation {
     Rotation::from_rotation_z(angle)
+}
+
+/// The rotation by `angle` radians about the second axis.
+pub fn about_y(angle: Real) -> Rotation {
+    Rotation::from_rotation_y(angle)
 }
 
 /// Any rotation, and a translation with components in `-range..range`.

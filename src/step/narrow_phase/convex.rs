@@ -1,6 +1,7 @@
 //! The manifold of two convex parts.
 
 use super::ball::ball_manifold;
+use super::capsule::capsule_capsule;
 use super::parts::Part;
 use super::polytopes::polytope_polytope;
 use super::support::{Core, support_manifold};
@@ -8,6 +9,9 @@ use crate::dim::collide::{Polytope, RawManifold, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::{Shape, TypedShape};
+
+/// Boxes that are closer than this share of the prediction distance touch with faces and edges only.
+const CORNERS_APART: Real = 0.25;
 
 /// Computes the points at which two convex parts are within `prediction`, into `raw`.
 ///
@@ -27,7 +31,16 @@ pub(super) fn convex_manifold(
     match (part1.shape.as_typed_shape(), part2.shape.as_typed_shape()) {
         (TypedShape::Cuboid(cuboid1), TypedShape::Cuboid(cuboid2)) => {
             let (half1, half2) = (cuboid1.half_extents, cuboid2.half_extents);
-            Some(cuboid_cuboid(pos12, half1, half2, prediction, raw))
+            let hint = raw.local_n1;
+            let gap = cuboid_cuboid(pos12, half1, half2, prediction, raw);
+            // Corners that come towards each other from afar are a contact, but corners of neighbours
+            // in a wall are none: they would catch on each other.
+            let meet_with_corners = raw.points.is_empty() && gap > CORNERS_APART * prediction;
+            if meet_with_corners && gap <= prediction {
+                raw.local_n1 = hint;
+                return others(pos12, part1, part2, prediction, raw);
+            }
+            Some(gap)
         }
         (_, TypedShape::Ball(ball2)) => {
             Some(ball_manifold(pos12, part1.shape, ball2.radius, prediction, raw))
@@ -37,14 +50,28 @@ pub(super) fn convex_manifold(
             flip(raw);
             Some(gap)
         }
-        _ => {
-            let polytopes = (Polytope::of(part1.shape), Polytope::of(part2.shape));
-            if let (Some(polytope1), Some(polytope2)) = polytopes {
-                return Some(polytope_polytope(pos12, &polytope1, &polytope2, prediction, raw));
-            }
-            general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
+        (TypedShape::Capsule(capsule1), TypedShape::Capsule(capsule2)) => {
+            capsule_capsule(pos12, capsule1, capsule2, prediction, raw)
+                .or_else(|| others(pos12, part1, part2, prediction, raw))
         }
+        _ => others(pos12, part1, part2, prediction, raw),
     }
+}
+
+/// The manifold of two parts that have no way of their own.
+fn others(
+    pos12: &Pose,
+    part1: &Part<'_>,
+    part2: &Part<'_>,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Option<Real> {
+    if let (Some(polytope1), Some(polytope2)) =
+        (Polytope::of(part1.shape), Polytope::of(part2.shape))
+    {
+        return Some(polytope_polytope(pos12, polytope1, polytope2, prediction, raw));
+    }
+    general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
 }
 
 /// The manifold of any two convex parts; `false` if nothing is known of such pairs.

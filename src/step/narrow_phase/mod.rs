@@ -11,6 +11,7 @@
 //! slack is used up are looked at more closely: [`update`].
 
 mod ball;
+mod capsule;
 mod convex;
 mod generate;
 mod matching;

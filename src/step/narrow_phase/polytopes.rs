@@ -48,64 +48,96 @@ struct Separation {
     is_first: bool,
 }
 
-/// Computes the contacts of two polytopes into `raw`, whose `local_n1` is the normal of last time, or
-/// zero. Returns a lower bound of the distance, 0 if nothing is known of it.
+/// Computes the contacts of two polytopes, each with the thickness of a layer around it, into `raw`,
+/// whose `local_n1` is the normal of last time, or zero. Returns a lower bound of the distance, 0 if
+/// nothing is known of it.
 pub(super) fn polytope_polytope(
     pos12: &Pose,
-    polytope1: &Polytope<'_>,
-    polytope2: &Polytope<'_>,
+    (polytope1, radius1): (Polytope<'_>, Real),
+    (polytope2, radius2): (Polytope<'_>, Real),
     prediction: Real,
     raw: &mut RawManifold,
 ) -> Real {
-    let pair = Pair { pos12, pos21: pos12.inverse(), polytope1, polytope2, prediction };
-    let hint = raw.local_n1;
-    let is_known = hint != Vector::ZERO;
-    let guess = if is_known { hint } else { pos12.translation.normalize_or(Vector::Y) };
-    let best = pair.best_face(guess, hint);
-    if best.gap > prediction {
-        raw.local_n1 = best.normal;
-        return best.gap;
-    }
-    let were_faces = best.normal.dot(guess) > SAME_AXIS;
-    for try_faces in [were_faces, !were_faces] {
-        let gap = if try_faces { pair.add_face(&best, raw) } else { pair.add_edges(guess, raw) };
-        // Without a last normal, only polytopes that are apart tell that the guess was right.
-        match gap {
-            Some(gap) if gap > prediction => return gap,
-            Some(gap) if gap >= 0.0 || is_known && pair.is_shallow(gap, raw.local_n1) => {
-                return 0.0;
-            }
-            _ => raw.points.clear(),
+    let radius = radius1 + radius2;
+    let pair = Pair {
+        pos12,
+        pos21: pos12.inverse(),
+        polytope1: &polytope1,
+        polytope2: &polytope2,
+        prediction: prediction + radius,
+    };
+    let gap = pair.add_contacts(raw);
+    if radius > 0.0 {
+        raw.local_n2 = pair.pos21.rotation * -raw.local_n1;
+        for point in &mut raw.points {
+            point.local_p1 += raw.local_n1 * radius1;
+            point.local_p2 += raw.local_n2 * radius2;
+            point.dist -= radius;
         }
     }
-    pair.search(hint, raw);
-    0.0
+    gap - radius
 }
 
 impl Pair<'_> {
-    /// The best separation along the faces that look along `direction`.
-    fn best_face(&self, direction: Vector, hint: Vector) -> Separation {
-        let (first, second) = (self.first_face(direction), self.second_face(direction));
-        let [bonus1, bonus2] =
-            [first, second].map(|face| if face.normal.dot(hint) > SAME_AXIS { 1.0 } else { 0.0 });
-        let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
-        let advantage = (bonus1 - bonus2 + FIRST_FACE) * scale;
-        if first.gap + advantage >= second.gap { first } else { second }
+    /// Computes the contacts. Returns a lower bound of the distance, 0 if nothing is known of it.
+    fn add_contacts(&self, raw: &mut RawManifold) -> Real {
+        let (hint, prediction) = (raw.local_n1, self.prediction);
+        let is_known = hint != Vector::ZERO;
+        let guess = if is_known { hint } else { self.pos12.translation.normalize_or(Vector::Y) };
+        let best = self.best_face(guess, hint);
+        if let Some(best) = &best {
+            if best.gap > prediction {
+                raw.local_n1 = best.normal;
+                return best.gap;
+            }
+        }
+        let were_faces = best.is_some_and(|best| best.normal.dot(guess) > SAME_AXIS);
+        for try_faces in [were_faces, !were_faces] {
+            let gap = match &best {
+                _ if !try_faces => self.add_edges(guess, raw),
+                Some(best) => self.add_face(best, raw),
+                None => None,
+            };
+            // Without a last normal, only polytopes that are apart tell that the guess was right.
+            match gap {
+                Some(gap) if gap > prediction => return gap,
+                Some(gap) if gap >= 0.0 || is_known && self.is_shallow(gap, raw.local_n1) => {
+                    return 0.0;
+                }
+                _ => raw.points.clear(),
+            }
+        }
+        self.search(hint, raw);
+        0.0
     }
 
-    fn first_face(&self, direction: Vector) -> Separation {
-        let face = self.polytope1.face_toward(direction);
+    /// The best separation along the faces that look along `direction`.
+    fn best_face(&self, direction: Vector, hint: Vector) -> Option<Separation> {
+        match (self.first_face(direction), self.second_face(direction)) {
+            (Some(first), Some(second)) => {
+                let is_same = |face: Separation| face.normal.dot(hint) > SAME_AXIS;
+                let bonus = |face: Separation| if is_same(face) { 1.0 } else { 0.0 };
+                let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
+                let advantage = (bonus(first) - bonus(second) + FIRST_FACE) * scale;
+                Some(if first.gap + advantage >= second.gap { first } else { second })
+            }
+            (first, second) => first.or(second),
+        }
+    }
+
+    fn first_face(&self, direction: Vector) -> Option<Separation> {
+        let face = self.polytope1.face_toward(direction)?;
         let lowest = self.polytope2.support(self.pos21.rotation * -face.normal);
         let gap = face.normal.dot(*self.pos12 * lowest) - face.offset;
-        Separation { gap, normal: face.normal, face, is_first: true }
+        Some(Separation { gap, normal: face.normal, face, is_first: true })
     }
 
-    fn second_face(&self, direction: Vector) -> Separation {
-        let face = self.polytope2.face_toward(self.pos21.rotation * -direction);
+    fn second_face(&self, direction: Vector) -> Option<Separation> {
+        let face = self.polytope2.face_toward(self.pos21.rotation * -direction)?;
         let normal = self.pos12.rotation * -face.normal;
         let highest = self.polytope1.support(normal);
         let gap = face.normal.dot(self.pos21 * highest) - face.offset;
-        Separation { gap, normal, face, is_first: false }
+        Some(Separation { gap, normal, face, is_first: false })
     }
 
     /// Is the overlap small against the polytopes?
@@ -177,14 +209,14 @@ impl Pair<'_> {
         match closest(self.pos12, shape1, shape2, self.prediction, hint) {
             Closest::Apart(direction) => raw.local_n1 = direction,
             Closest::Near { point1, point2, normal, dist } => {
-                let best = self.best_face(normal, hint);
                 let tolerance = TOLERANCE * self.thickness(normal);
-                if best.gap >= dist - tolerance {
-                    self.add_face(&best, raw);
-                    if !raw.points.is_empty() {
-                        return;
-                    }
-                } else if self.add_edges(normal, raw).is_some_and(|gap| gap >= dist - tolerance) {
+                let best = self.best_face(normal, hint).filter(|best| best.gap >= dist - tolerance);
+                // Where the face is not where they are closest, the closest points are better.
+                if best.is_some_and(|best| self.add_face(&best, raw).is_some()) {
+                    return;
+                }
+                raw.points.clear();
+                if self.add_edges(normal, raw).is_some_and(|gap| gap >= dist - tolerance) {
                     return;
                 }
                 raw.points.clear();

@@ -130,3 +130,29 @@ fn a_leaning_box_stands_on_its_lower_edge() {
         assert!(found[0].local_n1.y > 0.999);
     }
 }
+
+#[test]
+fn turned_boxes_keep_four_points_that_span_the_overlap() {
+    let cube = samples::cuboid(Vector::splat(0.5));
+    let mut random = Random(5);
+    let mut previous: Vec<ContactManifold> = Vec::new();
+    let mut kept = 0;
+    for round in 0..200 {
+        let turn = samples::about_y(0.6 + random.within(-1.0e-5, 1.0e-5));
+        let height = Vector::Y * (0.995 + random.within(-1.0e-5, 1.0e-5));
+        let mut found = smallvec::SmallVec::new();
+        let scratch = &mut Default::default();
+        let pos12 = Pose::from_parts(height, turn);
+        super::compute_manifolds(&pos12, &*cube, &*cube, 0.02, &previous, scratch, &mut found);
+        let names = |m: &ContactManifold| -> Vec<_> {
+            m.contacts().iter().map(|c| (c.fid1, c.fid2)).collect()
+        };
+        kept += usize::from(previous.first().is_some_and(|last| names(last) == names(&found[0])));
+        let center: Vector = found[0].contacts().iter().map(|c| c.local_p1).sum();
+        let center = center / found[0].contacts().len() as Real;
+        assert_eq!(found[0].contacts().len(), MAX_MANIFOLD_POINTS, "round {round}");
+        assert!(center.with_y(0.0).length() < 0.15, "round {round}: all points aside, at {center}");
+        previous = found.to_vec();
+    }
+    assert!(kept >= 190, "the points changed {} times", 199 - kept);
+}

@@ -1,6 +1,7 @@
 //! Tests of contact generation.
 
 mod boxes;
+mod capsules;
 mod fuzz;
 mod matching;
 mod polytopes;

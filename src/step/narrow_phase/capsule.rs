@@ -1,0 +1,129 @@
+//! Two capsules: the closest points of their axes, or both ends of where they lie along each other.
+
+use crate::dim::collide::{RawManifold, RawPoint};
+use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::{Capsule, PackedFeatureId};
+
+/// Axes whose directions have a smaller sine (squared) than this lie along each other: about 3°.
+const PARALLEL: Real = 3.0e-3;
+/// Capsules that lie along each other touch at one point only if the overlap is shorter than this
+/// share of the shorter axis.
+const SHORT: Real = 1.0e-2;
+/// Axes that are closer than this share of the radii do not tell in which direction to separate.
+const CROSSING: Real = 1.0e-3;
+
+/// Two segments in the frame of the first capsule.
+struct Axes {
+    start1: Vector,
+    along1: Vector,
+    start2: Vector,
+    along2: Vector,
+    /// `along1 · along1`, `along1 · along2`, `along2 · along2`.
+    products: [Real; 3],
+}
+
+/// Computes the contacts of two capsules into `raw`. Returns their distance, 0 if they overlap; `None`
+/// if their axes cross, so that the direction is a matter of all of their geometry.
+pub(super) fn capsule_capsule(
+    pos12: &Pose,
+    capsule1: &Capsule,
+    capsule2: &Capsule,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Option<Real> {
+    let axes = Axes::of(pos12, capsule1, capsule2);
+    let shares = axes.closest();
+    let radius = capsule1.radius + capsule2.radius;
+    let offset = axes.point2(shares[1]) - axes.point1(shares[0]);
+    let length = offset.length();
+    // Written so that NaN is refused.
+    let is_apart = length > CROSSING * radius && length > 0.0;
+    if !is_apart {
+        return None;
+    }
+    let local_n1 = offset / length;
+    let local_n2 = pos12.rotation.inverse() * -local_n1;
+    (raw.local_n1, raw.local_n2) = (local_n1, local_n2);
+    let pos21 = pos12.inverse();
+    let mut add = |shares: [Real; 2], name: u32| {
+        let (p1, p2) = (axes.point1(shares[0]), axes.point2(shares[1]));
+        let dist = (p2 - p1).dot(local_n1) - radius;
+        if dist <= prediction {
+            let local_p1 = p1 + local_n1 * capsule1.radius;
+            let local_p2 = pos21 * p2 + local_n2 * capsule2.radius;
+            let id = PackedFeatureId::face(name);
+            raw.points.push(RawPoint::new(local_p1, local_p2, id, id, dist));
+        }
+    };
+    match axes.common_range() {
+        Some(ends) => {
+            add(ends[0], 1);
+            add(ends[1], 2);
+        }
+        None => add(shares, 0),
+    }
+    Some((length - radius).max(0.0))
+}
+
+impl Axes {
+    fn of(pos12: &Pose, capsule1: &Capsule, capsule2: &Capsule) -> Self {
+        let (segment1, segment2) = (&capsule1.segment, &capsule2.segment);
+        let along1 = segment1.b - segment1.a;
+        let along2 = pos12.rotation * (segment2.b - segment2.a);
+        Self {
+            start1: segment1.a,
+            along1,
+            start2: *pos12 * segment2.a,
+            along2,
+            products: [along1.dot(along1), along1.dot(along2), along2.dot(along2)],
+        }
+    }
+
+    fn point1(&self, share: Real) -> Vector {
+        self.start1 + self.along1 * share
+    }
+
+    fn point2(&self, share: Real) -> Vector {
+        self.start2 + self.along2 * share
+    }
+
+    /// Where on the axes they are closest, as shares of their lengths (Ericson 2005, "Real-Time
+    /// Collision Detection", section 5.1.9).
+    fn closest(&self) -> [Real; 2] {
+        let [a, b, c] = self.products;
+        let offset = self.start1 - self.start2;
+        let (d, e) = (self.along1.dot(offset), self.along2.dot(offset));
+        let clamped = |x: Real, length_squared: Real| {
+            if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
+        };
+        let area = a * c - b * b;
+        let share1 = if self.is_parallel() { 0.5 } else { clamped(b * e - c * d, area) };
+        // Each share in turn is the best for the other; twice, because the first was not clamped yet.
+        let share2 = clamped(b * share1 + e, c);
+        let share1 = clamped(b * share2 - d, a);
+        let share2 = clamped(b * share1 + e, c);
+        [share1, share2]
+    }
+
+    fn is_parallel(&self) -> bool {
+        let [a, b, c] = self.products;
+        a * c - b * b <= PARALLEL * a * c
+    }
+
+    /// The two ends of where the axes lie along each other, each as shares of the lengths.
+    fn common_range(&self) -> Option<[[Real; 2]; 2]> {
+        let [a, b, c] = self.products;
+        if !self.is_parallel() || a == 0.0 || c == 0.0 {
+            return None;
+        }
+        // The ends of the second axis, seen on the first.
+        let start = self.along1.dot(self.start2 - self.start1) / a;
+        let end = start + b / a;
+        let (low, high) = (start.min(end).max(0.0), start.max(end).min(1.0));
+        if (high - low) * a.sqrt() <= SHORT * a.min(c).sqrt() {
+            return None;
+        }
+        let on_second = |share: Real| ((share - start) / (end - start)).clamp(0.0, 1.0);
+        Some([[low, on_second(low)], [high, on_second(high)]])
+    }
+}
