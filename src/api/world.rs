@@ -215,3 +215,39 @@ impl PhysicsWorld {
         self.narrow_phase.intersection_pairs_with(collider)
     }
 }
+
+#[cfg(feature = "debug-render")]
+impl PhysicsWorld {
+    /// Draws the world as lines: what the pipeline's mode selects, with its style.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// struct Lines(Vec<[Vector; 2]>);
+    ///
+    /// impl DebugRenderBackend for Lines {
+    ///     fn draw_line(&mut self, _: DebugRenderObject, a: Vector, b: Vector, _: DebugColor) {
+    ///         self.0.push([a, b]);
+    ///     }
+    /// }
+    ///
+    /// let mut world = PhysicsWorld::new();
+    /// world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::cuboid(1.0, 1.0, 1.0));
+    /// let mut lines = Lines(Vec::new());
+    /// world.debug_render(&mut DebugRenderPipeline::default(), &mut lines);
+    /// assert_eq!(lines.0.len(), 12); // the edges of a box
+    /// ```
+    pub fn debug_render(
+        &self,
+        pipeline: &mut crate::debug_render::DebugRenderPipeline,
+        backend: &mut dyn crate::debug_render::DebugRenderBackend,
+    ) {
+        pipeline.render(
+            backend,
+            &self.bodies,
+            &self.colliders,
+            &self.impulse_joints,
+            &self.multibody_joints,
+            &self.narrow_phase,
+        );
+    }
+}

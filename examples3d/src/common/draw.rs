@@ -21,14 +21,7 @@ pub(super) fn draw(world: &PhysicsWorld, pen: &mut dyn Pen) {
     artist.draw_surfaces();
     let mut pipeline =
         DebugRenderPipeline::new(DebugRenderStyle::default(), DebugRenderMode::COLLIDER_SHAPES);
-    pipeline.render(
-        &mut artist,
-        &world.bodies,
-        &world.colliders,
-        &world.impulse_joints,
-        &world.multibody_joints,
-        &world.narrow_phase,
-    );
+    world.debug_render(&mut pipeline, &mut artist);
 }
 
 /// Half of the largest extent of all that moves (length units).
