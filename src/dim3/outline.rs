@@ -210,7 +210,7 @@ pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use parry::shape::{Polyline, Shape, SharedShape, TriMesh, Voxels};
+    use parry::shape::{Polyline, SharedShape, TriMesh, Voxels};
     use parry::utils::Array2;
 
     /// One shape of every kind that has an extent, and a few degenerate ones.
