@@ -8,6 +8,7 @@ use crate::dim::axes::LockedAxes;
 use crate::dim::mass::mass_is_valid;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, rotation_from_angle};
 use crate::model::check::{checked_pose, is_non_negative};
+use crate::model::params::ITERATIONS_MAX;
 use core::fmt::Debug;
 use parry::mass_properties::MassProperties;
 
@@ -262,7 +263,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how many more substeps the solver takes for the island of this body.
+    /// Sets how many more substeps the solver takes while this body is awake, at most 1000. A step takes
+    /// as many as the most demanding awake body wants.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self
@@ -336,6 +338,14 @@ impl RigidBodyBuilder {
             }
         };
         keep_if(valid, field, &mut self.additional_mass_properties, None, &mut errors);
+        let iterations = self.additional_solver_iterations;
+        keep_if(
+            iterations <= ITERATIONS_MAX,
+            "additional_solver_iterations",
+            &mut self.additional_solver_iterations,
+            0,
+            &mut errors,
+        );
         errors
     }
 

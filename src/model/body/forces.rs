@@ -3,6 +3,7 @@
 //! Only dynamic bodies can be pushed; the others ignore all of it.
 
 use super::{RigidBody, RigidBodyVelocity};
+use crate::base::measure::is_point;
 use crate::dim::mass::angular_momentum;
 use crate::dim::math::{
     ANG_ZERO, AngVector, Real, Vector, ang_dot, ang_is_finite, mul_inertia, torque,
@@ -52,6 +53,9 @@ impl RigidBody {
     /// Adds a world-space force at a point in world space: the force on the centre of mass, and its
     /// torque about it as of now. Both act in every step until they are reset.
     pub fn add_force_at_point(&mut self, force: Vector, point: Vector, wake_up: bool) {
+        if !is_point(point) {
+            return refuse("the point where a force acts on a rigid body", point);
+        }
         let arm = point - self.mprops.world_com;
         self.add_force_and_torque(force, torque(arm, force), wake_up);
     }
@@ -82,6 +86,9 @@ impl RigidBody {
 
     /// Strikes the body with a world-space impulse (mass·length/s) at a point in world space.
     pub fn apply_impulse_at_point(&mut self, impulse: Vector, point: Vector, wake_up: bool) {
+        if !is_point(point) {
+            return refuse("the point where an impulse strikes a rigid body", point);
+        }
         let arm = point - self.mprops.world_com;
         self.strike(impulse, torque(arm, impulse), wake_up);
     }

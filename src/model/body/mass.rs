@@ -4,12 +4,14 @@ use super::RigidBodyType;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis, lock_rotations};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::{AngularInertia, Pose, Real, Vector, zero_inertia};
-use crate::model::check::{is_non_negative, refuse};
+use crate::model::check::refuse;
 use parry::mass_properties::MassProperties;
 
-/// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too.
+/// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too, and its
+/// own inverse.
 pub(super) fn mass_is_usable(mass: Real) -> bool {
-    is_non_negative(mass) && (mass == 0.0 || (1.0 / mass).is_finite())
+    let inv_mass = 1.0 / mass;
+    mass == 0.0 || (mass > 0.0 && inv_mass.is_finite() && (1.0 / inv_mass).is_finite())
 }
 
 /// Mass that a body has beyond that of its colliders.

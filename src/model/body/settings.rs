@@ -4,6 +4,7 @@ use super::{RigidBody, RigidBodyChanges};
 use crate::dim::axes::LockedAxes;
 use crate::dim::math::Real;
 use crate::model::check::{is_non_negative, refuse};
+use crate::model::params::ITERATIONS_MAX;
 
 impl RigidBody {
     /// Share of the linear velocity lost per second, to first order (1/s).
@@ -141,8 +142,13 @@ impl RigidBody {
         self.additional_solver_iterations
     }
 
-    /// Sets how many more substeps the solver takes for the island of this body.
+    /// Sets how many more substeps the solver takes while this body is awake, at most 1000. A step takes
+    /// as many as the most demanding awake body wants.
     pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
+        if additional_iterations > ITERATIONS_MAX {
+            let what = "the number of additional solver iterations of a rigid body";
+            return refuse(what, additional_iterations);
+        }
         self.additional_solver_iterations = additional_iterations;
     }
 }

@@ -118,8 +118,11 @@ pub(crate) fn check_points(parameter: &'static str, points: &[Vector]) -> Verdic
 }
 
 fn check_unit(parameter: &'static str, direction: Vector) -> Verdict {
-    let length = direction.length();
-    if (0.99..=1.01).contains(&length) { Ok(()) } else { number(parameter, length, "of length 1") }
+    if (0.99..=1.01).contains(&direction.length()) {
+        Ok(())
+    } else {
+        Err(InvalidCollider::Direction { parameter, value: direction })
+    }
 }
 
 pub(crate) fn check_pose(pose: &Pose) -> Verdict {

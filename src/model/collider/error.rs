@@ -29,6 +29,14 @@ pub enum InvalidCollider {
         /// The point.
         value: Vector,
     },
+    /// A direction is not of unit length.
+    #[error("{parameter} is {value}, but must be of length 1")]
+    Direction {
+        /// The parameter.
+        parameter: &'static str,
+        /// The vector.
+        value: Vector,
+    },
     /// A pose is not finite, or its rotation not of unit length.
     #[error("the pose {value:?} is not a finite translation and a rotation of unit length")]
     Pose {

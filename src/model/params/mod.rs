@@ -13,6 +13,7 @@ mod tests;
 
 pub(crate) use pass::ContactPass;
 pub use softness::{CONTACT_YIELD, Softness};
+pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;
 
 use crate::dim::math::Real;

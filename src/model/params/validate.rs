@@ -6,7 +6,7 @@ use crate::dim::math::Real;
 
 /// Most substeps, iterations or impacts that one step accepts: beyond it a typing error looks like a
 /// program that hangs.
-const ITERATIONS_MAX: usize = 1000;
+pub(crate) const ITERATIONS_MAX: usize = 1000;
 
 /// A field of [`IntegrationParameters`] has a value with which no step can be computed.
 #[derive(Copy, Clone, Debug, PartialEq, thiserror::Error)]
