@@ -32,3 +32,6 @@ pub fn angle(rotation: &Rotation) -> Real {
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)
 }
+
+#[path = "hostile/dim2.rs"]
+pub mod hostile;

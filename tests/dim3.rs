@@ -32,3 +32,6 @@ pub fn angle(rotation: &Rotation) -> Real {
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)
 }
+
+#[path = "hostile/dim3.rs"]
+pub mod hostile;

@@ -1,0 +1,182 @@
+//! Impossible values for the setters of bodies.
+
+use super::listener::{listen, names};
+use super::scene::Scene;
+use super::values::{EDGES, edge_vectors};
+use crate::dim::{about_z, hostile::broken_rotations, z_of};
+use rapier::prelude::*;
+
+/// A setter of a number, and where the number can be read back.
+type Knob = (&'static str, RigidBodyType, fn(&mut RigidBody, Real), fn(&RigidBody) -> Real);
+
+const DYNAMIC: RigidBodyType = RigidBodyType::Dynamic;
+const KINEMATIC: RigidBodyType = RigidBodyType::KinematicPositionBased;
+
+/// Every setter of a number.
+const KNOBS: [Knob; 10] = [
+    ("linear damping", DYNAMIC, |b, v| b.set_linear_damping(v), RigidBody::linear_damping),
+    ("angular damping", DYNAMIC, |b, v| b.set_angular_damping(v), RigidBody::angular_damping),
+    ("gravity scale", DYNAMIC, |b, v| b.set_gravity_scale(v, true), RigidBody::gravity_scale),
+    ("soft CCD", DYNAMIC, |b, v| b.set_soft_ccd_prediction(v), RigidBody::soft_ccd_prediction),
+    ("angular velocity", DYNAMIC, |b, v| b.set_angvel(about_z(v), true), |b| z_of(b.angvel())),
+    ("torque", DYNAMIC, |b, v| b.add_torque(about_z(v), true), |b| z_of(b.user_torque())),
+    ("translation", DYNAMIC, |b, v| b.set_translation(Vector::Y * v, true), |b| b.translation().y),
+    ("velocity", DYNAMIC, |b, v| b.set_linvel(Vector::Y * v, true), |b| b.linvel().y),
+    ("force", DYNAMIC, |b, v| b.add_force(Vector::Y * v, true), |b| b.user_force().y),
+    (
+        "next translation",
+        KINEMATIC,
+        |b, v| b.set_next_kinematic_translation(Vector::Y * v),
+        |b| b.next_position().translation.y,
+    ),
+];
+
+/// A number is taken, or refused with a message that names it, and then nothing changes at all.
+#[test]
+fn numbers_are_taken_or_refused_by_name() {
+    for (name, body_type, set, get) in KNOBS {
+        let bystanders = Scene::with_body_type(body_type).bystanders_in_the_end();
+        let untouched = Scene::with_body_type(body_type).all_in_the_end();
+        for value in EDGES {
+            let mut scene = Scene::with_body_type(body_type);
+            let old = get(scene.body());
+            let ((), heard) = listen(|| set(scene.body(), value));
+            let new = get(scene.body());
+            if new == value {
+                assert!(heard.is_empty(), "{name} {value}: {heard:?}");
+                let end = scene.bystanders_in_the_end();
+                assert!(end == bystanders, "{name} {value} is felt far away");
+            } else {
+                assert_eq!(new, old, "{name} {value}");
+                assert!(heard.iter().any(|text| names(text, value)), "{name} {value}: {heard:?}");
+                let end = scene.all_in_the_end();
+                assert!(end == untouched, "{name} {value} changed something, though refused");
+            }
+        }
+    }
+}
+
+/// What a vector may do to a body.
+type Push = (&'static str, fn(&mut RigidBody, Vector));
+
+const PUSHES: [Push; 9] = [
+    ("translation", |b, v| b.set_translation(v, true)),
+    ("velocity", |b, v| b.set_linvel(v, true)),
+    ("velocities", |b, v| b.set_vels(RigidBodyVelocity::new(v, about_z(v.y)), true)),
+    ("force", |b, v| b.add_force(v, true)),
+    ("force at a point", |b, v| b.add_force_at_point(Vector::ONE, v, true)),
+    ("force at itself", |b, v| b.add_force_at_point(v, v, true)),
+    ("impulse", |b, v| b.apply_impulse(v, true)),
+    ("impulse at a point", |b, v| b.apply_impulse_at_point(Vector::ONE, v, true)),
+    ("turning impulse", |b, v| b.apply_torque_impulse(about_z(v.y), true)),
+];
+
+/// Does a text name an impossible component of a vector?
+fn names_one_of(text: &str, vector: Vector) -> bool {
+    vector.to_array().into_iter().any(|value| !value.is_finite() && names(text, value))
+}
+
+#[test]
+fn no_vector_breaks_a_pile_or_reaches_another_one() {
+    let bystanders = Scene::new().bystanders_in_the_end();
+    for (name, push) in PUSHES {
+        for vector in edge_vectors() {
+            let mut scene = Scene::new();
+            let ((), heard) = listen(|| push(scene.body(), vector));
+            // A vector along x turns nothing about it.
+            if !vector.is_finite() && (name != "turning impulse" || !vector.y.is_finite()) {
+                assert!(heard.iter().any(|text| names_one_of(text, vector)), "{name}: {heard:?}");
+            }
+            let end = scene.bystanders_in_the_end();
+            assert!(end == bystanders, "{name} {vector} is felt far away");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_rotation_is_refused() {
+    for rotation in broken_rotations() {
+        for body_type in [DYNAMIC, KINEMATIC] {
+            let untouched = Scene::with_body_type(body_type).all_in_the_end();
+            let mut scene = Scene::with_body_type(body_type);
+            let pose = Pose::from_parts(Vector::ONE, rotation);
+            let body = scene.body();
+            let (_, heard) = listen(|| {
+                body.set_rotation(rotation, true);
+                body.set_position(pose, true);
+                body.set_next_kinematic_rotation(rotation);
+                body.set_next_kinematic_position(pose);
+            });
+            let messages = if body_type == KINEMATIC { 4 } else { 2 };
+            assert_eq!(heard.len(), messages, "{rotation:?}: {heard:?}");
+            assert!(scene.all_in_the_end() == untouched, "{rotation:?} changed something");
+        }
+    }
+}
+
+#[test]
+fn impossible_masses_are_refused() {
+    let untouched = Scene::new().all_in_the_end();
+    for value in EDGES {
+        let mut scene = Scene::new();
+        let old = scene.body().mass();
+        let ((), heard) = listen(|| scene.body().set_additional_mass(value, true));
+        let mass = scene.body().mass();
+        assert!(mass.is_finite() && mass >= old, "{value} makes it weigh {mass}");
+        let ((), heard_more) = listen(|| {
+            let mut part = ColliderBuilder::ball(1.0).build().mass_properties();
+            part.inv_mass = value;
+            scene.body().set_additional_mass_properties(part, true);
+        });
+        if value.is_nan() || value.is_infinite() || value < 0.0 {
+            let named = |heard: &[String]| heard.iter().any(|text| names(text, value));
+            assert!(named(&heard) && named(&heard_more), "{value}: {heard:?} {heard_more:?}");
+            assert!(scene.all_in_the_end() == untouched, "{value} changed something");
+        } else {
+            scene.steps(10);
+        }
+    }
+}
+
+#[test]
+fn thresholds_of_sleep_can_be_anything() {
+    let bystanders = Scene::new().bystanders_in_the_end();
+    for value in EDGES {
+        let mut scene = Scene::new();
+        let activation = scene.body().activation_mut();
+        activation.normalized_linear_threshold = value;
+        activation.angular_threshold = value;
+        activation.time_until_sleep = value;
+        activation.time_since_can_sleep = value;
+        assert!(scene.bystanders_in_the_end() == bystanders, "{value} is felt far away");
+    }
+}
+
+#[test]
+fn predictions_of_impossible_times_stay_finite() {
+    for value in EDGES {
+        let mut scene = Scene::new();
+        let body = scene.body();
+        body.set_angvel(about_z(3.0), true);
+        body.add_force(Vector::Y * 1.0e9, true);
+        for vector in edge_vectors() {
+            // May be anything, but must not panic.
+            let _ = body.velocity_at_point(vector);
+            let _ = body.gravitational_potential_energy(value, vector);
+        }
+        assert!(body.predict_position_using_velocity(value).is_finite(), "{value}");
+        assert!(body.predict_position_using_velocity_and_forces(value).is_finite(), "{value}");
+    }
+}
+
+/// More substeps than anybody could wait for.
+#[test]
+fn a_wish_for_endless_substeps_is_refused() {
+    let untouched = Scene::new().all_in_the_end();
+    for count in [usize::MAX, usize::MAX / 2, 1_000_000] {
+        let mut scene = Scene::new();
+        let ((), heard) = listen(|| scene.body().set_additional_solver_iterations(count));
+        assert!(heard.iter().any(|text| text.contains(&count.to_string())), "{count}: {heard:?}");
+        assert!(scene.all_in_the_end() == untouched);
+    }
+}

@@ -1,0 +1,230 @@
+//! What the hostile tests need to say differently in 2D.
+
+use rapier::prelude::*;
+
+/// Is every number of an angular vector finite?
+pub fn ang_is_finite(w: AngVector) -> bool {
+    w.is_finite()
+}
+
+/// Rotations that are none.
+pub fn broken_rotations() -> [Rotation; 5] {
+    let rotation = |re, im| Rotation { re, im };
+    [
+        rotation(Real::NAN, 1.0),
+        rotation(1.0, Real::INFINITY),
+        rotation(0.0, 0.0),
+        rotation(1.0, 1.0),
+        rotation(Real::MAX, 0.0),
+    ]
+}
+
+/// Solid and hollow shapes of every kind, about as large as `size`.
+pub fn shapes(size: Real) -> Vec<ColliderBuilder> {
+    let s = size;
+    let corners = vec![point![-s, -s], point![s, -s], point![s, s], point![-s, s]];
+    let square = vec![[0, 1, 2], [0, 2, 3]];
+    let ring = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
+    let part = SharedShape::cuboid(s * 0.5, s * 0.25);
+    let mut shapes = vec![
+        ColliderBuilder::ball(s),
+        ColliderBuilder::cuboid(s, s * 0.5),
+        ColliderBuilder::round_cuboid(s, s * 0.5, s * 0.1),
+        ColliderBuilder::capsule_x(s, s * 0.3),
+        ColliderBuilder::capsule_y(s, s * 0.3),
+        ColliderBuilder::segment(corners[0], corners[1]),
+        ColliderBuilder::triangle(corners[0], corners[1], corners[2]),
+        ColliderBuilder::round_triangle(corners[0], corners[1], corners[2], s * 0.1),
+        ColliderBuilder::compound(vec![
+            (Pose::translation(-s, 0.0), part.clone()),
+            (Pose::translation(s, 0.0), part),
+        ]),
+        ColliderBuilder::polyline(corners.clone(), Some(ring)),
+        ColliderBuilder::voxels(Vector::splat(s), &[[0, 0].into(), [1, 0].into()]),
+        ColliderBuilder::heightfield(vec![0.0, s, 0.0, -s], Vector::splat(2.0 * s)),
+    ];
+    shapes.extend(ColliderBuilder::trimesh(corners.clone(), square));
+    shapes.extend(ColliderBuilder::convex_hull(&corners));
+    shapes.extend(ColliderBuilder::round_convex_hull(&corners, s * 0.1));
+    shapes
+}
+
+/// All bits of a pose.
+pub fn pose_bits(pose: &Pose) -> [u64; 4] {
+    let (r, t) = (pose.rotation, pose.translation);
+    [t.x, t.y, r.re, r.im].map(|number| f64::from(number).to_bits())
+}
+
+/// A shape made from one number.
+pub type ShapeOfNumber = (&'static str, fn(Real) -> Option<ColliderBuilder>);
+
+/// Every constructor of a shape, with the number in each place where it can stand.
+pub fn shapes_of_number() -> Vec<ShapeOfNumber> {
+    vec![
+        ("ball", |v| Some(ColliderBuilder::ball(v))),
+        ("half-space", |v| Some(ColliderBuilder::halfspace(vector![0.0, v]))),
+        ("cuboid", |v| Some(ColliderBuilder::cuboid(v, 1.0))),
+        ("cuboid, other side", |v| Some(ColliderBuilder::cuboid(1.0, v))),
+        ("round cuboid", |v| Some(ColliderBuilder::round_cuboid(1.0, v, 0.1))),
+        ("border of a cuboid", |v| Some(ColliderBuilder::round_cuboid(1.0, 1.0, v))),
+        ("capsule", |v| Some(ColliderBuilder::capsule_x(v, 0.5))),
+        ("radius of a capsule", |v| Some(ColliderBuilder::capsule_y(0.5, v))),
+        ("end of a capsule", |v| {
+            Some(ColliderBuilder::capsule_from_endpoints(Vector::X, vector![0.0, v], 0.5))
+        }),
+        ("segment", |v| Some(ColliderBuilder::segment(Vector::ONE, vector![0.5, v]))),
+        ("triangle", |v| Some(ColliderBuilder::triangle(Vector::X, Vector::Y, vector![0.5, v]))),
+        ("round triangle", |v| {
+            Some(ColliderBuilder::round_triangle(Vector::X, Vector::Y, -Vector::X, v))
+        }),
+        ("polyline", |v| {
+            Some(ColliderBuilder::polyline(vec![Vector::X, vector![0.0, v], -Vector::X], None))
+        }),
+        ("oriented polyline", |v| {
+            let corners = vec![Vector::X, vector![0.0, v], -Vector::X];
+            Some(ColliderBuilder::oriented_polyline(corners, None))
+        }),
+        ("mesh", |v| mesh(v).ok()),
+        ("hull", |v| ColliderBuilder::convex_hull(&corners(v))),
+        ("round hull", |v| ColliderBuilder::round_convex_hull(&corners(1.0), v)),
+        ("convex polygon", |v| ColliderBuilder::convex_polyline(corners(v))),
+        ("round convex polygon", |v| ColliderBuilder::round_convex_polyline(corners(1.0), v)),
+        ("heights", |v| Some(ColliderBuilder::heightfield(vec![0.0, v, 0.5], Vector::ONE))),
+        ("scale of heights", |v| {
+            Some(ColliderBuilder::heightfield(vec![0.0, 1.0, 0.5], vector![1.0, v]))
+        }),
+        ("voxels", |v| Some(ColliderBuilder::voxels(vector![1.0, v], &[[0, 0].into()]))),
+        ("voxels of points", |v| {
+            Some(ColliderBuilder::voxels_from_points(Vector::ONE, &[Vector::X, Vector::Y * v]))
+        }),
+        ("part of a compound", |v| {
+            Some(ColliderBuilder::compound(vec![(Pose::IDENTITY, SharedShape::ball(v))]))
+        }),
+        ("place of a part", |v| {
+            let part = SharedShape::ball(0.5);
+            Some(ColliderBuilder::compound(vec![(Pose::translation(v, 0.0), part)]))
+        }),
+    ]
+}
+
+fn corners(v: Real) -> Vec<Vector> {
+    vec![-Vector::X, -Vector::Y, Vector::X, vector![0.0, v]]
+}
+
+fn mesh(v: Real) -> Result<ColliderBuilder, InvalidCollider> {
+    ColliderBuilder::trimesh(corners(v), vec![[0, 1, 2], [0, 2, 3]])
+}
+
+/// A shape that should not be: its name, what the refusal says (nothing if there is no place for a
+/// message), and how it is tried.
+pub type Degenerate =
+    (&'static str, &'static str, fn() -> Result<Option<ColliderBuilder>, InvalidCollider>);
+
+/// Shapes that are none.
+pub fn degenerate_shapes() -> Vec<Degenerate> {
+    let mut shapes = degenerate_areas();
+    shapes.extend(degenerate_chains());
+    shapes
+}
+
+fn degenerate_areas() -> Vec<Degenerate> {
+    vec![
+        ("hull of nothing", "", || Ok(ColliderBuilder::convex_hull(&[]))),
+        ("hull of a point", "", || Ok(ColliderBuilder::convex_hull(&[Vector::X]))),
+        ("hull of one point often", "", || Ok(ColliderBuilder::convex_hull(&[Vector::X; 9]))),
+        ("hull of a line", "", || Ok(ColliderBuilder::convex_hull(&line()))),
+        ("hull of NaN", "", || Ok(ColliderBuilder::convex_hull(&[Vector::NAN; 4]))),
+        ("polygon of nothing", "", || Ok(ColliderBuilder::convex_polyline(vec![]))),
+        ("polygon of a line", "", || Ok(ColliderBuilder::convex_polyline(line()))),
+        ("polygon of one point often", "", || {
+            Ok(ColliderBuilder::convex_polyline(vec![Vector::X; 5]))
+        }),
+        ("empty mesh", "triangle", || ColliderBuilder::trimesh(vec![], vec![]).map(Some)),
+        ("mesh of no triangles", "triangle", || ColliderBuilder::trimesh(line(), vec![]).map(Some)),
+        ("mesh of a line", "area", || ColliderBuilder::trimesh(line(), vec![[0, 1, 2]]).map(Some)),
+        ("mesh of one corner thrice", "area", || {
+            ColliderBuilder::trimesh(corners(1.0), vec![[1, 1, 1]]).map(Some)
+        }),
+        ("mesh beyond its corners", "4", || {
+            ColliderBuilder::trimesh(corners(1.0), vec![[0, 1, 4]]).map(Some)
+        }),
+        ("mesh far beyond its corners", "4294967295", || {
+            ColliderBuilder::trimesh(corners(1.0), vec![[0, 1, u32::MAX]]).map(Some)
+        }),
+        ("segment without length", "coincide", || {
+            Ok(Some(ColliderBuilder::segment(Vector::ONE, Vector::ONE)))
+        }),
+        ("triangle without area", "line", || {
+            Ok(Some(ColliderBuilder::triangle(Vector::ZERO, Vector::ONE, Vector::ONE * 2.0)))
+        }),
+        ("empty compound", "shapes", || Ok(Some(ColliderBuilder::compound(vec![])))),
+        ("compound of compounds", "part 0", || {
+            let part = ColliderBuilder::compound(vec![(Pose::IDENTITY, SharedShape::ball(1.0))]);
+            Ok(Some(ColliderBuilder::compound(vec![(Pose::IDENTITY, part.shape)])))
+        }),
+        ("no voxels", "voxels", || Ok(Some(ColliderBuilder::voxels(Vector::ONE, &[])))),
+        ("voxels without size", "voxel_size", || {
+            Ok(Some(ColliderBuilder::voxels(Vector::ZERO, &[[0, 0].into()])))
+        }),
+        ("voxels too far out", "grid", || {
+            Ok(Some(ColliderBuilder::voxels(Vector::ONE, &[[Int::MAX, 0].into()])))
+        }),
+        ("voxels of a mesh too fine", "cells", || {
+            let ring = [[0, 1], [1, 2], [2, 3], [3, 0]];
+            let fill = parry::transformation::voxelization::FillMode::SurfaceOnly;
+            Ok(Some(ColliderBuilder::voxelized_mesh(&corners(1.0), &ring, 1.0e-9, fill)))
+        }),
+        ("decomposition of nothing", "indices", || {
+            Ok(Some(ColliderBuilder::convex_decomposition(&[], &[])))
+        }),
+        ("decomposition beyond its corners", "9", || {
+            Ok(Some(ColliderBuilder::convex_decomposition(&corners(1.0), &[[0, 9]])))
+        }),
+        ("half-space without a direction", "outward_normal", || {
+            Ok(Some(ColliderBuilder::halfspace(Vector::ZERO)))
+        }),
+    ]
+}
+
+fn degenerate_chains() -> Vec<Degenerate> {
+    vec![
+        ("empty polyline", "vertices", || Ok(Some(ColliderBuilder::polyline(vec![], None)))),
+        ("polyline of a point", "vertices", || {
+            Ok(Some(ColliderBuilder::polyline(vec![Vector::X], None)))
+        }),
+        ("polyline of no segments", "indices", || {
+            Ok(Some(ColliderBuilder::polyline(line(), Some(vec![]))))
+        }),
+        ("polyline without length", "length", || {
+            Ok(Some(ColliderBuilder::polyline(vec![Vector::X; 3], None)))
+        }),
+        ("polyline beyond its corners", "7", || {
+            Ok(Some(ColliderBuilder::polyline(line(), Some(vec![[0, 7]]))))
+        }),
+        ("no heights", "heights", || Ok(Some(ColliderBuilder::heightfield(vec![], Vector::ONE)))),
+        ("one height", "heights", || {
+            Ok(Some(ColliderBuilder::heightfield(vec![1.0], Vector::ONE)))
+        }),
+        ("heights over nothing", "scale", || {
+            Ok(Some(ColliderBuilder::heightfield(vec![1.0, 2.0], Vector::ZERO)))
+        }),
+    ]
+}
+
+fn line() -> Vec<Vector> {
+    (0..4_u8).map(|i| Vector::ONE * Real::from(i)).collect()
+}
+
+/// Shapes of very many parts, and very large ones.
+pub fn huge_shapes() -> Vec<ColliderBuilder> {
+    let count = 200_000;
+    let height = |i: usize| ((i % 17) as Real) * 0.01;
+    let heights: Vec<Real> = (0..count).map(height).collect();
+    let chain = (0..count).map(|i| vector![i as Real * 0.1 - 10.0, height(i)]).collect();
+    vec![
+        ColliderBuilder::heightfield(heights, vector![count as Real * 0.1, 1.0]),
+        ColliderBuilder::polyline(chain, None),
+        ColliderBuilder::cuboid(1.0e15, 0.1),
+        ColliderBuilder::ball(1.0e7).translation(vector![0.0, -1.0e7]),
+    ]
+}

@@ -1,0 +1,187 @@
+//! Handles that find nothing: stale, foreign, invalid, and far out of range.
+
+use super::listener::listen;
+use super::scene::Scene;
+use super::world::check;
+use rapier::prelude::*;
+
+/// Handles of bodies that the scene does not hold.
+fn lost_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
+    let gone = scene.world.insert_body(RigidBodyBuilder::dynamic());
+    scene.world.remove_body(gone);
+    let (slot, generation) = scene.body.into_raw_parts();
+    vec![
+        gone,
+        RigidBodyHandle::default(),
+        RigidBodyHandle::invalid(),
+        RigidBodyHandle::from_raw_parts(u32::MAX, 0),
+        RigidBodyHandle::from_raw_parts(u32::MAX - 1, u32::MAX),
+        RigidBodyHandle::from_raw_parts(slot, generation + 1),
+        RigidBodyHandle::from_raw_parts(slot, u32::MAX),
+        RigidBodyHandle::from_raw_parts(1_000_000, 0),
+    ]
+}
+
+/// Handles of colliders that the scene does not hold.
+fn lost_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
+    let gone = scene.world.insert_collider(ColliderBuilder::ball(0.1), None);
+    scene.world.remove_collider(gone);
+    let (slot, generation) = scene.collider.into_raw_parts();
+    vec![
+        gone,
+        ColliderHandle::default(),
+        ColliderHandle::invalid(),
+        ColliderSet::invalid_handle(),
+        ColliderHandle::from_raw_parts(u32::MAX, 0),
+        ColliderHandle::from_raw_parts(u32::MAX - 1, u32::MAX),
+        ColliderHandle::from_raw_parts(slot, generation + 1),
+        ColliderHandle::from_raw_parts(slot, u32::MAX),
+        ColliderHandle::from_raw_parts(1_000_000, 0),
+    ]
+}
+
+#[test]
+fn a_lost_body_is_found_by_nobody() {
+    let mut scene = Scene::new();
+    let before = scene.world.bodies.len();
+    for lost in lost_bodies(&mut scene) {
+        let bodies = &mut scene.world.bodies;
+        assert!(!bodies.contains(lost), "{lost:?}");
+        assert!(bodies.get(lost).is_none() && bodies.get_mut(lost).is_none(), "{lost:?}");
+        assert!(bodies.remove(lost).is_none(), "{lost:?}");
+        let pair = bodies.get_pair_mut(lost, scene.body);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
+        let pair = bodies.get_pair_mut(scene.body, lost);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
+        assert!(scene.world.remove_body(lost).is_none(), "{lost:?}");
+        scene.world.wake_up(lost, true);
+    }
+    let pair = scene.world.bodies.get_pair_mut(scene.body, scene.body);
+    assert!(pair.0.is_some() && pair.1.is_none(), "one body cannot be borrowed twice");
+    assert!(scene.world.bodies.get_unknown_gen(u32::MAX).is_none());
+    assert!(scene.world.bodies.get_unknown_gen_mut(u32::MAX).is_none());
+    assert_eq!(scene.world.bodies.len(), before);
+    scene.steps(3);
+}
+
+#[test]
+fn a_lost_collider_is_found_by_nobody() {
+    let mut scene = Scene::new();
+    let before = scene.world.colliders.len();
+    for lost in lost_colliders(&mut scene) {
+        let colliders = &mut scene.world.colliders;
+        assert!(!colliders.contains(lost), "{lost:?}");
+        assert!(colliders.get(lost).is_none() && colliders.get_mut(lost).is_none(), "{lost:?}");
+        let pair = colliders.get_pair_mut(lost, scene.collider);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
+        let pair = colliders.get_pair_mut(scene.collider, lost);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
+        let world = &mut scene.world;
+        assert!(world.remove_collider(lost).is_none(), "{lost:?}");
+        assert!(world.contact_pair(lost, scene.collider).is_none(), "{lost:?}");
+        assert!(world.contact_pair(lost, lost).is_none(), "{lost:?}");
+        assert_eq!(world.contact_pairs_with(lost).count(), 0, "{lost:?}");
+        assert!(world.intersection_pair(scene.collider, lost).is_none(), "{lost:?}");
+        assert_eq!(world.intersection_pairs_with(lost).count(), 0, "{lost:?}");
+    }
+    let pair = scene.world.colliders.get_pair_mut(scene.collider, scene.collider);
+    assert!(pair.0.is_some() && pair.1.is_none(), "one collider cannot be borrowed twice");
+    assert!(scene.world.colliders.get_unknown_gen(u32::MAX).is_none());
+    assert!(scene.world.colliders.get_unknown_gen_mut(u32::MAX).is_none());
+    assert_eq!(scene.world.colliders.len(), before);
+    scene.steps(3);
+}
+
+#[test]
+fn nothing_is_attached_to_a_lost_body() {
+    let mut untouched = Scene::new();
+    lost_bodies(&mut untouched);
+    let expected = untouched.bystanders_in_the_end();
+    let mut scene = Scene::new();
+    for lost in lost_bodies(&mut scene) {
+        let parent = scene.collider().parent();
+        let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
+        let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(lost), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
+        assert_eq!(scene.collider().parent(), parent, "{lost:?}");
+
+        let ball = ColliderBuilder::ball(0.5);
+        let (orphan, heard) = listen(|| scene.world.insert_collider(ball, Some(lost)));
+        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
+        let orphan = &scene.world.colliders[orphan];
+        assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{lost:?}");
+    }
+    for lost in lost_colliders(&mut scene) {
+        let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
+        let (_, heard) = listen(|| colliders.set_parent(lost, Some(scene.body), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
+        colliders.set_parent(lost, None, bodies);
+    }
+    assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
+}
+
+/// The handle of a slot's last tenant does not find the next one.
+#[test]
+fn a_slot_forgets_its_last_tenant() {
+    let mut scene = Scene::new();
+    let old = (scene.body, scene.collider);
+    for _ in 0..50 {
+        scene.world.remove_body(scene.body);
+        let ball = ColliderBuilder::ball(0.4);
+        let place = RigidBodyBuilder::dynamic().translation(Vector::Y * 2.0);
+        (scene.body, scene.collider) = scene.world.insert(place, ball);
+        assert_eq!(scene.body.into_raw_parts().0, old.0.into_raw_parts().0, "the slot is reused");
+        assert!(scene.world.bodies.get(old.0).is_none());
+        scene.steps(1);
+        assert!(scene.world.colliders.get(old.1).is_none());
+        assert!(scene.world.remove_body(old.0).is_none());
+        assert!(scene.world.remove_collider(old.1).is_none());
+    }
+    assert_eq!(scene.world.colliders.len(), 8);
+}
+
+/// Handles of another world may happen to find something here. That is then edited in its place, and
+/// nothing worse happens.
+#[test]
+fn handles_of_another_world_do_no_harm() {
+    let mut home = Scene::new();
+    let mut other = PhysicsWorld::new();
+    let mut foreign = Vec::new();
+    for _ in 0..40 {
+        foreign.push(other.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5)));
+    }
+    for (body, collider) in foreign {
+        home.world.wake_up(body, true);
+        let PhysicsWorld { colliders, bodies, .. } = &mut home.world;
+        listen(|| colliders.set_parent(collider, Some(body), bodies));
+        home.world.step();
+        check(&home.world);
+        home.world.remove_collider(collider);
+        home.world.remove_body(body);
+        home.world.step();
+        check(&home.world);
+    }
+    assert!(home.world.bodies.is_empty(), "all slots of the small world were hit");
+}
+
+/// `Index` is the one way to ask that has no way to say no.
+#[test]
+fn only_indexing_panics_and_names_the_handle() {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    let mut scene = Scene::new();
+    let bodies = lost_bodies(&mut scene);
+    let colliders = lost_colliders(&mut scene);
+    let message = |result: std::thread::Result<()>| {
+        let panic = result.expect_err("a lost handle was indexed");
+        *panic.downcast::<String>().expect("a message")
+    };
+    let world = AssertUnwindSafe(&mut scene.world);
+    for lost in bodies {
+        let text = message(catch_unwind(|| drop(world.bodies[lost].clone())));
+        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    }
+    for lost in colliders {
+        let text = message(catch_unwind(|| drop(world.colliders[lost].clone())));
+        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    }
+}

@@ -1,0 +1,42 @@
+//! Listens to what the engine logs.
+
+use log::{LevelFilter, Log, Metadata, Record};
+use rapier::prelude::*;
+use std::cell::RefCell;
+use std::sync::Once;
+
+thread_local! {
+    /// What was logged on this thread: tests run side by side.
+    static HEARD: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+}
+
+struct Listener;
+
+impl Log for Listener {
+    fn enabled(&self, _: &Metadata<'_>) -> bool {
+        true
+    }
+
+    fn log(&self, record: &Record<'_>) {
+        HEARD.with_borrow_mut(|heard| heard.push(record.args().to_string()));
+    }
+
+    fn flush(&self) {}
+}
+
+/// What `work` returns, and what it made the engine log as a warning or an error.
+pub fn listen<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
+    static INSTALLED: Once = Once::new();
+    INSTALLED.call_once(|| {
+        log::set_logger(&Listener).unwrap();
+        log::set_max_level(LevelFilter::Warn);
+    });
+    HEARD.take();
+    let result = work();
+    (result, HEARD.take())
+}
+
+/// Does a text name a number, in either of the ways in which numbers are printed?
+pub fn names(text: &str, value: Real) -> bool {
+    text.contains(&format!("{value}")) || text.contains(&format!("{value:?}"))
+}

@@ -1,0 +1,22 @@
+//! # Hostile users
+//!
+//! Everything here tries to break the engine through its public API. Whatever is done, nothing may
+//! panic (but `Index` on a handle that a set does not hold), no number in the world may stop being
+//! finite, what is refused is named in an error or in the log, and bodies that have nothing to do with
+//! it must not notice: they end bit for bit where they would have ended.
+
+mod listener;
+mod random;
+mod scene;
+mod values;
+mod witness;
+mod world;
+
+mod bodies;
+mod builders;
+mod colliders;
+mod edits;
+mod fuzz;
+mod handles;
+mod parameters;
+mod shapes;

@@ -1,0 +1,95 @@
+//! A stage with two piles: one to be mistreated, and one far away that must not notice.
+
+use super::world::check;
+use crate::dim::{about_z, cuboid, hostile::pose_bits, vec};
+use rapier::prelude::*;
+
+/// How long everybody is left alone before, and watched afterwards (steps).
+const BEFORE: usize = 20;
+const AFTER: usize = 20;
+
+/// Two piles on one ground.
+pub struct Scene {
+    pub world: PhysicsWorld,
+    pub ground: ColliderHandle,
+    /// The body to be mistreated, between two others of the first pile.
+    pub body: RigidBodyHandle,
+    pub collider: ColliderHandle,
+    /// The two others.
+    pub neighbours: [RigidBodyHandle; 2],
+    /// The second pile: still falling and tumbling.
+    bystanders: Vec<RigidBodyHandle>,
+}
+
+/// Every bit of the state of some bodies.
+pub type Bits = Vec<String>;
+
+impl Scene {
+    /// The piles after a few steps: the first one stands, the second one falls.
+    pub fn new() -> Self {
+        let mut world = PhysicsWorld::new();
+        let ground = world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+        let block = |world: &mut PhysicsWorld, place, angle| {
+            let body = RigidBodyBuilder::dynamic().translation(place).rotation(about_z(angle));
+            world.insert(body, cuboid(0.5, 0.5))
+        };
+        let bystanders = (0..4_u8).map(|i| {
+            let i = Real::from(i);
+            block(&mut world, vec(1000.0 + 0.3 * i, 0.6 + 1.1 * i), 0.3 * i).0
+        });
+        let bystanders = bystanders.collect();
+        let (below, _) = block(&mut world, vec(0.0, 0.5), 0.0);
+        let (body, collider) = block(&mut world, vec(0.0, 1.5), 0.0);
+        let (above, _) = block(&mut world, vec(0.0, 2.5), 0.0);
+        let mut scene =
+            Self { world, ground, body, collider, neighbours: [below, above], bystanders };
+        scene.steps(BEFORE);
+        scene
+    }
+
+    /// The same with the body to be mistreated of another type.
+    pub fn with_body_type(body_type: RigidBodyType) -> Self {
+        let mut scene = Self::new();
+        scene.world.bodies[scene.body].set_body_type(body_type, true);
+        scene.steps(2);
+        scene
+    }
+
+    pub fn body(&mut self) -> &mut RigidBody {
+        &mut self.world.bodies[self.body]
+    }
+
+    pub fn collider(&mut self) -> &mut Collider {
+        &mut self.world.colliders[self.collider]
+    }
+
+    /// Some steps, after each of which the world is in order.
+    pub fn steps(&mut self, count: usize) {
+        for _ in 0..count {
+            self.world.step();
+            check(&self.world);
+        }
+    }
+
+    fn bits_of(&self, handles: &[RigidBodyHandle]) -> Bits {
+        let of = |handle: &RigidBodyHandle| {
+            let body = &self.world.bodies[*handle];
+            let velocity = (body.linvel(), body.angvel());
+            format!("{:?} {velocity:?} {:?}", pose_bits(body.position()), body.activation())
+        };
+        handles.iter().map(of).collect()
+    }
+
+    /// Steps on and returns the bits of the bodies that have nothing to do with the first pile.
+    pub fn bystanders_in_the_end(&mut self) -> Bits {
+        self.steps(AFTER);
+        self.bits_of(&self.bystanders)
+    }
+
+    /// Steps on and returns the bits of all bodies.
+    pub fn all_in_the_end(&mut self) -> Bits {
+        self.steps(AFTER);
+        let handles: Vec<_> = self.world.bodies.iter().map(|(handle, _)| handle).collect();
+        self.bits_of(&handles)
+    }
+}
