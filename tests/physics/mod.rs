@@ -8,7 +8,7 @@ mod table;
 
 mod bounce;
 mod fall;
-mod load;
 mod friction;
+mod load;
 mod stacks;
 mod tipping;
