@@ -29,14 +29,15 @@
 //! * The same world and the same calls give the same bits, whatever the number of threads and the width of
 //!   the processor's registers.
 //! * No value makes a function panic or spoils other bodies: what cannot be simulated is refused with an
-//!   error, or ignored with a warning in the [`log`](https://docs.rs/log). Only indexing a set with a handle it does not
+//!   error, or ignored with a warning through the `log` crate. Only indexing a set with a handle it does not
 //!   hold panics.
 //!
 //! # Features
 //!
 //! `f64` computes in double precision, `parallel` on several threads, `serde-serialize` makes data
-//! types serialisable, `debug-render` draws a world in lines. `dim3`, `f32`, `std`, `simd-stable` and
-//! `enhanced-determinism` are accepted: what they stand for is always on.
+//! types serialisable, `debug-render` draws a world in lines. `enhanced-determinism` takes sines and
+//! cosines from a portable library. `dim3`, `f32`, `std` and `simd-stable` are accepted: what they stand
+//! for is always on.
 
 #[cfg(feature = "parry3d-f64")]
 pub extern crate parry3d_f64 as parry;

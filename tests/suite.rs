@@ -4,5 +4,6 @@
 //! vocabulary `dim` of its dimension. So what stands here is written once and runs four times: in 2D and
 //! 3D, in single and double precision.
 
+mod determinism;
 mod hostile;
 mod physics;

@@ -16,7 +16,7 @@ use crate::model::contact::{
     PairStore, SolverFlags,
 };
 use crate::model::hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
-use crate::model::island::IslandManager;
+use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::{PairChange, StepNotes};
 use parry::bounding_volume::BoundingVolume;
@@ -129,6 +129,9 @@ fn update_store<P: Update + Pair>(
             notes.push((pair.id, change));
         }
     }
+    // The list of awake pairs is reordered when any pair of the world goes. Colours are given in the
+    // order of the notes, and what happens far away must not change them.
+    notes.sort_unstable_by_key(|&(id, _)| store[id].colliders());
 }
 
 /// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
@@ -175,6 +178,15 @@ impl<'a> PairView<'a> {
         let diameter =
             |body: Option<&RigidBody>| body.map_or(Real::INFINITY, |body| 2.0 * body.extent);
         diameter(self.bodies[0]).min(diameter(self.bodies[1]))
+    }
+
+    fn wants_events(&self, events: ActiveEvents) -> bool {
+        let [c1, c2] = self.colliders;
+        (c1.active_events() | c2.active_events()).contains(events)
+    }
+
+    fn is_any_body_awake(&self) -> bool {
+        self.bodies.iter().flatten().any(|body| body.link.awake != NONE)
     }
 
     fn boxes_overlap(&self) -> bool {
@@ -265,14 +277,32 @@ impl Update for ContactPair {
         } else {
             gap
         };
-        let [c1, c2] = view.colliders;
-        let reports_force =
-            (c1.active_events() | c2.active_events()).contains(ActiveEvents::CONTACT_FORCE_EVENTS);
-        Outcome { change: Some(PairChange::Computed), slack, reports_force }
+        let change = if self.needs_follow_up(view) { Some(PairChange::Computed) } else { None };
+        let reports_force = view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS);
+        Outcome { change, slack, reports_force }
     }
 }
 
 impl ContactPair {
+    /// Did anything change that others must be told of: islands, colours, events? In a pile that moves
+    /// most pairs are computed each step, and hardly any of them begins or ends.
+    fn needs_follow_up(&mut self, view: &PairView<'_>) -> bool {
+        self.has_any_active_contact = self.is_touching();
+        let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
+        let wants_start = !self.start_event_emitted
+            && self.has_any_active_contact
+            && view.wants_events(ActiveEvents::COLLISION_EVENTS);
+        let wants_stop = self.start_event_emitted && !self.has_any_active_contact;
+        let as_colored = self.manifolds.iter().all(|manifold| {
+            !manifold.contacts().is_empty() && manifold.slot.is_some() == manifold.is_solved()
+        });
+        is_solved != self.attached
+            || !as_colored
+            || wants_start
+            || wants_stop
+            || !view.is_any_body_awake()
+    }
+
     /// A bound of how far the two bodies moved against each other, in the region where they could touch,
     /// since the contact points were computed.
     ///
