@@ -37,4 +37,5 @@ pub fn build() -> Scene {
         }
     }
     Scene::new(world, View::orbit(30.0, 22.0))
+        .focusing(Vector::new(-7.0, 0.0, -7.0), Vector::new(7.0, 3.0, 7.0))
 }
