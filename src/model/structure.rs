@@ -486,6 +486,7 @@ impl Structure<'_> {
             if target == NONE {
                 target = self.islands.create_island();
             }
+            self.islands.island_mut(target).split_at = self.islands.step;
             self.join(seed, target);
             stack.push(seed);
             while let Some(handle) = stack.pop() {

@@ -18,6 +18,8 @@ pub(crate) struct Island {
     pub cut_links: u32,
     /// Is it out of every per-step list?
     pub sleeping: bool,
+    /// The step in which it was last split, or came out of a split.
+    pub split_at: u32,
 }
 
 /// Knows which bodies are awake and which move and sleep together.
@@ -36,6 +38,8 @@ pub struct IslandManager {
     free: Vec<u32>,
     /// Which constraint is solved in which colour.
     pub(crate) graph: ConstraintGraph,
+    /// Counts steps, to know how long ago an island was split.
+    pub(crate) step: u32,
     /// By body slot: a bound (length units) of how far any point of the body moved in the last step.
     pub(crate) motion: Vec<Real>,
 }

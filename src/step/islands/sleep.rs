@@ -4,6 +4,10 @@ use crate::model::body::RigidBodyHandle;
 use crate::model::island::NONE;
 use crate::model::structure::Structure;
 
+/// Steps between two attempts to split an island of which only a part is ready to sleep. An attempt
+/// costs as much as the island is large, and in a heap that is stirred something is ready all the time.
+const SPLIT_INTERVAL: u32 = 30;
+
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SleepScratch {
@@ -21,6 +25,7 @@ pub(crate) struct SleepScratch {
 /// any part of it sleeps; one island per step, so that no step is slow because many bodies come to
 /// rest at once.
 pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScratch) {
+    structure.islands.step = structure.islands.step.wrapping_add(1);
     count_restless(structure, scratch);
     let mut split = None;
     for island in scratch.islands.drain(..) {
@@ -74,11 +79,12 @@ fn partly_ready_island(structure: &Structure<'_>) -> Option<u32> {
         let Some(body) = structure.bodies.get(handle) else { continue };
         let time = body.activation.time_since_can_sleep;
         let island = body.link.island;
-        if island != NONE
-            && time > longest
-            && body.activation.is_eligible_for_sleep()
-            && structure.islands.island(island).cut_links > 0
-        {
+        if island == NONE || time <= longest || !body.activation.is_eligible_for_sleep() {
+            continue;
+        }
+        let record = structure.islands.island(island);
+        let age = structure.islands.step.wrapping_sub(record.split_at);
+        if record.cut_links > 0 && age >= SPLIT_INTERVAL {
             (best, longest) = (Some(island), time);
         }
     }

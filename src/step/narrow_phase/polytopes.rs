@@ -85,11 +85,11 @@ impl Pair<'_> {
         let is_known = hint != Vector::ZERO;
         let guess = if is_known { hint } else { self.pos12.translation.normalize_or(Vector::Y) };
         let best = self.best_face(guess, hint);
-        if let Some(best) = &best {
-            if best.gap > prediction {
-                raw.local_n1 = best.normal;
-                return best.gap;
-            }
+        if let Some(best) = &best
+            && best.gap > prediction
+        {
+            raw.local_n1 = best.normal;
+            return best.gap;
         }
         let were_faces = best.is_some_and(|best| best.normal.dot(guess) > SAME_AXIS);
         for try_faces in [were_faces, !were_faces] {
