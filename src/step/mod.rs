@@ -67,6 +67,8 @@ pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
         move_bodies(&mut parts, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
+    } else {
+        parts.islands.forget_motion();
     }
     report(&parts, scratch);
     parts.counters.step_time.pause();
@@ -86,6 +88,7 @@ pub(crate) fn detect_collisions(
         take_in_user_changes(&mut parts, scratch);
     }
     find_contacts(&mut parts, scratch);
+    parts.islands.forget_motion();
     report(&parts, scratch);
     parts.counters.step_time.pause();
 }

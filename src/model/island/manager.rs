@@ -110,6 +110,11 @@ impl IslandManager {
         }
     }
 
+    /// All pairs have heard of the last motion, and no other one follows.
+    pub(crate) fn forget_motion(&mut self) {
+        self.motion.fill(0.0);
+    }
+
     /// Notes how far any point of the body in a slot moved.
     pub(crate) fn set_motion(&mut self, body_slot: u32, bound: Real) {
         let slot = body_slot as usize;
