@@ -1,0 +1,173 @@
+//! Values that are possible, but that nobody would choose: tiny, huge, far away, and all at once.
+
+use super::scene::Scene;
+use super::world::check;
+use crate::dim::{about_z, cuboid, vec};
+use rapier::prelude::*;
+
+/// Ground, and a box on it of this size and mass, pushed and turned.
+fn pushed(size: Real, mass: Real, place: Vector) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = PhysicsWorld::new();
+    let ground = cuboid(10.0 * size, size).translation(place - Vector::Y * size);
+    world.insert_collider(ground, None);
+    let body = RigidBodyBuilder::dynamic()
+        .translation(place + Vector::Y * size)
+        .linvel(vec(size, 0.0))
+        .angvel(about_z(1.0));
+    let (body, _) = world.insert(body, cuboid(size, size).mass(mass));
+    (world, body)
+}
+
+fn steps(world: &mut PhysicsWorld, count: usize) {
+    for _ in 0..count {
+        world.step();
+        check(world);
+    }
+}
+
+#[test]
+fn steps_of_any_length_leave_the_world_in_order() {
+    for dt in [0.0, 1.0e-15, 1.0e-9, 1.0e-6, 1.0, 10.0, 1.0e6, 1.0e15] {
+        let mut scene = Scene::new();
+        scene.world.integration_parameters.dt = dt;
+        scene.steps(30);
+        scene.world.integration_parameters.dt = 1.0 / 60.0;
+        scene.steps(30);
+    }
+    let mut scene = Scene::new();
+    for i in 0..60 {
+        scene.world.integration_parameters.dt = [1.0 / 60.0, 0.0, 1.0e-9, 10.0][i % 4];
+        scene.steps(1);
+    }
+}
+
+/// At a length of zero, a step detects collisions and moves nothing, however often.
+#[test]
+fn steps_of_no_length_move_nothing() {
+    let mut scene = Scene::new();
+    let expected = Scene::new().all_in_the_end();
+    scene.world.integration_parameters.dt = 0.0;
+    let before: Vec<_> = scene.world.bodies.iter().map(|(_, b)| *b.position()).collect();
+    scene.steps(10);
+    let after: Vec<_> = scene.world.bodies.iter().map(|(_, b)| *b.position()).collect();
+    assert_eq!(before, after);
+    scene.world.integration_parameters.dt = 1.0 / 60.0;
+    assert!(scene.all_in_the_end() == expected, "steps of no length left something behind");
+}
+
+#[test]
+fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
+    for mass in [1.0e-9, 1.0e-6, 1.0e-3, 1.0, 1.0e3, 1.0e6, 1.0e9] {
+        let (mut world, body) = pushed(0.5, mass, Vector::ZERO);
+        steps(&mut world, 240);
+        let height = world.bodies[body].translation().y;
+        assert!((height - 0.5).abs() < 0.02, "a mass of {mass} ends at {height}");
+    }
+}
+
+#[test]
+fn sizes_and_masses_of_any_ratio_leave_the_world_in_order() {
+    for (small, large) in [(1.0e-6, 1.0e6), (1.0e-3, 1.0e3), (1.0e-15, 1.0e15), (0.1, 1.0e9)] {
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+        for (i, size) in [small, large, small, large].into_iter().enumerate() {
+            let place = vec(0.0, 2.0 * large * i as Real);
+            let body = RigidBodyBuilder::dynamic().translation(place).additional_mass(small);
+            world.insert(body, cuboid(size, size).mass(size));
+        }
+        steps(&mut world, 60);
+    }
+}
+
+#[test]
+fn piles_far_out_leave_the_world_in_order() {
+    for distance in [1.0e4, 1.0e7, 1.0e10, 9.9e14] {
+        for direction in [Vector::X, Vector::Y, -Vector::ONE] {
+            let (mut world, _) = pushed(0.5, 1.0, direction * distance);
+            world.insert(
+                RigidBodyBuilder::dynamic().translation(direction * distance + Vector::Y * 2.0),
+                ColliderBuilder::ball(0.5),
+            );
+            steps(&mut world, 30);
+        }
+    }
+}
+
+/// At the edge of what positions can be, a body stops with a message instead of leaving.
+#[test]
+fn nobody_leaves_the_world() {
+    for speed in [1.0e9, 1.0e14, 1.0e15] {
+        let mut scene = Scene::new();
+        let bystanders = Scene::new().bystanders_in_the_end();
+        let top = scene.neighbours[1];
+        scene.world.bodies[top].set_linvel(Vector::Y * speed, true);
+        assert!(scene.bystanders_in_the_end() == bystanders, "{speed} is felt far away");
+        scene.steps(100);
+        let height = scene.world.bodies[top].translation().y;
+        assert!((0.9 * speed..=1.0e15).contains(&height), "{speed} takes it to {height}");
+    }
+}
+
+#[test]
+fn bodies_at_one_point_come_apart_or_stay_in_order() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    for i in 0..400 {
+        let collider = if i % 2 == 0 { ColliderBuilder::ball(0.5) } else { cuboid(0.5, 0.5) };
+        world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y), collider);
+    }
+    steps(&mut world, 3);
+    assert!(world.bodies.iter().all(|(_, body)| body.translation().length() < 100.0));
+}
+
+#[test]
+fn very_many_colliders_on_one_body() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let body = world.insert_body(RigidBodyBuilder::dynamic().translation(Vector::Y));
+    let mut colliders = Vec::new();
+    for i in 0..2000 {
+        let place = vec(0.1 * (i % 100) as Real, 0.1 * (i / 100) as Real);
+        colliders.push(world.insert_collider(cuboid(0.05, 0.05).translation(place), Some(body)));
+    }
+    steps(&mut world, 30);
+    for collider in colliders {
+        world.remove_collider(collider);
+    }
+    steps(&mut world, 2);
+    assert!(world.bodies[body].colliders().is_empty());
+}
+
+/// Friction and restitution far beyond what surfaces have.
+#[test]
+fn surfaces_that_cannot_be_leave_the_world_in_order() {
+    for value in [2.0, 100.0, 1.0e6, 1.0e15] {
+        let (mut world, body) = pushed(0.5, 1.0, Vector::ZERO);
+        let collider = world.bodies[body].colliders()[0];
+        world.colliders[collider].set_friction(value);
+        world.colliders[collider].set_restitution(value);
+        world.colliders[collider].set_restitution_combine_rule(CoefficientCombineRule::Max);
+        world.bodies[body].set_linvel(vec(5.0, -5.0), true);
+        steps(&mut world, 120);
+    }
+}
+
+/// Kinematic bodies obey whatever the others do.
+#[test]
+fn kinematic_leaps_leave_the_world_in_order() {
+    for distance in [1.0, 1.0e3, 1.0e9, 1.0e15] {
+        for dt in [1.0 / 60.0, 1.0e-9] {
+            let mut scene = Scene::with_body_type(RigidBodyType::KinematicPositionBased);
+            scene.world.integration_parameters.dt = dt;
+            for i in 0..6 {
+                let y = if i % 2 == 0 { distance } else { 1.5 };
+                scene.body().set_next_kinematic_position(Pose::from_translation(Vector::Y * y));
+                scene.body().set_next_kinematic_rotation(
+                    *RigidBodyBuilder::dynamic().rotation(about_z(i as Real)).build().rotation(),
+                );
+                scene.steps(1);
+                assert_eq!(scene.body().translation().y, y, "it goes where it was told");
+            }
+        }
+    }
+}
