@@ -2,7 +2,7 @@
 
 use super::Digest;
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
-use crate::model::collider::ColliderEnabled;
+use crate::model::collider::{ColliderEnabled, ColliderHandle};
 use crate::model::island::NONE;
 
 impl Digest<'_> {
@@ -14,6 +14,7 @@ impl Digest<'_> {
         if !body.changes.intersects(kind) {
             return;
         }
+        self.wake_touching(handle);
         self.structure.detach_pairs_of(handle);
         self.structure.unlist_body(handle);
         if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
@@ -45,6 +46,27 @@ impl Digest<'_> {
         }
     }
 
+    /// Wakes what touches a body: it may no longer be there, or carry, as it did.
+    fn wake_touching(&mut self, handle: RigidBodyHandle) {
+        let mut index = 0;
+        while let Some(collider) = self.collider_of(handle, index) {
+            self.structure.wake_touching(collider.into_raw_parts().0);
+            index += 1;
+        }
+    }
+
+    fn place_colliders(&mut self, handle: RigidBodyHandle) {
+        let mut index = 0;
+        while let Some(collider) = self.collider_of(handle, index) {
+            self.place(collider);
+            index += 1;
+        }
+    }
+
+    fn collider_of(&self, handle: RigidBodyHandle, index: usize) -> Option<ColliderHandle> {
+        self.structure.bodies.get(handle)?.colliders.get(index).copied()
+    }
+
     /// Follows a body's other changes.
     pub(super) fn take_in_body(
         &mut self,
@@ -55,12 +77,8 @@ impl Digest<'_> {
         let changes = core::mem::replace(&mut body.changes, RigidBodyChanges::empty());
         if changes.contains(RigidBodyChanges::POSITION) {
             body.update_world_mass_properties();
-            for index in 0..body.colliders.len() {
-                let Some(body) = self.structure.bodies.get(handle) else { return };
-                let collider = body.colliders[index];
-                self.structure.wake_touching(collider.into_raw_parts().0);
-                self.place(collider);
-            }
+            self.wake_touching(handle);
+            self.place_colliders(handle);
         }
         if changes.intersects(RigidBodyChanges::POSITION | RigidBodyChanges::DOMINANCE) {
             self.structure.refresh_pairs_of(handle);
