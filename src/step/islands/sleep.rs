@@ -11,36 +11,40 @@ const SPLIT_INTERVAL: u32 = 30;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SleepScratch {
-    /// By island: how many of its bodies are not ready to sleep.
-    restless: Vec<u32>,
-    /// What is to go to sleep.
+    /// By island: how its bodies are.
+    moods: Vec<Mood>,
+    /// The awake islands.
     islands: Vec<u32>,
     kinematics: Vec<RigidBodyHandle>,
+}
+
+/// How many of an island's bodies could sleep.
+#[derive(Copy, Clone, Default)]
+struct Mood {
+    ready: u32,
+    restless: u32,
 }
 
 /// Puts islands to sleep all of whose bodies are ready, and kinematic bodies that have stood still
 /// with nobody awake around them.
 ///
 /// An island with cut links may be several by now, of which some are still moving. It is split before
-/// any part of it sleeps; one island per step, so that no step is slow because many bodies come to
-/// rest at once.
+/// any part of it sleeps: at once if all of it is ready, and every now and then if a part is. That does
+/// not depend on other islands: what happens far away must not decide who sleeps.
 pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScratch) {
     structure.islands.step = structure.islands.step.wrapping_add(1);
-    count_restless(structure, scratch);
-    let mut split = None;
+    read_moods(structure, scratch);
     for island in scratch.islands.drain(..) {
-        if scratch.restless[island as usize] > 0 {
-            continue;
+        let mood = scratch.moods[island as usize];
+        let record = structure.islands.island(island);
+        let age = structure.islands.step.wrapping_sub(record.split_at);
+        if record.cut_links == 0 {
+            if mood.restless == 0 {
+                structure.sleep_island(island);
+            }
+        } else if mood.restless == 0 || (mood.ready > 0 && age >= SPLIT_INTERVAL) {
+            structure.split(island);
         }
-        if structure.islands.island(island).cut_links > 0 {
-            split = split.or(Some(island));
-        } else {
-            structure.sleep_island(island);
-        }
-    }
-    let split = split.or_else(|| partly_ready_island(structure));
-    if let Some(island) = split {
-        structure.split(island);
     }
     for handle in scratch.kinematics.drain(..) {
         if !structure.has_awake_partner(handle) {
@@ -49,44 +53,24 @@ pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScr
     }
 }
 
-/// Fills the buffers: awake islands with their restless bodies, and kinematic bodies at rest.
-fn count_restless(structure: &Structure<'_>, scratch: &mut SleepScratch) {
-    scratch.restless.clear();
-    scratch.restless.resize(structure.islands.island_bound() as usize, NONE);
+/// Fills the buffers: awake islands with their moods, and kinematic bodies at rest.
+fn read_moods(structure: &Structure<'_>, scratch: &mut SleepScratch) {
+    scratch.moods.clear();
+    scratch.moods.resize(structure.islands.island_bound() as usize, Mood::default());
     for &handle in &structure.islands.awake {
         let Some(body) = structure.bodies.get(handle) else { continue };
-        let ready = body.activation.is_eligible_for_sleep();
+        let is_ready = body.activation.is_eligible_for_sleep();
         if body.link.island == NONE {
-            if ready {
+            if is_ready {
                 scratch.kinematics.push(handle);
             }
             continue;
         }
-        let restless = &mut scratch.restless[body.link.island as usize];
-        if *restless == NONE {
-            *restless = 0;
+        let mood = &mut scratch.moods[body.link.island as usize];
+        if mood.ready + mood.restless == 0 {
             scratch.islands.push(body.link.island);
         }
-        *restless += u32::from(!ready);
+        mood.ready += u32::from(is_ready);
+        mood.restless += u32::from(!is_ready);
     }
-}
-
-/// An island with cut links whose sleepiest body is ready: the part around that body may sleep.
-fn partly_ready_island(structure: &Structure<'_>) -> Option<u32> {
-    let mut best = None;
-    let mut longest = 0.0;
-    for &handle in &structure.islands.awake {
-        let Some(body) = structure.bodies.get(handle) else { continue };
-        let time = body.activation.time_since_can_sleep;
-        let island = body.link.island;
-        if island == NONE || time <= longest || !body.activation.is_eligible_for_sleep() {
-            continue;
-        }
-        let record = structure.islands.island(island);
-        let age = structure.islands.step.wrapping_sub(record.split_at);
-        if record.cut_links > 0 && age >= SPLIT_INTERVAL {
-            (best, longest) = (Some(island), time);
-        }
-    }
-    best
 }
