@@ -2,6 +2,9 @@
 
 use rapier::prelude::*;
 
+#[path = "hostile/dim2.rs"]
+pub mod hostile;
+
 /// What tables are headed with.
 pub const NAME: &str = "2D";
 /// Acceleration of a disc that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
@@ -33,5 +36,39 @@ pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)
 }
 
-#[path = "hostile/dim2.rs"]
-pub mod hostile;
+/// The size of an angle, angular velocity or angular momentum.
+pub fn ang_length(w: AngVector) -> Real {
+    w.abs()
+}
+
+/// The moment `r × p`.
+pub fn moment(r: Vector, p: Vector) -> AngVector {
+    r.perp_dot(p)
+}
+
+/// The angular momentum `I ω` of a body about its centre of mass.
+pub fn spin_momentum(body: &RigidBody) -> AngVector {
+    body.mass_properties().local_mprops().principal_inertia() * body.angvel()
+}
+
+/// All components of a pose, to be compared bit by bit.
+pub fn components(pose: &Pose) -> [Real; 4] {
+    let (r, t) = (pose.rotation, pose.translation);
+    [t.x, t.y, r.re, r.im]
+}
+
+/// One shape of each kind that rolls, slides or stacks, about half a metre in size.
+pub fn assortment() -> Vec<ColliderBuilder> {
+    let half: Real = 0.25;
+    let hull = [vec(-0.3, -0.2), vec(0.3, -0.2), vec(0.4, 0.1), vec(0.0, 0.35), vec(-0.3, 0.2)];
+    let mut shapes = vec![
+        ColliderBuilder::cuboid(half, half),
+        ColliderBuilder::cuboid(0.4, 0.15),
+        ColliderBuilder::ball(half),
+        ColliderBuilder::capsule_y(0.2, 0.2),
+        ColliderBuilder::round_cuboid(0.2, 0.2, 0.05),
+        ColliderBuilder::triangle(vec(-0.3, -0.2), vec(0.3, -0.2), vec(0.0, 0.4)),
+    ];
+    shapes.extend(ColliderBuilder::convex_hull(&hull));
+    shapes
+}

@@ -2,6 +2,9 @@
 
 use rapier::prelude::*;
 
+#[path = "hostile/dim3.rs"]
+pub mod hostile;
+
 /// What tables are headed with.
 pub const NAME: &str = "3D";
 /// Acceleration of a ball that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
@@ -33,5 +36,42 @@ pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)
 }
 
-#[path = "hostile/dim3.rs"]
-pub mod hostile;
+/// The length of a rotation vector, angular velocity or angular momentum.
+pub fn ang_length(w: AngVector) -> Real {
+    w.length()
+}
+
+/// The moment `r × p`.
+pub fn moment(r: Vector, p: Vector) -> AngVector {
+    r.cross(p)
+}
+
+/// The angular momentum `I ω` of a body about its centre of mass.
+pub fn spin_momentum(body: &RigidBody) -> AngVector {
+    let local = body.mass_properties().local_mprops();
+    let to_world = *body.rotation() * local.principal_inertia_local_frame;
+    to_world * (local.principal_inertia() * (to_world.inverse() * body.angvel()))
+}
+
+/// All components of a pose, to be compared bit by bit.
+pub fn components(pose: &Pose) -> [Real; 7] {
+    let (r, t) = (pose.rotation, pose.translation);
+    [t.x, t.y, t.z, r.x, r.y, r.z, r.w]
+}
+
+/// One shape of each kind that rolls, slides or stacks, about half a metre in size.
+pub fn assortment() -> Vec<ColliderBuilder> {
+    let (half, tip): (Real, Real) = (0.25, 0.4);
+    let axes = [Vector::X * half, Vector::Z * half, Vector::Y * tip];
+    let hull: Vec<_> = axes.iter().flat_map(|&axis| [axis, -axis]).collect();
+    let mut shapes = vec![
+        ColliderBuilder::cuboid(half, half, half),
+        ColliderBuilder::cuboid(0.4, 0.15, 0.25),
+        ColliderBuilder::ball(half),
+        ColliderBuilder::capsule_y(0.2, 0.2),
+        ColliderBuilder::cylinder(0.2, 0.3),
+        ColliderBuilder::cone(0.3, 0.3),
+    ];
+    shapes.extend(ColliderBuilder::convex_hull(&hull));
+    shapes
+}

@@ -7,8 +7,13 @@ mod stage;
 mod table;
 
 mod bounce;
+mod carriers;
+mod determinism;
 mod fall;
 mod friction;
 mod load;
+mod momentum;
+mod pushes;
+mod sleeping;
 mod stacks;
 mod tipping;

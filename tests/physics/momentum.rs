@@ -1,0 +1,86 @@
+//! What contacts must leave alone: the momentum and the angular momentum of all bodies together.
+
+use super::stage::{Dice, RATES, steps, weightless};
+use super::table::Table;
+use crate::dim::{ang_length, assortment, moment, spin_momentum, vec};
+use rapier::prelude::*;
+
+/// Momentum and angular momentum about the origin.
+struct Momenta {
+    linear: Vector,
+    angular: AngVector,
+    /// The sums of the magnitudes of what single bodies have: what rounding is measured by.
+    scales: [Real; 2],
+}
+
+fn momenta(world: &PhysicsWorld) -> Momenta {
+    let mut sum = Momenta { linear: Vector::ZERO, angular: AngVector::default(), scales: [0.0; 2] };
+    for (_, body) in world.bodies.iter() {
+        let p = body.linvel() * body.mass();
+        let l = moment(body.mass_properties().world_com(), p) + spin_momentum(body);
+        sum.linear += p;
+        sum.angular += l;
+        sum.scales[0] += p.length();
+        sum.scales[1] += ang_length(l);
+    }
+    sum
+}
+
+/// Bodies of all shapes in a ring, which fly to its middle, all with the same spin.
+fn implosion(rate: u32) -> PhysicsWorld {
+    let mut world = weightless(rate);
+    let shapes = assortment();
+    let mut dice = Dice(7);
+    let count = 42;
+    for k in 0..count {
+        let angle = 0.7 * k as Real;
+        let radius = 1.0 + 0.2 * k as Real;
+        let outward = vec(angle.cos(), angle.sin());
+        let wobble = vec(dice.within(-0.5, 0.5), dice.within(-0.5, 0.5));
+        let body = RigidBodyBuilder::dynamic()
+            .translation(outward * radius)
+            .linvel(outward * (-0.3 * radius) + wobble + vec(0.5, 0.2))
+            .angvel(crate::dim::about_z(1.0))
+            .can_sleep(false);
+        world.insert(body, shapes[k % shapes.len()].clone().restitution(0.3));
+    }
+    world
+}
+
+/// Contacts push both bodies by the same impulse, so `Σp` stays to rounding: each of `n` changes of a
+/// momentum `p` may round by `ε p / 2`, this way or that, which comes to some `ε p √n`.
+///
+/// `ΣL` stays as far as both bodies are pushed at the same point. During a step the lever arms are
+/// those at its beginning, while the bodies move on against each other; so the error is of first
+/// order in the step.
+#[test]
+fn momentum_without_gravity() {
+    let columns = ["rate", "manifolds", "|Σp|", "error / Σ|p|", "limit", "|ΣL|", "error / Σ|L|"];
+    let mut table = Table::new("42 bodies collide without gravity, 6 s", &columns);
+    for rate in RATES {
+        let mut world = implosion(rate);
+        let before = momenta(&world);
+        let mut manifolds = 0;
+        for _ in 0..steps(&world, 6.0) {
+            world.step();
+            manifolds += world.physics_pipeline.counters.solver.nconstraints;
+        }
+        let after = momenta(&world);
+        let p = (after.linear - before.linear).length() / before.scales[0];
+        let l = ang_length(after.angular - before.angular) / before.scales[1];
+        // Nine visits of a manifold in a step, and two bodies in each.
+        let limit = Real::EPSILON * (18.0 * manifolds as Real).sqrt();
+        table.row([
+            rate.to_string(),
+            manifolds.to_string(),
+            format!("{:.3}", before.linear.length()),
+            format!("{p:.1e}"),
+            format!("{limit:.1e}"),
+            format!("{:.3}", ang_length(before.angular)),
+            format!("{l:.1e}"),
+        ]);
+        table.require(manifolds > 1000, "hardly anything touched");
+        table.check("the error of Σp", p, 0.0, limit);
+        table.check("the error of ΣL", l, 0.0, 0.3 / rate as Real);
+    }
+}

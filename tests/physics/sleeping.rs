@@ -1,0 +1,167 @@
+//! Who sleeps, what that saves, and what wakes them.
+
+use super::stage::{G, RATES, add_ground, run, steps, world};
+use crate::dim::{about_z, cuboid, vec};
+use rapier::prelude::*;
+
+/// Adds a cube with sides of 1 m whose bottom is at this height.
+fn add_cube(world: &mut PhysicsWorld, x: Real, bottom: Real) -> RigidBodyHandle {
+    let body = RigidBodyBuilder::dynamic().translation(vec(x, bottom + 0.5));
+    world.insert(body, cuboid(0.5, 0.5)).0
+}
+
+/// Ground, a stack of three cubes at 0 and one at 10, all asleep.
+fn two_sleeping_stacks(rate: u32) -> (PhysicsWorld, [RigidBodyHandle; 3], [RigidBodyHandle; 3]) {
+    let mut world = world(rate);
+    add_ground(&mut world, 0.5);
+    let stack = |world: &mut PhysicsWorld, x| [0.0, 1.0, 2.0].map(|y| add_cube(world, x, y));
+    let (left, right) = (stack(&mut world, 0.0), stack(&mut world, 10.0));
+    run(&mut world, 3.0);
+    assert_eq!(sleepers(&world, &left) + sleepers(&world, &right), 6, "all sleep after 3 s");
+    (world, left, right)
+}
+
+fn sleepers(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> usize {
+    bodies.iter().filter(|&&body| world.bodies[body].is_sleeping()).count()
+}
+
+/// Bodies that touch fall asleep in the same step, when the last of them has come to rest.
+#[test]
+fn an_island_falls_asleep_as_a_unit() {
+    for rate in RATES {
+        let mut world = world(rate);
+        add_ground(&mut world, 0.5);
+        let plank = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.1));
+        let (plank, _) = world.insert(plank, cuboid(5.0, 0.1));
+        // It rolls along the plank and takes three seconds to stop.
+        let ball = RigidBodyBuilder::dynamic().translation(vec(-3.0, 0.5)).linvel(vec(1.0, 0.0));
+        let ball = ball.linear_damping(0.5).angular_damping(0.5);
+        let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.3));
+        let mut asleep_at = None;
+        for step in 1..=steps(&world, 10.0) {
+            world.step();
+            let count = sleepers(&world, &[plank, ball]);
+            assert!(count != 1, "one of two sleeps at step {step} of {rate} Hz");
+            if count == 2 {
+                asleep_at = Some(step as Real / rate as Real);
+                break;
+            }
+        }
+        let time = asleep_at.unwrap_or(Real::INFINITY);
+        assert!((2.0..8.0).contains(&time), "at {rate} Hz they fell asleep after {time} s");
+    }
+}
+
+/// What sleeps is not solved, does not move by a single bit, and keeps the velocity zero.
+#[test]
+fn sleep_costs_nothing() {
+    for rate in RATES {
+        let (mut world, left, _) = two_sleeping_stacks(rate);
+        assert!(world.active_bodies().is_empty());
+        let pose = *world.bodies[left[2]].position();
+        run(&mut world, 1.0);
+        let counters = &world.physics_pipeline.counters;
+        assert_eq!(counters.solver.nconstraints, 0, "constraints");
+        assert_eq!(*world.bodies[left[2]].position(), pose);
+        assert_eq!(world.bodies[left[2]].linvel(), Vector::ZERO);
+    }
+}
+
+/// Something that falls on a sleeping stack wakes all of it, and nothing else.
+#[test]
+fn a_falling_body_wakes_what_it_hits() {
+    for rate in RATES {
+        let (mut world, left, right) = two_sleeping_stacks(rate);
+        add_cube(&mut world, 0.0, 4.0);
+        let mut woke = 0;
+        for _ in 0..steps(&world, 1.0) {
+            world.step();
+            let count = sleepers(&world, &left);
+            assert!(count == 0 || count == 3, "{count} of a stack sleep");
+            woke += usize::from(count == 0);
+            assert_eq!(sleepers(&world, &right), 3, "the other stack sleeps on");
+        }
+        assert!(woke > 0, "at {rate} Hz nobody woke");
+        run(&mut world, 3.0);
+        assert!(world.active_bodies().is_empty(), "all sleep again");
+    }
+}
+
+/// Without its lowest cube, what stood on it wakes and falls.
+#[test]
+fn what_loses_its_support_wakes_and_falls() {
+    for rate in RATES {
+        let (mut world, left, right) = two_sleeping_stacks(rate);
+        let height = world.bodies[left[2]].translation().y;
+        world.remove_body(left[0]);
+        world.step();
+        assert_eq!(sleepers(&world, &left[1..]), 0, "what stood on it wakes");
+        assert_eq!(sleepers(&world, &right), 3, "the other stack sleeps on");
+        run(&mut world, 3.0);
+        let fallen = height - world.bodies[left[2]].translation().y;
+        assert!((fallen - 1.0).abs() < 0.01, "fell by {fallen}");
+        assert_eq!(sleepers(&world, &left[1..]), 2);
+    }
+}
+
+/// The same if the support has no body, or a fixed one, or only moves away.
+#[test]
+fn what_loses_the_ground_wakes_and_falls() {
+    for how in ["remove the collider", "remove the body", "move the body", "disable the body"] {
+        let mut world = world(60);
+        let body = RigidBodyBuilder::fixed().translation(vec(0.0, -1.0));
+        let (ground, collider) = world.insert(body, cuboid(10.0, 1.0));
+        let cube = add_cube(&mut world, 0.0, 0.0);
+        run(&mut world, 3.0);
+        assert!(world.bodies[cube].is_sleeping());
+        match how {
+            "remove the collider" => drop(world.remove_collider(collider)),
+            "remove the body" => drop(world.remove_body(ground)),
+            "move the body" => world.bodies[ground].set_translation(vec(50.0, -1.0), true),
+            _ => world.bodies[ground].set_enabled(false),
+        }
+        run(&mut world, 1.0);
+        let y = world.bodies[cube].translation().y;
+        assert!(!world.bodies[cube].is_sleeping() && y < -3.0, "{how}: still at {y}");
+    }
+}
+
+/// A kinematic body that starts to move wakes what lies on it, and takes it along.
+#[test]
+fn a_moving_platform_wakes_its_cargo() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let body = RigidBodyBuilder::kinematic_velocity_based().translation(vec(0.0, -1.0));
+        let (platform, _) = world.insert(body, cuboid(10.0, 1.0));
+        let cube = add_cube(&mut world, 0.0, 0.0);
+        run(&mut world, 3.0);
+        assert!(world.bodies[cube].is_sleeping(), "a platform at rest lets its cargo sleep");
+        world.bodies[platform].set_linvel(vec(0.5, 0.0), true);
+        run(&mut world, 2.0);
+        let x = world.bodies[cube].translation().x;
+        // Friction has to bring it to speed first: it stays behind by u² / 2µg.
+        let formula = 1.0 - 0.5 * 0.5 / (2.0 * 0.5 * G);
+        assert!(!world.bodies[cube].is_sleeping(), "it moves");
+        assert!((x - formula).abs() < 0.5 / rate as Real, "it came to {x}, not {formula}");
+    }
+}
+
+/// Pushes wake, and wake the neighbours, if they are asked to.
+#[test]
+fn pushes_wake_if_asked() {
+    let pushes: [fn(&mut RigidBody, bool); 4] = [
+        |body, wake_up| body.apply_impulse(vec(0.1, 0.0), wake_up),
+        |body, wake_up| body.apply_torque_impulse(about_z(0.1), wake_up),
+        |body, wake_up| body.add_force(vec(0.1, 0.0), wake_up),
+        |body, wake_up| body.set_linvel(vec(0.1, 0.0), wake_up),
+    ];
+    for push in pushes {
+        let (mut world, left, right) = two_sleeping_stacks(60);
+        push(&mut world.bodies[left[0]], true);
+        world.step();
+        assert_eq!((sleepers(&world, &left), sleepers(&world, &right)), (0, 3));
+        push(&mut world.bodies[right[0]], false);
+        world.step();
+        assert_eq!(sleepers(&world, &right), 3, "nobody asked to wake");
+    }
+}
