@@ -4,6 +4,8 @@ use rapier::prelude::*;
 
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
+#[path = "physics/tumbling.rs"]
+mod tumbling;
 
 /// What tables are headed with.
 pub const NAME: &str = "3D";

@@ -6,4 +6,4 @@
 
 mod determinism;
 mod hostile;
-mod physics;
+pub mod physics;

@@ -19,7 +19,7 @@ impl Gyroscope {
     }
 
     /// The angular velocity at the end of the substep.
-    pub fn velocity_at_end(&self, _: Rotation, angvel: AngVector) -> AngVector {
+    pub fn velocity_at_end(&mut self, _: Rotation, angvel: AngVector) -> AngVector {
         angvel
     }
 }

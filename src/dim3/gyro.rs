@@ -19,11 +19,16 @@ const TURN_MIN: Real = 1.0e-4;
 /// What it takes to let a body tumble.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Gyroscope {
-    moments: Vector,
     inv_moments: Vector,
     frame: Rotation,
     /// Orientation in the middle of the substep, for which the solver's angular velocity holds.
     middle: Rotation,
+    /// The angular momentum. It is carried from substep to substep rather than computed from the
+    /// velocity each time: what rounding does to it on average goes in one direction, and 240 steps a
+    /// second in `f32` made of it 5 % of the energy in a minute.
+    momentum: AngVector,
+    /// The angular velocity that goes with it.
+    angvel: AngVector,
 }
 
 impl Gyroscope {
@@ -37,35 +42,47 @@ impl Gyroscope {
         if angvel.length_squared() * h * h < TURN_MIN * TURN_MIN {
             return None;
         }
-        let frame = mass.principal_inertia_local_frame;
-        Some(Self { moments: inv_moments.recip(), inv_moments, frame, middle: Rotation::IDENTITY })
+        let (momentum, angvel) = (AngVector::ZERO, AngVector::ZERO);
+        let (frame, middle) = (mass.principal_inertia_local_frame, Rotation::IDENTITY);
+        Some(Self { inv_moments, frame, middle, momentum, angvel })
     }
 
-    fn momentum(&self, rotation: Rotation, angvel: AngVector) -> AngVector {
+    /// Somebody changed the angular velocity at the orientation `rotation`.
+    fn take_in(&mut self, rotation: Rotation, angvel: AngVector) {
         let to_world = rotation * self.frame;
-        to_world * (self.moments * (to_world.inverse() * angvel))
+        let change = rotate(to_world.conjugate(), angvel - self.angvel) / self.inv_moments;
+        self.momentum += rotate(to_world, change);
     }
 
-    fn velocity(&self, rotation: Rotation, momentum: AngVector) -> AngVector {
+    /// The angular velocity at the orientation `rotation`.
+    fn turn_to(&mut self, rotation: Rotation) -> AngVector {
         let to_world = rotation * self.frame;
-        to_world * (self.inv_moments * (to_world.inverse() * momentum))
+        let momentum = rotate(to_world.conjugate(), self.momentum);
+        self.angvel = rotate(to_world, momentum * self.inv_moments);
+        self.angvel
     }
 
     /// The angular velocity in the middle of a substep that begins with `angvel`.
-    pub fn velocity_at_middle(
-        &mut self,
-        rotation: Rotation,
-        angvel: AngVector,
-        h: Real,
-    ) -> AngVector {
-        let momentum = self.momentum(rotation, angvel);
+    pub fn velocity_at_middle(&mut self, rotation: Rotation, angvel: AngVector, h: Real) -> AngVector {
+        self.take_in(rotation, angvel);
         self.middle = integrate_rotation(rotation, angvel * (0.5 * h));
-        self.velocity(self.middle, momentum)
+        self.turn_to(self.middle)
     }
 
-    /// The angular velocity at the end of the substep, at the orientation `end`.
-    pub fn velocity_at_end(&self, end: Rotation, angvel: AngVector) -> AngVector {
-        let momentum = self.momentum(self.middle, angvel);
-        self.velocity(end, momentum)
+    /// The angular velocity at the end of the substep, at the orientation `end`, if it is `angvel` in
+    /// the middle.
+    pub fn velocity_at_end(&mut self, end: Rotation, angvel: AngVector) -> AngVector {
+        self.take_in(self.middle, angvel);
+        self.turn_to(end)
     }
+}
+
+/// `q v q⁻¹` for a quaternion of any length.
+///
+/// Normalised quaternions are off from unit length by some rounding. A rotation that takes them for
+/// units scales by their squared length.
+fn rotate(q: Rotation, v: Vector) -> Vector {
+    let axis = Vector::new(q.x, q.y, q.z);
+    let t = axis.cross(v) * (2.0 / q.length_squared());
+    v + t * q.w + axis.cross(t)
 }

@@ -3,8 +3,8 @@
 //! Each test states a formula and how far from it a step of a given length may be, runs at 30, 60 and
 //! 240 steps a second, and prints what came out (`cargo test -p rapier3d --test suite -- --nocapture`).
 
-mod stage;
-mod table;
+pub mod stage;
+pub mod table;
 
 mod bounce;
 mod carriers;

@@ -248,13 +248,14 @@ impl Motion {
 
     /// Turns a tumbling body, and its angular velocity as its inertia turns.
     fn tumble(&mut self, state: &mut BodyState, before: &mut BodyState, h: Real) {
-        let Some(gyroscope) = &self.gyroscope else { return };
+        let Some(gyroscope) = &mut self.gyroscope else { return };
         let (v, w) = state.velocity();
         self.rotation = integrate_rotation(self.rotation, w * h);
         let end = gyroscope.velocity_at_end(self.rotation, w);
         state.set_velocity(v, end);
-        // What turned the velocity was no impulse: the next substep must not start with it.
+        // What turned the velocity was no impulse: the next substep must not start with it, nor with the
+        // rounding of it. Where there was no impulse, `before` becomes `end` to the last bit.
         let (before_v, before_w) = before.velocity();
-        before.set_velocity(before_v, before_w + (end - w));
+        before.set_velocity(before_v, end - (w - before_w));
     }
 }
