@@ -58,7 +58,7 @@ fn filters_that_change_their_mind_are_felt_by_nobody_else() {
     let expected = untouched.bystanders_in_the_end();
     for period in [1, 2, 3, 7] {
         let calls = AtomicUsize::new(0);
-        let filter = || calls.fetch_add(1, Relaxed) / period % 2 == 0;
+        let filter = || (calls.fetch_add(1, Relaxed) / period).is_multiple_of(2);
         let mut scene = scene();
         steps(&mut scene, &Hooks { filter: Some(&filter), modify: None }, 40);
         assert!(calls.into_inner() > 40, "the filter was asked");
