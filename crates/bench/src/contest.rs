@@ -2,10 +2,10 @@
 
 use crate::args::Options;
 use crate::catalog::Scene;
+use crate::clock::Clock;
 use crate::engine::{Kind, Stats, Template, Unsupported};
 use crate::memory::live_bytes;
 use gallery::Progress;
-use std::time::Instant;
 
 /// What became of one scene with one number of threads.
 pub struct Contest {
@@ -112,9 +112,9 @@ fn play(
     let bytes_before = live_bytes();
     let mut engine = template.start(kind, threads)?;
     for done in 1..=steps {
-        let started = Instant::now();
+        let clock = Clock::start(threads);
         engine.step();
-        durations.push(started.elapsed().as_secs_f64() * 1e3);
+        durations.push(clock.milliseconds());
         progress.advance(done);
     }
     progress.clear();

@@ -3,7 +3,7 @@
 //! Builds each scene once with this engine, transcribes it into every other engine, and lets them
 //! take the same steps by turns: one round of each, then the next round. The machine may be busy
 //! with other things; what disturbs one engine is then likely to disturb the next, so that the ratio
-//! means more than the milliseconds.
+//! means more than the milliseconds. With one thread only time on the processor counts.
 //!
 //! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps, no continuous collision
 //! detection (this engine has none yet), contact stiffness and recycling as each engine's own
@@ -20,6 +20,7 @@
 
 mod args;
 mod catalog;
+mod clock;
 mod contest;
 mod engine;
 mod flat;

@@ -29,10 +29,12 @@ const PAGE: &str = "docs/benchmarks/latest.md";
 /// What the columns mean, and the rules.
 const LEGEND: &str = "\
 ms/step: mean over all steps of the step's median over the rounds. best ms: the same with the step's
-fastest round. ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
+fastest round. With one thread it is time on the processor, with more it is time on the wall.
+ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
-overlap: deepest overlap of any pair at the end, measured in the same way for all. kinetic: energy of all
-dynamic bodies at the end. bytes/body: memory of the world at the end per dynamic body, contacts and all.";
+overlap: deepest overlap of any pair at the end, measured in the same way for all.
+kinetic: energy of all dynamic bodies at the end.
+bytes/body: memory of the world at the end per dynamic body, contacts and all.";
 
 /// Prints the table.
 pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
@@ -72,7 +74,9 @@ fn page(contests: &[Contest], options: &Options) -> String {
     page.extend(rows(contests).iter().map(|row| line(row)));
     page.push('\n');
     page.extend(absences(contests).iter().map(|absence| format!("* {absence}\n")));
-    page.push_str(&format!("\n{LEGEND}\n"));
+    page.push_str("\n```text\n");
+    page.push_str(LEGEND);
+    page.push_str("\n```\n");
     page
 }
 
