@@ -63,7 +63,12 @@ impl Gyroscope {
     }
 
     /// The angular velocity in the middle of a substep that begins with `angvel`.
-    pub fn velocity_at_middle(&mut self, rotation: Rotation, angvel: AngVector, h: Real) -> AngVector {
+    pub fn velocity_at_middle(
+        &mut self,
+        rotation: Rotation,
+        angvel: AngVector,
+        h: Real,
+    ) -> AngVector {
         self.take_in(rotation, angvel);
         self.middle = integrate_rotation(rotation, angvel * (0.5 * h));
         self.turn_to(self.middle)
