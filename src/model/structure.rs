@@ -76,11 +76,14 @@ impl Structure<'_> {
     /// Takes bodies that are gone from their set out of all lists. Each comes with what it knew of its
     /// place.
     pub fn forget_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
+        for (handle, link) in removed.iter_mut() {
+            self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+            self.verify_link(*handle, link);
+        }
         // Highest position first: what swap-removal moves into a gap then never is one of these,
         // which could no longer be told.
         removed.sort_unstable_by_key(|(_, link)| core::cmp::Reverse(link.awake));
-        for (handle, link) in removed.iter() {
-            self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+        for (_, link) in removed.iter() {
             if link.awake != NONE {
                 self.unlist_awake(link.awake);
             }
@@ -90,6 +93,20 @@ impl Structure<'_> {
             if link.island != NONE {
                 self.leave_island(*link);
             }
+        }
+    }
+
+    /// Drops what a removed body knew wrongly of its place: it may have been put in the place of another
+    /// one just before it was removed.
+    fn verify_link(&self, handle: RigidBodyHandle, link: &mut BodyLink) {
+        if self.islands.awake.get(link.awake as usize) != Some(&handle) {
+            link.awake = NONE;
+        }
+        let is_member = link.island < self.islands.island_bound()
+            && self.islands.island(link.island).bodies.get(link.island_position as usize)
+                == Some(&handle);
+        if !is_member {
+            (link.island, link.island_position) = (NONE, NONE);
         }
     }
 
@@ -238,6 +255,8 @@ impl Structure<'_> {
             for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
                 let id = self.narrow_phase.contacts.ids_of(slot)[i];
                 self.update_colors(id);
+                // A pair that stays awake never hears of this body's last motion.
+                self.narrow_phase.contacts.invalidate(id);
                 self.rest_contact(id);
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {

@@ -15,7 +15,7 @@ mod solver;
 mod advance;
 mod events;
 
-use crate::dim::math::Vector;
+use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::NarrowPhase;
@@ -70,12 +70,12 @@ pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
     } else {
         parts.islands.forget_motion();
     }
-    report(&parts, scratch);
+    report(&parts, scratch, parts.params.dt);
     parts.counters.step_time.pause();
 }
 
 /// The collision detection of a step, without any motion. What the user edited is taken in first if
-/// `take_in_changes`; else it waits for the next call that does.
+/// `take_in_changes`; else only removals are, and the rest waits for the next call that does.
 pub(crate) fn detect_collisions(
     mut parts: StepParts<'_>,
     scratch: &mut StepScratch,
@@ -86,10 +86,16 @@ pub(crate) fn detect_collisions(
     scratch.notes.clear();
     if take_in_changes {
         take_in_user_changes(&mut parts, scratch);
+    } else {
+        let params = parts.params;
+        let (structure, tree) = parts.structure();
+        Digest { structure, tree, params, events: &mut scratch.notes.events }.run_removals();
     }
     find_contacts(&mut parts, scratch);
+    parts.bodies.renew_places();
     parts.islands.forget_motion();
-    report(&parts, scratch);
+    parts.narrow_phase.forget_step_impulses();
+    report(&parts, scratch, 0.0);
     parts.counters.step_time.pause();
 }
 
@@ -158,9 +164,10 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.pause();
 }
 
-fn report(parts: &StepParts<'_>, scratch: &StepScratch) {
-    let StepParts { bodies, colliders, narrow_phase, params, events, .. } = parts;
-    events::report(bodies, colliders, narrow_phase, &scratch.notes.events, params.dt, *events);
+/// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
+fn report(parts: &StepParts<'_>, scratch: &StepScratch, dt: Real) {
+    let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
+    events::report(bodies, colliders, narrow_phase, &scratch.notes.events, dt, *events);
 }
 
 impl StepScratch {

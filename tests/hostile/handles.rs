@@ -185,3 +185,37 @@ fn only_indexing_panics_and_names_the_handle() {
         assert!(text.contains(&format!("{lost:?}")), "{text}");
     }
 }
+
+/// Whoever holds a body by `&mut` can put another one in its place. The world must not mix them up.
+#[test]
+fn a_body_put_in_the_place_of_another_takes_that_place() {
+    let mut world = PhysicsWorld::new();
+    let ground = RigidBodyBuilder::fixed().translation(crate::dim::vec(0.0, -1.0));
+    world.insert(ground, crate::dim::cuboid(20.0, 1.0));
+    let handles: Vec<_> = (0..6_u8)
+        .map(|k| {
+            let at = crate::dim::vec(Real::from(k) * 1.5 - 4.0, 0.5);
+            world
+                .insert(RigidBodyBuilder::dynamic().translation(at), crate::dim::cuboid(0.5, 0.5))
+                .0
+        })
+        .collect();
+    for _ in 0..5 {
+        world.step();
+    }
+    let copy = world.bodies[handles[0]].clone();
+    world.bodies[handles[1]] = copy.clone();
+    world.bodies[handles[2]] =
+        RigidBodyBuilder::dynamic().translation(crate::dim::vec(3.0, 4.0)).build();
+    world.bodies[handles[3]] = RigidBodyBuilder::kinematic_velocity_based().build();
+    world.step();
+    world.bodies[handles[4]] = copy;
+    world.bodies.remove(handles[4]);
+    world.bodies.remove(handles[0]);
+    world.bodies.remove(handles[1]);
+    for _ in 0..120 {
+        world.step(); // debug builds check here that all lists agree
+    }
+    assert_eq!(world.bodies.len(), 4);
+    assert!(world.bodies.iter().all(|(_, body)| body.position().is_finite()));
+}

@@ -2,12 +2,13 @@
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::Arena;
+use crate::base::hash::FastHashMap;
 use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
 use crate::model::island::BodyLink;
 
-/// What the step needs to know of a body that was removed: its colliders, which go with it, and its
-/// place in the step's lists.
-pub(crate) type RemovedBody = (RigidBodyHandle, Vec<ColliderHandle>, BodyLink);
+/// What the step needs to know of a body that was removed: its colliders, which go with it (`None`: the
+/// colliders must be asked), and its place in the step's lists.
+pub(crate) type RemovedBody = (RigidBodyHandle, Option<Vec<ColliderHandle>>, BodyLink);
 
 /// All rigid bodies of a simulation, each found by its handle.
 ///
@@ -20,13 +21,24 @@ pub struct RigidBodySet {
     /// Bodies that the user may have changed since the last step, each once.
     modified: Vec<RigidBodyHandle>,
     removed: Vec<RemovedBody>,
+    /// The places of the modified bodies in the step's lists, as they were when the note was left.
+    places: Vec<BodyLink>,
 }
 
-/// Leaves a note, once, that the user may have changed a body.
-fn note(modified: &mut Vec<RigidBodyHandle>, handle: RigidBodyHandle, body: &mut RigidBody) {
-    if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
-        body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
-        modified.push(handle);
+/// The notes of a set.
+struct Notes<'a>(&'a mut Vec<RigidBodyHandle>, &'a mut Vec<BodyLink>);
+
+impl Notes<'_> {
+    /// Leaves a note, once, that the user may have changed a body.
+    ///
+    /// Whoever has a body in hand can put another one in its place (assign a copy, swap two of them),
+    /// and with it what that one knew of *its* place. So the note says where the body really is.
+    fn note(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
+        if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
+            body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
+            self.0.push(handle);
+            self.1.push(body.link);
+        }
     }
 }
 
@@ -65,6 +77,7 @@ impl RigidBodySet {
         body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
         let handle = RigidBodyHandle(self.bodies.insert(body));
         self.modified.push(handle);
+        self.places.push(BodyLink::default());
         handle
     }
 
@@ -75,7 +88,7 @@ impl RigidBodySet {
     pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         let mut body = self.bodies.remove(handle.0)?;
         let (colliders, link) = body.detach_from_set();
-        self.removed.push((handle, colliders, link));
+        self.removed.push((handle, Some(colliders), link));
         Some(body)
     }
 
@@ -87,7 +100,7 @@ impl RigidBodySet {
     /// The body that a handle finds, for changing it.
     pub fn get_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         let body = self.bodies.get_mut(handle.0)?;
-        note(&mut self.modified, handle, body);
+        Notes(&mut self.modified, &mut self.places).note(handle, body);
         Some(body)
     }
 
@@ -100,10 +113,10 @@ impl RigidBodySet {
     ) -> (Option<&mut RigidBody>, Option<&mut RigidBody>) {
         let (mut body1, mut body2) = self.bodies.get2_mut(handle1.0, handle2.0);
         if let Some(body) = &mut body1 {
-            note(&mut self.modified, handle1, body);
+            Notes(&mut self.modified, &mut self.places).note(handle1, body);
         }
         if let Some(body) = &mut body2 {
-            note(&mut self.modified, handle2, body);
+            Notes(&mut self.modified, &mut self.places).note(handle2, body);
         }
         (body1, body2)
     }
@@ -118,7 +131,7 @@ impl RigidBodySet {
     pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut RigidBody, RigidBodyHandle)> {
         let (index, body) = self.bodies.at_slot_mut(slot)?;
         let handle = RigidBodyHandle(index);
-        note(&mut self.modified, handle, body);
+        Notes(&mut self.modified, &mut self.places).note(handle, body);
         Some((body, handle))
     }
 
@@ -133,10 +146,10 @@ impl RigidBodySet {
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (RigidBodyHandle, &mut RigidBody)> {
-        let modified = &mut self.modified;
+        let mut notes = Notes(&mut self.modified, &mut self.places);
         self.bodies.iter_mut().map(move |(index, body)| {
             let handle = RigidBodyHandle(index);
-            note(modified, handle, body);
+            notes.note(handle, body);
             (handle, body)
         })
     }
@@ -160,12 +173,58 @@ impl RigidBodySet {
     /// The bodies that the user may have changed, in the order of the first change; some of them may
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
+        self.places.clear();
         core::mem::take(&mut self.modified)
     }
 
+    /// Gives bodies that were put in the place of others the places of those, and returns their
+    /// handles. They are to be looked at as if they were new.
+    pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
+        let mut replaced = Vec::new();
+        // Backwards: a replaced body may have left a second note, and the first one is right.
+        for (&handle, &place) in self.modified.iter().zip(&self.places).rev() {
+            let Some(body) = self.bodies.get_mut(handle.0) else { continue };
+            if body.link != place {
+                body.link = place;
+                body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
+                replaced.push(handle);
+            }
+        }
+        replaced
+    }
+
+    /// Brings the places in the notes up to date, after the step's lists changed while notes were out.
+    pub(crate) fn renew_places(&mut self) {
+        for (&handle, place) in self.modified.iter().zip(&mut self.places) {
+            if let Some(body) = self.bodies.get(handle.0) {
+                *place = body.link;
+            }
+        }
+    }
+
     /// The bodies that the user removed, in that order.
+    ///
+    /// One that was put in the place of another just before it was removed gets that one's place, and
+    /// does not know that one's colliders.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
-        core::mem::take(&mut self.removed)
+        let mut removed = core::mem::take(&mut self.removed);
+        if removed.is_empty() {
+            return removed;
+        }
+        let mut places = FastHashMap::default();
+        for (handle, place) in self.modified.iter().zip(&self.places) {
+            places.entry(handle.into_raw_parts()).or_insert(*place);
+        }
+        for (handle, colliders, link) in &mut removed {
+            match places.get(&handle.into_raw_parts()) {
+                Some(place) if place != link => {
+                    *link = *place;
+                    *colliders = None;
+                }
+                _ => {}
+            }
+        }
+        removed
     }
 
     /// A body for the step's own use: leaves no note.

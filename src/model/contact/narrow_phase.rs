@@ -28,6 +28,18 @@ impl NarrowPhase {
         self.contacts.contains(slot1, slot2) || self.intersections.contains(slot1, slot2)
     }
 
+    /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
+    /// is kept.
+    pub(crate) fn forget_step_impulses(&mut self) {
+        for position in 0..self.contacts.awake().len() {
+            let id = self.contacts.awake()[position].id;
+            let manifolds = self.contacts[id].manifolds.iter_mut();
+            for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
+                contact.impulse = 0.0;
+            }
+        }
+    }
+
     /// All contact pairs, as (first collider, second collider, pair), in an order that depends on the
     /// world's history alone.
     pub fn contact_pairs(

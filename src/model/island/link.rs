@@ -5,7 +5,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 
 /// Where a body stands in the islands and in the solver. Kept inside the body, repaired by whoever
 /// moves list entries.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyLink {
     /// Position in the list of awake bodies, which is also the solver's body index; [`NONE`] for

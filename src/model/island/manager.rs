@@ -85,10 +85,12 @@ impl IslandManager {
 
     /// Makes an empty island.
     pub(crate) fn create_island(&mut self) -> u32 {
-        self.free.pop().unwrap_or_else(|| {
+        let id = self.free.pop().unwrap_or_else(|| {
             self.islands.push(Island::default());
             self.islands.len() as u32 - 1
-        })
+        });
+        self.islands[id as usize].split_at = self.step;
+        id
     }
 
     /// Gives an empty island's id back; its buffer is kept for the next one.
@@ -112,7 +114,10 @@ impl IslandManager {
 
     /// All pairs have heard of the last motion, and no other one follows.
     pub(crate) fn forget_motion(&mut self) {
-        self.motion.fill(0.0);
+        for position in 0..self.awake.len() {
+            let slot = self.awake[position].into_raw_parts().0;
+            self.set_motion(slot, 0.0);
+        }
     }
 
     /// Notes how far any point of the body in a slot moved.

@@ -57,7 +57,8 @@ pub struct IntegrationParameters {
     /// The error of stiff stacks falls with the square of it, the cost of the solver grows in
     /// proportion; collisions are detected once per step whatever it is.
     pub num_solver_iterations: usize,
-    /// Extra visits of the friction rows per substep (default 0). For loads that hang on friction
+    /// Extra visits of all constraints without position correction, friction among them, per substep
+    /// (default 0). For loads that hang on friction
     /// alone, such as a tower of cards or a gripper.
     pub num_additional_friction_iterations: usize,
     /// Visits of all constraints, with position correction, per substep (default 1, at least 1).

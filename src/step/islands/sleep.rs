@@ -35,7 +35,8 @@ pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScr
     structure.islands.step = structure.islands.step.wrapping_add(1);
     read_moods(structure, scratch);
     for island in scratch.islands.drain(..) {
-        let mood = scratch.moods[island as usize];
+        // All moods but those of awake islands stay at their defaults, so that nobody walks the others.
+        let mood = core::mem::take(&mut scratch.moods[island as usize]);
         let record = structure.islands.island(island);
         let age = structure.islands.step.wrapping_sub(record.split_at);
         if record.cut_links == 0 {
@@ -55,8 +56,10 @@ pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScr
 
 /// Fills the buffers: awake islands with their moods, and kinematic bodies at rest.
 fn read_moods(structure: &Structure<'_>, scratch: &mut SleepScratch) {
-    scratch.moods.clear();
-    scratch.moods.resize(structure.islands.island_bound() as usize, Mood::default());
+    let bound = structure.islands.island_bound() as usize;
+    if scratch.moods.len() < bound {
+        scratch.moods.resize(bound, Mood::default());
+    }
     for &handle in &structure.islands.awake {
         let Some(body) = structure.bodies.get(handle) else { continue };
         let is_ready = body.activation.is_eligible_for_sleep();

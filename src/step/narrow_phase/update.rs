@@ -342,6 +342,9 @@ impl ContactPair {
             for manifold in fresh.iter_mut() {
                 finish(manifold, view, skin);
                 modify(manifold, self.collider1, self.collider2, view);
+                if !manifold.is_solved() {
+                    manifold.data.forget_impulses();
+                }
             }
             fresh.retain(|manifold| !manifold.contacts().is_empty());
         } else {

@@ -58,10 +58,15 @@ impl SolverBodies {
         self.indices.resize(bodies.slot_count().max(self.indices.len()), WORLD);
         let mut extra_substeps = 0;
         for &handle in awake {
-            let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
+            let Some(body) = bodies.get_unnoted_mut(handle) else {
+                self.push_nobody(); // positions in the list are indices here
+                continue;
+            };
             let slot = handle.into_raw_parts().0;
             let index = self.states.len() as u32;
-            self.indices[slot as usize] = if body.is_dynamic() { index } else { index | READ_ONLY };
+            // Colours keep constraints apart at bodies with an island, and at no others.
+            let writable = body.link.island != NONE;
+            self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
             self.listed.push(slot);
             self.push(body, gravity, params);
             extra_substeps = extra_substeps.max(body.additional_solver_iterations);
@@ -77,6 +82,10 @@ impl SolverBodies {
         self.poses.clear();
         self.states.clear();
         self.motions.clear();
+        self.push_nobody();
+    }
+
+    fn push_nobody(&mut self) {
         self.poses.push(BodyPose::WORLD);
         self.states.push(BodyState::default());
         self.motions.push(Motion::AT_REST);

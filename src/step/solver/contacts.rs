@@ -203,6 +203,7 @@ fn load_lane(input: &mut ContactInput, lane: usize, indices: [u32; 2], manifold:
         let Some(point) = data.points.get(k) else {
             input.present[k].0[lane] = 0.0;
             input.impulses[k].0[lane] = 0.0;
+            input.set_tangent_impulse(k, lane, [0.0; _]);
             continue;
         };
         input.anchors[0][k].set_lane(lane, point.anchor1);

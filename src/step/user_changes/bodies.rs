@@ -102,16 +102,20 @@ impl Digest<'_> {
                 continue;
             }
             match body.link.island {
+                // The solver must know where a body is that touches an awake one.
+                NONE if self.structure.has_awake_partner(handle) => self.stay_awake(handle),
                 NONE => self.structure.sleep_kinematic(handle),
                 island if self.all_want_to_sleep(island) => self.structure.sleep_island(island),
-                _ => {
-                    if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
-                        // Awake, but the first to be ready when the others are.
-                        body.activation.sleeping = false;
-                        body.activation.time_since_can_sleep = body.activation.time_until_sleep;
-                    }
-                }
+                _ => self.stay_awake(handle),
             }
+        }
+    }
+
+    /// Keeps a body awake that was sent to sleep; it is the first to be ready when the others are.
+    fn stay_awake(&mut self, handle: RigidBodyHandle) {
+        if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
+            body.activation.sleeping = false;
+            body.activation.time_since_can_sleep = body.activation.time_until_sleep;
         }
     }
 

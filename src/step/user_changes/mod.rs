@@ -29,6 +29,7 @@ pub(crate) struct Digest<'a> {
 impl Digest<'_> {
     /// Takes in all edits.
     pub fn run(mut self) {
+        self.take_in_replacements();
         self.take_in_removals();
         let bodies = self.structure.bodies.take_modified();
         let colliders = self.structure.colliders.take_modified();
@@ -46,6 +47,22 @@ impl Digest<'_> {
             self.reweigh(handle);
         }
         self.take_in_sleepers(&bodies);
+    }
+
+    /// Takes in nothing but what is gone: all else waits for the next [`Self::run`].
+    pub fn run_removals(mut self) {
+        self.take_in_replacements();
+        self.take_in_removals();
+    }
+
+    /// Bodies that were put in the place of others get the colliders of those.
+    fn take_in_replacements(&mut self) {
+        for handle in self.structure.bodies.settle_replaced() {
+            let attached = self.colliders_of(handle);
+            if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
+                body.colliders = attached;
+            }
+        }
     }
 
     /// Notes, once, that a body's mass must be summed up again.

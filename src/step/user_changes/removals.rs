@@ -1,16 +1,25 @@
 //! Bodies and colliders that are gone.
 
 use super::Digest;
+use crate::model::body::RigidBodyHandle;
+use crate::model::collider::ColliderHandle;
 use crate::model::event::CollisionEventFlags;
 
 impl Digest<'_> {
+    /// All colliders that are attached to a body, by their own account.
+    pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> Vec<ColliderHandle> {
+        let colliders = self.structure.colliders.iter();
+        let attached = colliders.filter(|(_, collider)| collider.parent() == Some(body));
+        attached.map(|(handle, _)| handle).collect()
+    }
+
     /// Takes what was removed out of all lists; the colliders of removed bodies go with them.
     pub(super) fn take_in_removals(&mut self) {
         let removed = self.structure.bodies.take_removed();
         let mut links = Vec::with_capacity(removed.len());
         for (handle, colliders, link) in removed {
             links.push((handle, link));
-            for collider in colliders {
+            for collider in colliders.unwrap_or_else(|| self.colliders_of(handle)) {
                 // The user may have attached it to another body since.
                 let set = &mut *self.structure.colliders;
                 if set.get(collider).is_some_and(|collider| collider.parent() == Some(handle)) {
