@@ -10,6 +10,9 @@ pub const NAME: &str = "2D";
 /// Acceleration of a disc that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
 /// `I = 1/2 m r²`.
 pub const ROLLING_BALL: Real = 2.0 / 3.0;
+/// How much easier the end of a side between two unit squares gives way than its share of the load: `m K / 2`
+/// of half the load, with `K = 2/m + 2 r² / I`, `r² = 1/4` and `I = m/6`.
+pub const CORNER_YIELD: Real = 2.5;
 
 /// A vector.
 pub fn vec(x: Real, y: Real) -> Vector {

@@ -12,6 +12,9 @@ pub const NAME: &str = "3D";
 /// Acceleration of a ball that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
 /// `I = 2/5 m r²`.
 pub const ROLLING_BALL: Real = 5.0 / 7.0;
+/// How much easier the corner of a face between two unit cubes gives way than its share of the load: `m K / 4`
+/// of a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I = m/6`.
+pub const CORNER_YIELD: Real = 2.0;
 
 /// A vector in the plane of the picture.
 pub fn vec(x: Real, y: Real) -> Vector {

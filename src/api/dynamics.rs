@@ -10,6 +10,6 @@ pub use crate::model::collider::CoefficientCombineRule;
 pub use crate::model::island::IslandManager;
 pub use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
 pub use crate::model::params::{
-    CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters, Softness,
+    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters, Softness,
 };
 pub use parry::mass_properties::MassProperties;

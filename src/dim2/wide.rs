@@ -58,6 +58,9 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
 }
 
 impl WideRotation<Lane> {
+    /// No rotation in any lane.
+    pub const IDENTITY: Self = Self { re: Lane::splat(1.0), im: Lane::ZERO };
+
     /// Sets the rotation of one lane.
     pub fn set_lane(&mut self, lane: usize, value: &Rotation) {
         (self.re.0[lane], self.im.0[lane]) = (value.re, value.im);
@@ -194,6 +197,26 @@ impl<W: Wide> WideRotation<W> {
     #[inline(always)]
     pub fn rotate(self, v: WideVector<W>) -> WideVector<W> {
         WideVector { x: self.re * v.x - self.im * v.y, y: self.im * v.x + self.re * v.y }
+    }
+
+    /// The rotation that turns `earlier` into this one.
+    #[inline(always)]
+    pub fn since(self, earlier: Self) -> Self {
+        Self {
+            re: self.re * earlier.re + self.im * earlier.im,
+            im: self.im * earlier.re - self.re * earlier.im,
+        }
+    }
+
+    /// How far it moves a vector's tip, to full precision however small that is.
+    #[inline(always)]
+    pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
+        // cos φ - 1 = -sin² φ / (1 + cos φ), but for half a turn, where the difference is exact.
+        let one = W::splat(1.0);
+        let small = W::zero().lt(self.re);
+        let sum = W::select(small, one + self.re, one);
+        let less = W::select(small, -(self.im * self.im / sum), self.re - one);
+        WideVector { x: less * v.x - self.im * v.y, y: self.im * v.x + less * v.y }
     }
 }
 

@@ -75,6 +75,10 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
 }
 
 impl WideRotation<Lane> {
+    /// No rotation in any lane.
+    pub const IDENTITY: Self =
+        Self { x: Lane::ZERO, y: Lane::ZERO, z: Lane::ZERO, w: Lane::splat(1.0) };
+
     /// Sets the rotation of one lane.
     pub fn set_lane(&mut self, lane: usize, value: &Rotation) {
         (self.x.0[lane], self.y.0[lane]) = (value.x, value.y);
@@ -231,6 +235,26 @@ impl<W: Wide> WideRotation<W> {
         let u = WideVector { x: self.x, y: self.y, z: self.z };
         let half = cross(u, cross(u, v) + v * self.w);
         v + half + half
+    }
+
+    /// The rotation that turns `earlier` into this one: `q p*`.
+    #[inline(always)]
+    pub fn since(self, earlier: Self) -> Self {
+        let (q, p) = (self, earlier);
+        Self {
+            x: q.x * p.w - q.w * p.x + q.z * p.y - q.y * p.z,
+            y: q.y * p.w - q.w * p.y + q.x * p.z - q.z * p.x,
+            z: q.z * p.w - q.w * p.z + q.y * p.x - q.x * p.y,
+            w: q.w * p.w + q.x * p.x + q.y * p.y + q.z * p.z,
+        }
+    }
+
+    /// How far it moves a vector's tip, to full precision however small that is.
+    #[inline(always)]
+    pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
+        let u = WideVector { x: self.x, y: self.y, z: self.z };
+        let half = cross(u, cross(u, v) + v * self.w);
+        half + half
     }
 }
 

@@ -33,6 +33,12 @@ pub fn steps(world: &PhysicsWorld, seconds: Real) -> usize {
     (seconds / world.integration_parameters.dt).round() as usize
 }
 
+/// The deepest overlap of any two colliders (m).
+pub fn penetration(world: &PhysicsWorld) -> Real {
+    let deepest = world.contact_pairs().filter_map(|(_, _, pair)| pair.find_deepest_contact());
+    deepest.map(|(_, _, depth)| depth).fold(0.0, Real::max)
+}
+
 /// The length of a substep (s).
 pub fn substep(world: &PhysicsWorld) -> Real {
     world.integration_parameters.substep()

@@ -10,7 +10,7 @@ use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim2::state::{
     BodyPose, BodyState, WidePose, gather_poses, gather_states, gather_velocities, scatter_states,
 };
-use crate::dim2::wide::WideVector;
+use crate::dim2::wide::{WideRotation, WideVector};
 
 /// One contact point on its way from a manifold to a row.
 #[derive(Copy, Clone)]
@@ -63,10 +63,12 @@ pub(crate) unsafe fn prepare<W: Wide>(
     unsafe { warm_start(block, &pair, &points, &friction, states) };
 }
 
-/// Where the points are in the world and in the contact frame, as the bodies stand now.
+/// Where the points are in the world and in the contact frame: the frame, `c` and the points in it.
 ///
-/// Positions in the world are subtracted from each other before anything small is added: far from the
-/// origin they have few digits behind the point, and their differences have all that are left.
+/// Frame and levers are those of the [placement](crate::model::contact::Placement). The separations
+/// are those of now: as placed, and what the bodies moved since along the normal. Positions in the world
+/// are subtracted from each other before anything small is added: far from the origin they have few
+/// digits behind the point, and their differences have all that are left.
 #[inline(always)]
 fn read_geometry<W: Wide>(
     input: &mut ContactInput,
@@ -76,27 +78,23 @@ fn read_geometry<W: Wide>(
         scaled(gather_poses::<W>(poses, &input.bodies[0]), &input.mass_factors[0]),
         scaled(gather_poses::<W>(poses, &input.bodies[1]), &input.mass_factors[1]),
     ];
-    let rotations = [poses[0].rotation, poses[1].rotation];
-    let n = rotations[0].rotate(WideVector::load(&input.normal));
-    n.store(&mut input.world_normal);
+    let n = WideVector::load(&input.normal);
     let frame = Frame::about(n);
-    let (origins, shifts) = origins(input, &poses);
-    let c = origins[0] - origins[1];
+    let motion = MotionSince::placed(input, &poses);
+    let c = motion.offset;
 
     let zero = W::zero();
     let absent =
         Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
     let mut points = [absent; MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let r1 = rotations[0].rotate(WideVector::load(&input.anchors[0][k])) - shifts[0];
-        let r2 = rotations[1].rotate(WideVector::load(&input.anchors[1][k])) - shifts[1];
-        let gap = r2 - (r1 + c);
-        let middle = r1 + gap * W::splat(0.5);
-        let separation = gap.dot(n);
-        (origins[0] + middle).store(&mut input.points[k]);
+        let lever = WideVector::load(&input.levers[k]);
+        let (moved, surface2) = motion.at(lever);
+        let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
+        (surface2 - moved * W::splat(0.5)).store(&mut input.points[k]);
         separation.store(&mut input.separations[k]);
         points[k] = Point {
-            local: frame.local(middle),
+            local: frame.local(lever),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),
@@ -105,23 +103,48 @@ fn read_geometry<W: Wide>(
     (Pair { frame, poses, offset: frame.local(c) }, points)
 }
 
-/// From where the levers of the two bodies are measured, and where that is in the frame of anchors.
-///
-/// Usually from the centre of mass. The world has none; the other body's makes all levers as short as
-/// they can be.
-#[inline(always)]
-fn origins<W: Wide>(
-    input: &ContactInput,
-    poses: &[WidePose<W>; 2],
-) -> ([WideVector<W>; 2], [WideVector<W>; 2]) {
-    let half = W::splat(0.5);
-    let is_world = [half.lt(W::load(&input.is_world[0])), half.lt(W::load(&input.is_world[1]))];
-    let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
-    let zero = WideVector::zero();
-    (
-        [WideVector::select(is_world[0], x2, x1), WideVector::select(is_world[1], x1, x2)],
-        [WideVector::select(is_world[0], x2, zero), WideVector::select(is_world[1], x1, zero)],
-    )
+/// What the bodies moved since their contacts were placed.
+struct MotionSince<W> {
+    turns: [WideRotation<W>; 2],
+    /// Of the second centre of mass against the first.
+    shift: WideVector<W>,
+    /// `c = x1 - x2` as placed, which turns levers of the first body into those of the second.
+    ///
+    /// The world has no centre of mass. Levers are measured from the other body's then, as short as they
+    /// can be, and `c` is zero.
+    offset: WideVector<W>,
+    /// From where the levers of the second body are measured.
+    origin2: WideVector<W>,
+}
+
+impl<W: Wide> MotionSince<W> {
+    #[inline(always)]
+    fn placed(input: &ContactInput, poses: &[WidePose<W>; 2]) -> Self {
+        let half = W::splat(0.5);
+        let is_world = [half.lt(W::load(&input.is_world[0])), half.lt(W::load(&input.is_world[1]))];
+        let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
+        let centers = WideVector::load(&input.placed_centers);
+        let turn = |side: usize| {
+            poses[side].rotation.since(WideRotation::load(&input.placed_rotations[side]))
+        };
+        Self {
+            turns: [turn(0), turn(1)],
+            shift: (x2 - x1) - centers,
+            offset: WideVector::select(is_world[0] | is_world[1], WideVector::zero(), -centers),
+            // Where the first body was, if the second is the world.
+            origin2: WideVector::select(is_world[1], -centers, x2),
+        }
+    }
+
+    /// How far the second surface moved against the first at a lever from the first centre of mass, and
+    /// where it is now.
+    #[inline(always)]
+    fn at(&self, lever: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
+        let lever2 = lever + self.offset;
+        let moved2 = self.turns[1].displacement(lever2);
+        let moved = self.shift + moved2 - self.turns[0].displacement(lever);
+        (moved, self.origin2 + lever2 + moved2)
+    }
 }
 
 /// The pose with its inverse masses scaled: a dominated body cannot move a dominant one.

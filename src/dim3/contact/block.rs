@@ -3,7 +3,7 @@
 use crate::base::wide::{LANES, Lane};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim3::state::READ_ONLY;
-use crate::dim3::wide::WideVector;
+use crate::dim3::wide::{WideRotation, WideVector};
 
 /// Pairs of different points of one manifold.
 pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
@@ -17,10 +17,16 @@ pub(crate) struct ContactInput {
     pub is_world: [Lane; 2],
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
-    /// The normal in the frame of the first body.
+    /// The normal in world space.
     pub normal: WideVector<Lane>,
-    /// Points on the two bodies, in their frames, from their centres of mass.
-    pub anchors: [[WideVector<Lane>; MAX_MANIFOLD_POINTS]; 2],
+    /// Orientations of the bodies when the contacts were placed, and from the first centre of mass to
+    /// the second.
+    pub placed_rotations: [WideRotation<Lane>; 2],
+    pub placed_centers: WideVector<Lane>,
+    /// From the first centre of mass to the points as they were placed, in world space.
+    pub levers: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
+    /// Separations of the points as they were placed.
+    pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
     /// One for points that are there, zero for the others.
     pub present: [Lane; MAX_MANIFOLD_POINTS],
     /// Normal impulses with which to start.
@@ -36,8 +42,6 @@ pub(crate) struct ContactInput {
     /// point.
     pub tangent_impulses: [[Lane; 2]; MAX_MANIFOLD_POINTS],
 
-    /// Out: the normal in world space.
-    pub world_normal: WideVector<Lane>,
     /// Out: the points midway between the two surfaces, in world space.
     pub points: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Out: their separations.
@@ -53,7 +57,10 @@ impl ContactInput {
             is_world: [Lane::splat(1.0); 2],
             mass_factors: [Lane::ZERO; 2],
             normal: WideVector { x: Lane::ZERO, y: Lane::ZERO, z: Lane::splat(1.0) },
-            anchors: [[vector; MAX_MANIFOLD_POINTS]; 2],
+            placed_rotations: [WideRotation::IDENTITY; 2],
+            placed_centers: vector,
+            levers: [vector; MAX_MANIFOLD_POINTS],
+            placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             friction: Lane::ZERO,
@@ -62,7 +69,6 @@ impl ContactInput {
             friction_impulse: vector,
             twist_impulse: Lane::ZERO,
             tangent_impulses: [[Lane::ZERO; 2]; MAX_MANIFOLD_POINTS],
-            world_normal: vector,
             points: [vector; MAX_MANIFOLD_POINTS],
             separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
         }

@@ -31,11 +31,11 @@ pub struct Contact {
     pub local_p1: Vector,
     /// The point on the second collider, in that collider's frame (length units).
     pub local_p2: Vector,
-    /// The point on the first body in that body's frame, from its centre of mass; in world space if
-    /// the collider has no body or a fixed one, for which the solver keeps no pose.
-    pub(crate) anchor1: Vector,
-    /// The same on the second body.
-    pub(crate) anchor2: Vector,
+    /// From the first body's centre of mass to the point midway between the two surfaces, in world
+    /// space, as the pair was [placed](super::Placement).
+    pub(crate) lever: Vector,
+    /// [`Self::dist`] as the pair was placed.
+    pub(crate) placed_dist: Real,
     /// Distance of the two points along the normal; negative when the colliders overlap.
     pub dist: Real,
     /// The point midway between the two surfaces, in world space, as of the last step.
@@ -65,8 +65,8 @@ impl Contact {
         Self {
             local_p1,
             local_p2,
-            anchor1: Vector::ZERO,
-            anchor2: Vector::ZERO,
+            lever: Vector::ZERO,
+            placed_dist: dist,
             dist,
             point: Vector::ZERO,
             fid1,
@@ -100,10 +100,9 @@ pub struct ContactManifoldData {
     pub rigid_body2: Option<RigidBodyHandle>,
     /// What the solver does with the manifold.
     pub solver_flags: SolverFlags,
-    /// Unit normal in world space, from the first collider to the second.
+    /// Unit normal in world space, from the first collider to the second. It does not follow bodies
+    /// that turn by less than three degrees with their contact points at rest.
     pub normal: Vector,
-    /// The normal in the frame of the first body (in world space if that is none or a fixed one).
-    pub(crate) body_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
     /// Combined restitution coefficient.
@@ -132,7 +131,6 @@ impl Default for ContactManifoldData {
             rigid_body2: None,
             solver_flags: SolverFlags::default(),
             normal: Vector::ZERO,
-            body_normal: Vector::ZERO,
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,

@@ -7,5 +7,6 @@ mod store;
 
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
 pub use narrow_phase::NarrowPhase;
+pub(crate) use pair::Placement;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use store::{AwakePair, DUE, Pair, PairId, PairStore};

@@ -2,7 +2,7 @@
 
 use super::manifold::ContactManifold;
 use super::store::Pair;
-use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::model::collider::ColliderHandle;
 use smallvec::SmallVec;
 
@@ -28,6 +28,25 @@ pub struct ContactPair {
     pub(crate) attached: bool,
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
+    /// How the bodies stood when the contact points were put into the world.
+    pub(crate) placement: Placement,
+}
+
+/// How two bodies stood when their contact points were put into the world: since then normals and
+/// levers are what they were then, and distances follow from what the bodies moved.
+///
+/// A fixed body, or none, stands at the origin and is not turned.
+#[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Placement {
+    pub rotations: [Rotation; 2],
+    /// From the first centre of mass to the second (length units).
+    pub centers: Vector,
+}
+
+impl Placement {
+    /// Both bodies at the origin.
+    pub const NOWHERE: Self = Self { rotations: [Rotation::IDENTITY; 2], centers: Vector::ZERO };
 }
 
 impl Default for ContactPair {
@@ -47,6 +66,7 @@ impl ContactPair {
             start_event_emitted: false,
             attached: false,
             pose12: Pose::IDENTITY,
+            placement: Placement::NOWHERE,
         }
     }
 

@@ -12,7 +12,7 @@ mod validate;
 mod tests;
 
 pub(crate) use pass::ContactPass;
-pub use softness::{CONTACT_YIELD, Softness};
+pub use softness::{CONTACT_SHARE, CONTACT_YIELD, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;
 
@@ -64,10 +64,11 @@ pub struct IntegrationParameters {
     /// Visits of all constraints, with position correction, per substep (default 1, at least 1).
     /// More substeps are nearly always the better use of the same time.
     pub num_internal_pgs_iterations: usize,
-    /// Share of the position error of a contact that a substep aims to remove (0 to 1, default 0.1).
+    /// How much of a contact's position error a substep aims to remove (0 to 1, default 0.1): this times
+    /// [`CONTACT_SHARE`], which says why not all of it.
     ///
     /// The error is the overlap beyond [`Self::allowed_linear_error`]. At the default, 1 % of it is
-    /// left after some 45 substeps. Larger values resolve overlap faster and make it burst apart
+    /// left after some 70 substeps. Larger values resolve overlap faster and make it burst apart
     /// sooner; smaller ones let stacks sag. [`Softness`] relates it to a frequency and a damping.
     pub erp: Real,
     /// Softness of contacts on top of the solver's own (0 or more, default 0: as hard as the solver
@@ -75,7 +76,7 @@ pub struct IntegrationParameters {
     ///
     /// A damper's measure: an impulse that gives the free bodies a relative velocity `v` makes the
     /// contact give way at about `damping_ratio · v`. The deflection at rest under gravity `g` grows by
-    /// `damping_ratio · g h² / erp` (`h`: length of a substep). There is always a contact, however large
+    /// `damping_ratio · g h² / (0.7 erp)` (`h`: length of a substep). There is always a contact, however large
     /// the value. [`Softness`] derives this and relates it to a frequency and a damping.
     pub damping_ratio: Real,
     /// The same as [`Self::erp`], for joints (0 to 1, default 0.1).
@@ -190,7 +191,7 @@ impl IntegrationParameters {
     /// [`Self::num_solver_iterations`].
     #[inline]
     pub fn contact_softness(&self, substep: Real) -> Softness {
-        Softness::new(self.erp, CONTACT_YIELD + self.damping_ratio, substep)
+        Softness::new(CONTACT_SHARE * self.erp, CONTACT_YIELD + self.damping_ratio, substep)
     }
 
     /// [`Self::allowed_linear_error`](#structfield.allowed_linear_error) in the world's own units of length.

@@ -1,6 +1,6 @@
 //! Defaults, limits of the softness, and the table of refused values.
 
-use super::{CONTACT_YIELD, IntegrationParameters, Softness};
+use super::{CONTACT_SHARE, CONTACT_YIELD, IntegrationParameters, Softness};
 use crate::dim::math::Real;
 
 fn close(a: Real, b: Real) {
@@ -96,7 +96,7 @@ fn resting_load_sinks_in_by_g_over_omega_squared() {
         impulse += relax;
         velocity += relax;
     }
-    close(position * 1.0e3, -CONTACT_YIELD * g * h * h / params.erp * 1.0e3);
+    close(position * 1.0e3, -CONTACT_YIELD * g * h * h / (CONTACT_SHARE * params.erp) * 1.0e3);
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod convex;
 mod generate;
 mod matching;
 mod parts;
+mod place;
 mod polytopes;
 mod recycle;
 mod support;

@@ -2,6 +2,7 @@
 
 use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
+use super::place::{Place, turn_bound};
 use super::recycle::recycle_distance;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
@@ -134,11 +135,6 @@ fn update_store<P: Update + Pair>(
     notes.sort_unstable_by_key(|&(id, _)| store[id].colliders());
 }
 
-/// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
-/// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
-/// the square root of 3/2.
-const TURN_BOUND: Real = 1.225;
-
 fn look_at<P: Update + Pair>(
     around: Surroundings<'_>,
     pair: &mut P,
@@ -152,10 +148,10 @@ fn look_at<P: Update + Pair>(
 }
 
 /// The two colliders of a pair and their bodies.
-struct PairView<'a> {
+pub(super) struct PairView<'a> {
     around: Surroundings<'a>,
-    colliders: [&'a Collider; 2],
-    bodies: [Option<&'a RigidBody>; 2],
+    pub colliders: [&'a Collider; 2],
+    pub bodies: [Option<&'a RigidBody>; 2],
     pose12: Pose,
 }
 
@@ -262,6 +258,7 @@ impl Update for ContactPair {
         if last.slack != DUE {
             let left = recycle_distance - self.drift(&view.pose12, view.reach());
             if left > 0.0 && self.is_touching() {
+                let left = left.min(self.keep_placed(view));
                 return Outcome::unchanged(left, last.reports_force);
             }
         }
@@ -313,10 +310,23 @@ impl ContactPair {
         let moved = contacts.map(|contact| {
             (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
         });
-        let turned = Vector::AXES
-            .map(|axis| (pose12.rotation * axis - self.pose12.rotation * axis).length_squared());
-        let chord = TURN_BOUND * turned.into_iter().fold(0.0, Real::max).sqrt();
-        moved.fold(0.0, Real::max).sqrt() + chord * reach
+        let turn = turn_bound(pose12.rotation, self.pose12.rotation);
+        moved.fold(0.0, Real::max).sqrt() + turn * reach
+    }
+
+    /// Places the contacts anew if a body has turned too far since they were. Returns how far the bodies
+    /// may move until this must be asked again.
+    fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
+        let place = Place::of(view);
+        let left = place.left(&self.placement);
+        if left > 0.0 {
+            return left;
+        }
+        self.placement = place.placement();
+        for manifold in &mut self.manifolds {
+            place.put(manifold);
+        }
+        place.left(&self.placement)
     }
 
     /// Computes the manifolds. Returns how far apart the shapes are beyond the prediction distance: no
@@ -339,8 +349,11 @@ impl ContactPair {
                 compute_manifolds(&view.pose12, shape1, shape2, reach, old, scratch, fresh);
             gap = (distance - reach).max(0.0);
             inherit_impulses(fresh, old);
+            let place = Place::of(view);
+            self.placement = place.placement();
             for manifold in fresh.iter_mut() {
-                finish(manifold, view, skin);
+                finish(manifold, view);
+                place.put(manifold);
                 modify(manifold, self.collider1, self.collider2, view);
                 if !manifold.is_solved() {
                     manifold.data.forget_impulses();
@@ -372,15 +385,12 @@ impl ContactPair {
     }
 }
 
-/// Completes a manifold with what the solver needs to know.
-fn finish(manifold: &mut ContactManifold, view: &PairView<'_>, skin: Real) {
+/// Completes a manifold with what the solver needs to know of materials and bodies.
+fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     let [c1, c2] = view.colliders;
-    let frames = [Frame::of(c1, view.bodies[0]), Frame::of(c2, view.bodies[1])];
     let data = &mut manifold.data;
     data.rigid_body1 = c1.parent();
     data.rigid_body2 = c2.parent();
-    data.normal = c1.pose.rotation * manifold.local_n1;
-    data.body_normal = frames[0].vector(manifold.local_n1);
     data.tangent_velocity = Vector::ZERO;
     let (m1, m2) = (c1.material(), c2.material());
     data.friction = CoefficientCombineRule::combine(
@@ -402,40 +412,6 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>, skin: Real) {
     } else {
         SolverFlags::empty()
     };
-    for contact in &mut data.points {
-        // The skin is a layer on each surface: it brings the surfaces closer, and outward.
-        contact.dist -= skin;
-        let (skin1, skin2) = (c1.contact_skin, c2.contact_skin);
-        contact.anchor1 = frames[0].point(contact.local_p1 + manifold.local_n1 * skin1);
-        contact.anchor2 = frames[1].point(contact.local_p2 + manifold.local_n2 * skin2);
-        contact.point = (c1.pose * contact.local_p1 + c2.pose * contact.local_p2) * 0.5;
-    }
-}
-
-/// From a collider's frame to the frame in which the solver knows its body: that of the body, from
-/// the centre of mass; or the world, if there is no body or a fixed one.
-struct Frame {
-    pose: Pose,
-    origin: Vector,
-}
-
-impl Frame {
-    fn of(collider: &Collider, body: Option<&RigidBody>) -> Self {
-        match (body, collider.parent) {
-            (Some(body), Some(parent)) if body.is_dynamic_or_kinematic() => {
-                Self { pose: parent.pos_wrt_parent, origin: body.local_center_of_mass() }
-            }
-            _ => Self { pose: collider.pose, origin: Vector::ZERO },
-        }
-    }
-
-    fn point(&self, local: Vector) -> Vector {
-        self.pose * local - self.origin
-    }
-
-    fn vector(&self, local: Vector) -> Vector {
-        self.pose.rotation * local
-    }
 }
 
 /// Lets the user change the contacts.
@@ -448,7 +424,6 @@ fn modify(
     if !view.has_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS) {
         return;
     }
-    let old_normal = manifold.data.normal;
     let mut context = ContactModificationContext {
         bodies: view.around.bodies,
         colliders: view.around.colliders,
@@ -459,10 +434,7 @@ fn modify(
         manifold,
     };
     view.around.hooks.modify_solver_contact(&mut context);
-    let normal = manifold.data.normal;
-    if normal != old_normal {
-        let local = view.colliders[0].pose.rotation.inverse() * normal;
-        let frame = Frame::of(view.colliders[0], view.bodies[0]);
-        manifold.data.body_normal = frame.vector(local);
+    for contact in &mut manifold.data.points {
+        contact.placed_dist = contact.dist;
     }
 }

@@ -8,7 +8,7 @@ use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
-use crate::model::contact::{ContactManifold, NarrowPhase};
+use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
 use crate::model::params::{ContactPass, FrictionModel, IntegrationParameters};
 use core::ops::Range;
 
@@ -179,21 +179,27 @@ fn fill(
     for (lane, at) in chunk.iter().enumerate() {
         let slots = narrow_phase.contacts.bodies(at.pair);
         let indices = slots.map(|slot| bodies.index_of(slot));
-        let manifold = &narrow_phase.contacts[at.pair].manifolds[at.manifold as usize];
-        load_lane(input, lane, indices, manifold);
+        let pair = &narrow_phase.contacts[at.pair];
+        load_bodies(input, lane, indices, &pair.placement);
+        load_manifold(input, lane, &pair.manifolds[at.manifold as usize]);
     }
 }
 
-fn load_lane(input: &mut ContactInput, lane: usize, indices: [u32; 2], manifold: &ContactManifold) {
-    let data = &manifold.data;
+fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2], placement: &Placement) {
     let world = BodyPose::WORLD_INDEX;
     for side in 0..2 {
         input.bodies[side][lane] = indices[side];
         input.is_world[side].0[lane] = if indices[side] == world { 1.0 } else { 0.0 };
+        input.placed_rotations[side].set_lane(lane, &placement.rotations[side]);
     }
+    input.placed_centers.set_lane(lane, placement.centers);
+}
+
+fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifold) {
+    let data = &manifold.data;
     input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
     input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
-    input.normal.set_lane(lane, data.body_normal);
+    input.normal.set_lane(lane, data.normal);
     input.friction.0[lane] = data.friction;
     input.restitution.0[lane] = data.restitution;
     input.tangent_velocity.set_lane(lane, data.tangent_velocity);
@@ -206,8 +212,8 @@ fn load_lane(input: &mut ContactInput, lane: usize, indices: [u32; 2], manifold:
             input.set_tangent_impulse(k, lane, [0.0; _]);
             continue;
         };
-        input.anchors[0][k].set_lane(lane, point.anchor1);
-        input.anchors[1][k].set_lane(lane, point.anchor2);
+        input.levers[k].set_lane(lane, point.lever);
+        input.placed_separations[k].0[lane] = point.placed_dist;
         input.present[k].0[lane] = 1.0;
         input.impulses[k].0[lane] = point.warmstart_impulse;
         input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);
@@ -224,7 +230,6 @@ fn store_lane(
     if !lane_is_sound(block, input, lane, data.points.len()) {
         return data.forget_impulses();
     }
-    data.normal = input.world_normal.lane(lane);
     data.warmstart_friction = block.friction_impulse(lane);
     data.warmstart_twist = block.twist_impulse(lane);
     for (k, point) in data.points.iter_mut().enumerate() {
@@ -239,8 +244,7 @@ fn store_lane(
 /// bodies would never get rid of them.
 fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count: usize) -> bool {
     // Stays zero unless a number is not finite: 0·∞ and 0·NaN are NaN.
-    let mut probe = 0.0 * input.world_normal.lane(lane).element_sum();
-    probe += 0.0 * block.friction_impulse(lane).element_sum();
+    let mut probe = 0.0 * block.friction_impulse(lane).element_sum();
     probe += 0.0 * block.twist_impulse(lane);
     for k in 0..count {
         probe += 0.0 * input.points[k].lane(lane).element_sum();

@@ -177,16 +177,18 @@ impl Scene {
             self.input.bodies[side][lane] = index;
             self.input.is_world[side].0[lane] = if body.is_none() { 1.0 } else { 0.0 };
             self.input.mass_factors[side].0[lane] = 1.0;
-            for (k, &(point, separation)) in contact.points.iter().enumerate() {
-                let away = if side == 0 { -0.5 } else { 0.5 };
-                let point = point + contact.normal * (away * separation);
-                let anchor = body.map_or(point, |b| b.rotation.inverse() * (point - b.center));
-                self.input.anchors[side][k].set_lane(lane, anchor);
-                self.input.present[k].0[lane] = 1.0;
-            }
+            let rotation = body.map_or(Rotation::IDENTITY, |body| body.rotation);
+            self.input.placed_rotations[side].set_lane(lane, &rotation);
         }
-        let rotation = bodies[0].map_or(Rotation::IDENTITY, |body| body.rotation);
-        self.input.normal.set_lane(lane, rotation.inverse() * contact.normal);
+        let [x1, x2] = bodies.map(|body| body.map(|body| body.center));
+        let centers = x2.unwrap_or_default() - x1.unwrap_or_default();
+        self.input.placed_centers.set_lane(lane, centers);
+        for (k, &(point, separation)) in contact.points.iter().enumerate() {
+            self.input.levers[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
+            self.input.placed_separations[k].0[lane] = separation;
+            self.input.present[k].0[lane] = 1.0;
+        }
+        self.input.normal.set_lane(lane, contact.normal);
         self.input.friction.0[lane] = contact.friction;
         self.input.restitution.0[lane] = contact.restitution;
         self.input.tangent_velocity.set_lane(lane, contact.tangent_velocity);
