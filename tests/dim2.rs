@@ -24,6 +24,11 @@ pub fn about_z(angle: Real) -> AngVector {
     angle
 }
 
+/// By what angle a rotation turns.
+pub fn turned_about_z(rotation: &Rotation) -> Real {
+    rotation.angle()
+}
+
 /// The same, back.
 pub fn z_of(w: AngVector) -> Real {
     w

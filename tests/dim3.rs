@@ -6,6 +6,8 @@ use rapier::prelude::*;
 pub mod hostile;
 #[path = "physics/tumbling.rs"]
 mod tumbling;
+#[path = "physics/turntable.rs"]
+mod turntable;
 
 /// What tables are headed with.
 pub const NAME: &str = "3D";
@@ -24,6 +26,11 @@ pub fn vec(x: Real, y: Real) -> Vector {
 /// A rotation vector or angular velocity about the axis that points out of the picture.
 pub fn about_z(angle: Real) -> AngVector {
     AngVector::new(0.0, 0.0, angle)
+}
+
+/// By what angle a rotation about that axis turns.
+pub fn turned_about_z(rotation: &Rotation) -> Real {
+    rotation.to_scaled_axis().z
 }
 
 /// Its component about that axis.

@@ -84,3 +84,45 @@ fn momentum_without_gravity() {
         table.check("the error of ΣL", l, 0.0, 0.3 / rate as Real);
     }
 }
+
+/// Two cubes that are pressed together, and spin as one, go on spinning: the forces act through their centres,
+/// and what the contact does to one of them it does to the other.
+#[test]
+fn pressed_together_they_spin_on() {
+    let columns = ["rate", "spin (rad/s)", "after 10 s", "largest error of L (%)"];
+    let mut table = Table::new("two cubes pressed together by their weight, spinning", &columns);
+    for rate in RATES {
+        let mut world = weightless(rate);
+        let spin: Real = 0.5;
+        let cubes = [-0.5, 0.5].map(|x: Real| {
+            let body = RigidBodyBuilder::dynamic()
+                .translation(vec(x, 0.0))
+                .linvel(vec(0.0, spin * x))
+                .angvel(crate::dim::about_z(spin))
+                .can_sleep(false);
+            world.insert(body, crate::dim::cuboid(0.5, 0.5).friction(0.5)).0
+        });
+        let start = crate::dim::z_of(momenta(&world).angular);
+        let mut worst: Real = 0.0;
+        for _ in 0..steps(&world, 10.0) {
+            let apart = world.bodies[cubes[1]].translation() - world.bodies[cubes[0]].translation();
+            let press = apart.normalize() * (9.81 * world.bodies[cubes[0]].mass());
+            for (cube, force) in [(cubes[0], press), (cubes[1], -press)] {
+                world.bodies[cube].reset_forces(true);
+                world.bodies[cube].add_force(force, true);
+            }
+            world.step();
+            let now = crate::dim::z_of(momenta(&world).angular);
+            worst = worst.max((now / start - 1.0).abs());
+        }
+        let end = crate::dim::z_of(world.bodies[cubes[0]].angvel());
+        table.row([
+            rate.to_string(),
+            format!("{spin:.4}"),
+            format!("{end:.4}"),
+            format!("{:.3}", worst * 100.0),
+        ]);
+        table.check("the angular momentum", worst, 0.0, 0.03);
+        table.check("the spin", end, spin, 0.03 * spin);
+    }
+}

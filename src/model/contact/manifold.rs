@@ -100,8 +100,8 @@ pub struct ContactManifoldData {
     pub rigid_body2: Option<RigidBodyHandle>,
     /// What the solver does with the manifold.
     pub solver_flags: SolverFlags,
-    /// Unit normal in world space, from the first collider to the second. It does not follow bodies
-    /// that turn by less than three degrees with their contact points at rest.
+    /// Unit normal in world space, from the first collider to the second. While a dynamic body
+    /// creeps, with its contact points at rest, it lags behind by up to three degrees.
     pub normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,

@@ -63,7 +63,7 @@ pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 /// Less than one because contacts come in piles, and a sweep over a pile does not converge. What one
 /// contact corrects, its neighbours see as an error of their own in the next substep; when they answer
 /// fast enough, the pile as a whole is pumped. A pyramid of a hundred rows that is kept awake has, after 1,500
-/// steps, this kinetic energy (J) with `σ` = 1/16:
+/// steps, up to this kinetic energy (J) with `σ` = 1/16:
 ///
 /// ```text
 /// β     0.0378  0.05   0.06   0.07   0.08   0.09   0.10

@@ -270,7 +270,7 @@ impl Update for ContactPair {
         let slack = if view.has_hooks(hooks) {
             DUE
         } else if self.is_touching() {
-            recycle_distance
+            recycle_distance.min(Place::of(view).left(&self.placement, self.least_friction()))
         } else {
             gap
         };
@@ -318,7 +318,8 @@ impl ContactPair {
     /// may move until this must be asked again.
     fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
         let place = Place::of(view);
-        let left = place.left(&self.placement);
+        let friction = self.least_friction();
+        let left = place.left(&self.placement, friction);
         if left > 0.0 {
             return left;
         }
@@ -326,7 +327,11 @@ impl ContactPair {
         for manifold in &mut self.manifolds {
             place.put(manifold);
         }
-        place.left(&self.placement)
+        place.left(&self.placement, friction)
+    }
+
+    fn least_friction(&self) -> Real {
+        self.manifolds.iter().map(|manifold| manifold.data.friction).fold(Real::MAX, Real::min)
     }
 
     /// Computes the manifolds. Returns how far apart the shapes are beyond the prediction distance: no
