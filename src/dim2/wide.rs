@@ -208,6 +208,13 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
+    /// Square of how far it moves the tip of a unit vector: of the angle, nearly.
+    #[inline(always)]
+    pub fn chord_squared(self) -> W {
+        let less = self.re - W::splat(1.0);
+        less * less + self.im * self.im
+    }
+
     /// How far it moves a vector's tip, to full precision however small that is.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {

@@ -249,6 +249,12 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
+    /// Square of how far it moves the tip of a unit vector that is perpendicular to the axis: of the angle, nearly.
+    #[inline(always)]
+    pub fn chord_squared(self) -> W {
+        W::splat(4.0) * (self.x * self.x + self.y * self.y + self.z * self.z)
+    }
+
     /// How far it moves a vector's tip, to full precision however small that is.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {

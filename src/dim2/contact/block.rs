@@ -17,8 +17,8 @@ pub(crate) struct ContactInput {
     pub is_world: [Lane; 2],
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
-    /// The normal in world space.
-    pub normal: WideVector<Lane>,
+    /// The normal in world space as the contacts were placed.
+    pub placed_normal: WideVector<Lane>,
     /// Orientations of the bodies when the contacts were placed, and from the first centre of mass to
     /// the second.
     pub placed_rotations: [WideRotation<Lane>; 2],
@@ -27,6 +27,9 @@ pub(crate) struct ContactInput {
     pub levers: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Separations of the points as they were placed.
     pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
+    /// Square of how far (rad) the bodies may have turned since, and the contacts are still held where they were
+    /// placed. Zero: they follow.
+    pub held_turn_squared: Lane,
     /// One for points that are there, zero for the others.
     pub present: [Lane; MAX_MANIFOLD_POINTS],
     /// Normal impulses with which to start.
@@ -38,6 +41,8 @@ pub(crate) struct ContactInput {
     /// Friction impulse with which to start, in world space.
     pub friction_impulse: WideVector<Lane>,
 
+    /// Out: the normal in world space.
+    pub world_normal: WideVector<Lane>,
     /// Out: the points midway between the two surfaces, in world space.
     pub points: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Out: their separations.
@@ -52,17 +57,19 @@ impl ContactInput {
             bodies: [[READ_ONLY; LANES]; 2],
             is_world: [Lane::splat(1.0); 2],
             mass_factors: [Lane::ZERO; 2],
-            normal: WideVector { x: Lane::ZERO, y: Lane::splat(1.0) },
+            placed_normal: WideVector { x: Lane::ZERO, y: Lane::splat(1.0) },
             placed_rotations: [WideRotation::IDENTITY; 2],
             placed_centers: vector,
             levers: [vector; MAX_MANIFOLD_POINTS],
             placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
+            held_turn_squared: Lane::ZERO,
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             friction: Lane::ZERO,
             restitution: Lane::ZERO,
             tangent_velocity: vector,
             friction_impulse: vector,
+            world_normal: vector,
             points: [vector; MAX_MANIFOLD_POINTS],
             separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
         }

@@ -80,34 +80,34 @@ pub(crate) unsafe fn prepare<W: Wide>(
     unsafe { scatter_both(states, block, velocities) };
 }
 
-/// Where the points are in the world and in the contact frame: the frame, `c` and the points in it.
+/// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c` and the points
+/// in it.
 ///
-/// Frame and levers are those of the [placement](crate::model::contact::Placement). The separations
-/// are those of now: as placed, and what the bodies moved since along the normal. Positions in the world
-/// are subtracted from each other before anything small is added: far from the origin they have few
-/// digits behind the point, and their differences have all that are left.
+/// Frame, levers and `c` of contacts that are [held](crate::model::contact::Placement) are those of their placement.
+/// Positions in the world are subtracted from each other before anything small is added: far from the origin they have
+/// few digits behind the point, and their differences have all that are left.
 #[inline(always)]
 fn read_geometry<W: Wide>(
     input: &mut ContactInput,
     poses: &[WidePose<W>; 2],
 ) -> (Frame<W>, WideVector<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
-    let n = WideVector::load(&input.normal);
-    let frame = Frame::about(n);
     let motion = MotionSince::placed(input, poses);
-    let c = motion.offset;
+    let (n, c) = (motion.normal(input), motion.offset());
+    n.store(&mut input.world_normal);
+    let frame = Frame::about(n);
 
     let zero = W::zero();
     let absent =
         Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
     let mut points = [absent; MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let lever = WideVector::load(&input.levers[k]);
-        let (moved, surface2) = motion.at(lever);
+        let placed = WideVector::load(&input.levers[k]);
+        let (lever, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (surface2 - moved * W::splat(0.5)).store(&mut input.points[k]);
+        (motion.origin + lever).store(&mut input.points[k]);
         separation.store(&mut input.separations[k]);
         points[k] = Point {
-            local: frame.local(lever),
+            local: frame.local(WideVector::select(motion.is_held, placed, lever)),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),
@@ -117,17 +117,19 @@ fn read_geometry<W: Wide>(
 }
 
 /// What the bodies moved since their contacts were placed.
-struct MotionSince<W> {
+struct MotionSince<W: Wide> {
     turns: [WideRotation<W>; 2],
     /// Of the second centre of mass against the first.
     shift: WideVector<W>,
-    /// `c = x1 - x2` as placed, which turns levers of the first body into those of the second.
+    /// `c = x1 - x2`, which turns levers of the first body into those of the second: as placed, and now.
     ///
     /// The world has no centre of mass. Levers are measured from the other body's then, as short as they
     /// can be, and `c` is zero.
-    offset: WideVector<W>,
-    /// From where the levers of the second body are measured.
-    origin2: WideVector<W>,
+    offsets: [WideVector<W>; 2],
+    /// From where the levers of the first body are measured.
+    origin: WideVector<W>,
+    is_second_world: W::Mask,
+    is_held: W::Mask,
 }
 
 impl<W: Wide> MotionSince<W> {
@@ -135,28 +137,53 @@ impl<W: Wide> MotionSince<W> {
     fn placed(input: &ContactInput, poses: &[WidePose<W>; 2]) -> Self {
         let half = W::splat(0.5);
         let is_world = [half.lt(W::load(&input.is_world[0])), half.lt(W::load(&input.is_world[1]))];
+        let has_world = is_world[0] | is_world[1];
         let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
         let centers = WideVector::load(&input.placed_centers);
         let turn = |side: usize| {
             poses[side].rotation.since(WideRotation::load(&input.placed_rotations[side]))
         };
+        let (turns, limit) = ([turn(0), turn(1)], W::load(&input.held_turn_squared));
+        let zero = WideVector::zero();
         Self {
-            turns: [turn(0), turn(1)],
+            turns,
             shift: (x2 - x1) - centers,
-            offset: WideVector::select(is_world[0] | is_world[1], WideVector::zero(), -centers),
-            // Where the first body was, if the second is the world.
-            origin2: WideVector::select(is_world[1], -centers, x2),
+            offsets: [
+                WideVector::select(has_world, zero, -centers),
+                WideVector::select(has_world, zero, x1 - x2),
+            ],
+            origin: WideVector::select(is_world[0], x2, x1),
+            is_second_world: is_world[1],
+            is_held: turns[0].chord_squared().lt(limit) & turns[1].chord_squared().lt(limit),
         }
     }
 
-    /// How far the second surface moved against the first at a lever from the first centre of mass, and
-    /// where it is now.
+    /// The normal: on the first body, or held.
     #[inline(always)]
-    fn at(&self, lever: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
-        let lever2 = lever + self.offset;
-        let moved2 = self.turns[1].displacement(lever2);
-        let moved = self.shift + moved2 - self.turns[0].displacement(lever);
-        (moved, self.origin2 + lever2 + moved2)
+    fn normal(&self, input: &ContactInput) -> WideVector<W> {
+        let placed = WideVector::load(&input.placed_normal);
+        WideVector::select(self.is_held, placed, self.turns[0].rotate(placed))
+    }
+
+    /// `c`, or what is held of it.
+    #[inline(always)]
+    fn offset(&self) -> WideVector<W> {
+        WideVector::select(self.is_held, self.offsets[0], self.offsets[1])
+    }
+
+    /// The lever, now, to midway between what was at a lever of the first body then; and how far the second
+    /// surface moved against the first there.
+    #[inline(always)]
+    fn at(&self, placed: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
+        let placed2 = placed + self.offsets[0];
+        let turned1 = self.turns[0].displacement(placed);
+        let turned2 = self.turns[1].displacement(placed2);
+        let moved = self.shift + turned2 - turned1;
+        let half = moved * W::splat(0.5);
+        // The surface of the world has not moved; from the other one it is half of the way.
+        let from_first = placed + turned1 + half;
+        let from_second = placed2 + turned2 - half - self.offsets[1];
+        (WideVector::select(self.is_second_world, from_first, from_second), moved)
     }
 }
 

@@ -100,9 +100,10 @@ pub struct ContactManifoldData {
     pub rigid_body2: Option<RigidBodyHandle>,
     /// What the solver does with the manifold.
     pub solver_flags: SolverFlags,
-    /// Unit normal in world space, from the first collider to the second. While a dynamic body
-    /// creeps, with its contact points at rest, it lags behind by up to three degrees.
+    /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
+    /// [`Self::normal`] as the pair was [placed](super::Placement).
+    pub(crate) placed_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
     /// Combined restitution coefficient.
@@ -131,6 +132,7 @@ impl Default for ContactManifoldData {
             rigid_body2: None,
             solver_flags: SolverFlags::default(),
             normal: Vector::ZERO,
+            placed_normal: Vector::ZERO,
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,

@@ -1,57 +1,14 @@
-//! Where contact points are in the world, and for how long.
+//! Puts contact points into the world.
 //!
-//! Manifolds are computed in the frames of the colliders. To *place* a pair is to turn its normals and
-//! levers into the world. Bodies that turn take them along; but while a body hardly turns they stay as they
-//! are, up to [`TURN_MAX`], and only the separations follow from step to step.
-//!
-//! # Why not follow the bodies at once
-//!
-//! Because piles would buckle that cannot. The faces of two rigid boxes on each other do not give way,
-//! but the soft contacts of the solver do: under a moment they yield like a hinge with a spring. A tower
-//! of `n` boxes of size `a` and mass `m` is then an elastic column, and under its own weight it buckles
-//! (Greenhill 1881) when the stiffness `k` of its hinges is less than
-//!
-//! ```text
-//! k  <  n³ m g a / 7.84        k = β m a² / (8 σ h²) for unit boxes (see `model/params/softness`)
-//! ```
-//!
-//! which for our contacts are towers of some twenty boxes. What tips a column is the moment of its load
-//! about the leaning part below, the load times how far the levers have turned. With levers that keep
-//! their places that moment is zero, as it is between faces that cannot give way, and the column is a
-//! beam without a load along it, which is stable whatever its height. The alternative, stiffer contacts,
-//! would have to be a hundred times as stiff for a pile of a hundred layers, and one visit per substep
-//! does not converge for these. Box3D keeps its anchors for the same reason, for up to seven degrees.
-//!
-//! # The price
-//!
-//! That moment is real. Without it, action and reaction of a contact do not act along one line, and the pair's
-//! angular momentum is not conserved: two cubes that are pressed together and spin as one would be stopped. So it
-//! is left out only where a pile creeps: on dynamic bodies that turn more slowly than [`SLOW`]. The normal lags
-//! behind, too, which friction must hide: the less there is of it, the less the lag ([`LAG_OF_FRICTION`]). What is
-//! wrong in the end is the load's lever, by a few hundredths of the body's size, and the slope under what stands on
-//! a dynamic body that tilts by less than 3 degrees a minute. Bodies that turn or slide *against* each other are
-//! computed anew after a far smaller motion ([`recycle`](super::recycle)).
+//! Manifolds are computed in the frames of the colliders. To *place* a pair is to turn its normals and levers into the
+//! world, once; [`Placement`] says how the solver goes on from there, and why it holds some contacts where they were
+//! placed. Those must be placed anew when their bodies have crept on.
 
 use super::update::PairView;
 use crate::dim::math::{Pose, Real, Rotation, Vector, ang_length_squared};
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
 use crate::model::contact::{ContactManifold, Placement};
-
-/// By how much (rad) a dynamic body may creep before its contacts are placed anew: three degrees.
-const TURN_MAX: Real = 0.05;
-
-/// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows that
-/// settles stay below it; at 0.02 they did not, and it was seen to lean.
-const SLOW: Real = 0.05;
-
-/// The turn (rad) that may lag behind, in units of the friction coefficient: the slope that friction can hold is
-/// right to a tenth.
-const LAG_OF_FRICTION: Real = 0.1;
-
-/// The same for bodies that do not creep, and those that the user moves: nothing bends them, so there is nothing
-/// to hold straight. What stands on a platform that tilts is to feel it.
-const DRIVEN_TURN_MAX: Real = 0.002;
 
 /// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
 /// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
@@ -108,14 +65,20 @@ impl<'a> Place<'a> {
             contact.placed_dist = contact.dist;
             contact.point = self.origins[0] + contact.lever;
         }
-        manifold.data.normal = normal;
+        (manifold.data.normal, manifold.data.placed_normal) = (normal, normal);
     }
 
     /// How far the two bodies may move (a bound, as for slack) until contacts that were placed like this
     /// must be placed anew. `friction` is the least coefficient of the contacts.
+    ///
+    /// Those that are not held follow their bodies and need not be. Should the bodies begin to creep later, they will be
+    /// placed when their slack is used up.
     pub fn left(&self, placed: &Placement, friction: Real) -> Real {
-        let lag = (LAG_OF_FRICTION * friction).clamp(DRIVEN_TURN_MAX, TURN_MAX);
-        let left = |side: usize| self.frames[side].turn_left(placed.rotations[side], lag);
+        let held = Placement::held_turn(friction);
+        if held == 0.0 || !self.frames.iter().all(Frame::creeps) {
+            return Real::INFINITY;
+        }
+        let left = |side: usize| self.frames[side].turn_left(placed.rotations[side], held);
         left(0).min(left(1))
     }
 }
@@ -153,12 +116,15 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// See [`Place::left`]. Turning by an angle moves the farthest point of the body by that times its
-    /// extent. Creeping bodies may lag behind by `lag`.
-    fn turn_left(&self, placed: Rotation, lag: Real) -> Real {
+    fn creeps(&self) -> bool {
+        self.body.is_none_or(|(body, _)| {
+            Placement::creeps(ang_length_squared(body.angvel), body.is_dynamic())
+        })
+    }
+
+    /// Turning by an angle moves the farthest point of the body by that times its extent.
+    fn turn_left(&self, placed: Rotation, held: Real) -> Real {
         let Some((body, _)) = self.body else { return Real::INFINITY };
-        let creeps = body.is_dynamic() && ang_length_squared(body.angvel) < SLOW * SLOW;
-        let limit = if creeps { lag } else { DRIVEN_TURN_MAX };
-        (limit - turn_bound(body.pose.rotation, placed)) * body.extent
+        (held - turn_bound(body.pose.rotation, placed)) * body.extent
     }
 }

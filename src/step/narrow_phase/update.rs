@@ -314,8 +314,8 @@ impl ContactPair {
         moved.fold(0.0, Real::max).sqrt() + turn * reach
     }
 
-    /// Places the contacts anew if a body has turned too far since they were. Returns how far the bodies
-    /// may move until this must be asked again.
+    /// Places contacts that are held anew if a body has crept too far. Returns how far the bodies may move until this
+    /// must be asked again.
     fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
         let place = Place::of(view);
         let friction = self.least_friction();
@@ -439,6 +439,7 @@ fn modify(
         manifold,
     };
     view.around.hooks.modify_solver_contact(&mut context);
+    manifold.data.placed_normal = manifold.data.normal;
     for contact in &mut manifold.data.points {
         contact.placed_dist = contact.dist;
     }

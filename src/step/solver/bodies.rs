@@ -12,6 +12,7 @@ use crate::model::body::{
     RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,
 };
 use crate::model::check::checked_pose;
+use crate::model::contact::Placement;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
 
@@ -110,6 +111,12 @@ impl SolverBodies {
     /// The solver's index of the body in a slot ([`NONE`]: no body).
     pub fn index_of(&self, slot: u32) -> u32 {
         if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
+    }
+
+    /// Does a body creep ([`Placement`])?
+    pub fn creeps(&self, index: u32) -> bool {
+        let (_, angvel) = self.states[(index & !READ_ONLY) as usize].velocity();
+        Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
     }
 
     /// The states, to be shared among constraints of one colour.

@@ -181,7 +181,11 @@ fn fill(
         let indices = slots.map(|slot| bodies.index_of(slot));
         let pair = &narrow_phase.contacts[at.pair];
         load_bodies(input, lane, indices, &pair.placement);
-        load_manifold(input, lane, &pair.manifolds[at.manifold as usize]);
+        let manifold = &pair.manifolds[at.manifold as usize];
+        load_manifold(input, lane, manifold);
+        let creep = bodies.creeps(indices[0]) && bodies.creeps(indices[1]);
+        let held = if creep { Placement::held_turn(manifold.data.friction) } else { 0.0 };
+        input.held_turn_squared.0[lane] = held * held;
     }
 }
 
@@ -199,7 +203,7 @@ fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifo
     let data = &manifold.data;
     input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
     input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
-    input.normal.set_lane(lane, data.normal);
+    input.placed_normal.set_lane(lane, data.placed_normal);
     input.friction.0[lane] = data.friction;
     input.restitution.0[lane] = data.restitution;
     input.tangent_velocity.set_lane(lane, data.tangent_velocity);
@@ -230,6 +234,7 @@ fn store_lane(
     if !lane_is_sound(block, input, lane, data.points.len()) {
         return data.forget_impulses();
     }
+    data.normal = input.world_normal.lane(lane);
     data.warmstart_friction = block.friction_impulse(lane);
     data.warmstart_twist = block.twist_impulse(lane);
     for (k, point) in data.points.iter_mut().enumerate() {
@@ -244,7 +249,8 @@ fn store_lane(
 /// bodies would never get rid of them.
 fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count: usize) -> bool {
     // Stays zero unless a number is not finite: 0·∞ and 0·NaN are NaN.
-    let mut probe = 0.0 * block.friction_impulse(lane).element_sum();
+    let mut probe = 0.0 * input.world_normal.lane(lane).element_sum();
+    probe += 0.0 * block.friction_impulse(lane).element_sum();
     probe += 0.0 * block.twist_impulse(lane);
     for k in 0..count {
         probe += 0.0 * input.points[k].lane(lane).element_sum();

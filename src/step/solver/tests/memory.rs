@@ -182,6 +182,7 @@ fn points_and_separations_are_reported() {
         let mut scene = Scene::new(bodies, &contact);
         scene.prepare();
         let input = &scene.input;
+        assert!((input.world_normal.lane(LANE) - contact.normal).length() < ROUNDING);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
             assert!((input.points[k].lane(LANE) - point).length() < ROUNDING);
             assert!((input.separations[k].0[LANE] - separation).abs() < ROUNDING);
@@ -189,47 +190,110 @@ fn points_and_separations_are_reported() {
     }
 }
 
-/// Bodies that moved since their contacts were placed: separations are along the normal as placed, between
-/// points that went with the bodies. Frame and levers are as placed.
+/// Bodies that moved since their contacts were placed, where the points went with them.
+struct Moved {
+    placed: Contact,
+    /// What a block would be told that is placed now.
+    now: Contact,
+    before: [Option<Body>; 2],
+    after: [Option<Body>; 2],
+}
+
+impl Moved {
+    fn random(random: &mut Random) -> Self {
+        let mut before = [Some(Body::random(random)), Some(Body::random(random))];
+        if random.below(3) == 0 {
+            before[random.below(2)] = None;
+        }
+        let mut went = [(Vector::ZERO, Rotation::IDENTITY); 2];
+        let mut after = before;
+        for side in 0..2 {
+            let Some(body) = &mut after[side] else { continue };
+            went[side] =
+                (random_vector(random, 0.1), rotation_from_angle(random_turn(random, 0.3)));
+            body.center += went[side].0;
+            body.rotation = went[side].1 * body.rotation;
+        }
+        let placed = random_manifold(random);
+        let mut now = placed.clone();
+        now.normal = went[0].1 * placed.normal;
+        let centers = before.map(|body| body.map_or(Vector::ZERO, |body| body.center));
+        for (point, separation) in &mut now.points {
+            let surfaces = [0, 1]
+                .map(|side| centers[side] + went[side].0 + went[side].1 * (*point - centers[side]));
+            *point = (surfaces[0] + surfaces[1]) * 0.5;
+            *separation += now.normal.dot(surfaces[1] - surfaces[0]);
+        }
+        Self { placed, now, before, after }
+    }
+
+    /// The block of contacts that were placed before the bodies moved.
+    fn prepared(&self, held_turn: Real) -> Scene {
+        let mut scene = Scene::new(self.before, &Contact { held_turn, ..self.placed.clone() });
+        for (side, body) in self.after.iter().enumerate() {
+            let Some(body) = body else { continue };
+            let index = scene.input.bodies[side][LANE] as usize;
+            let (rotation, center) = (body.rotation, body.center);
+            scene.poses[index] = BodyPose::new(rotation, center, body.inv_mass, &body.inv_inertia);
+        }
+        scene.prepare();
+        scene
+    }
+}
+
 #[test]
-fn separations_follow_the_bodies_and_levers_do_not() {
+fn contacts_that_are_not_held_are_as_if_placed_now() {
     let mut random = Random(28);
     for _ in 0..50 {
-        let mut bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];
-        if random.below(3) == 0 {
-            bodies[random.below(2)] = None;
-        }
-        let contact = random_manifold(&mut random);
-        let mut placed = Scene::new(bodies, &contact);
-        placed.prepare();
-        let mut moved = Scene::new(bodies, &contact);
-        let mut went = [(Vector::ZERO, Rotation::IDENTITY); 2];
-        for (side, body) in bodies.iter().enumerate() {
-            let Some(body) = body else { continue };
-            let turn = rotation_from_angle(random_turn(&mut random, 0.5));
-            went[side] = (random_vector(&mut random, 0.1), turn);
-            let index = moved.input.bodies[side][LANE] as usize;
-            moved.poses[index] = BodyPose::new(
-                turn * body.rotation,
-                body.center + went[side].0,
-                body.inv_mass,
-                &body.inv_inertia,
+        let moved = Moved::random(&mut random);
+        let mut expected = Scene::new(moved.after, &moved.now);
+        expected.prepare();
+        let found = moved.prepared(0.0);
+        for k in 0..moved.now.points.len() {
+            let (found_at, expected_at) = (&found.block.points[k], &expected.block.points[k]);
+            assert!((found_at.x.0[LANE] - expected_at.x.0[LANE]).abs() < ROUNDING);
+            assert!(
+                (found_at.separation.0[LANE] - expected_at.separation.0[LANE]).abs() < ROUNDING
             );
+            assert!((found_at.mass.0[LANE] - expected_at.mass.0[LANE]).abs() < ROUNDING);
+            let points = [&found, &expected].map(|scene| scene.input.points[k].lane(LANE));
+            assert!((points[0] - points[1]).length() < ROUNDING);
         }
-        moved.prepare();
-        let [x1, x2] = bodies.map(|body| body.map_or(Vector::ZERO, |body| body.center));
-        for (k, &(point, separation)) in contact.points.iter().enumerate() {
-            let [(shift1, turn1), (shift2, turn2)] = went;
-            let surface1 = x1 + shift1 + turn1 * (point - x1);
-            let surface2 = x2 + shift2 + turn2 * (point - x2);
-            let expected = separation + contact.normal.dot(surface2 - surface1);
-            assert!((moved.input.separations[k].0[LANE] - expected).abs() < ROUNDING);
-            let middle = (surface1 + surface2) * 0.5;
-            assert!((moved.input.points[k].lane(LANE) - middle).length() < ROUNDING);
-            assert_eq!(placed.block.points[k].x, moved.block.points[k].x);
+        let offsets = [&found, &expected].map(|scene| scene.block.offset.lane(LANE));
+        assert!((offsets[0] - offsets[1]).length() < ROUNDING);
+        assert!((found.input.world_normal.lane(LANE) - moved.now.normal).length() < ROUNDING);
+    }
+}
+
+#[test]
+fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
+    let mut random = Random(29);
+    for _ in 0..50 {
+        let moved = Moved::random(&mut random);
+        let held = Contact { held_turn: 2.0, ..moved.placed.clone() };
+        let mut placed = Scene::new(moved.before, &held);
+        placed.prepare();
+        let found = moved.prepared(2.0);
+        for (k, &(point, separation)) in moved.placed.points.iter().enumerate() {
+            assert_eq!(placed.block.points[k].x, found.block.points[k].x);
+            // The surfaces are where they are, and seen along the normal as it was.
+            let along = found.input.separations[k].0[LANE] - separation;
+            let (before, now) = (point, moved.now.points[k].0);
+            let at = |body: &Option<Body>, other: &Option<Body>| match (body, other) {
+                (Some(old), Some(new)) => {
+                    let turn = new.rotation * old.rotation.inverse();
+                    new.center + turn * (before - old.center)
+                }
+                _ => before,
+            };
+            let surfaces =
+                [at(&moved.before[0], &moved.after[0]), at(&moved.before[1], &moved.after[1])];
+            let expected = moved.placed.normal.dot(surfaces[1] - surfaces[0]);
+            assert!((along - expected).abs() < ROUNDING, "{along} instead of {expected}");
+            assert!((found.input.points[k].lane(LANE) - now).length() < ROUNDING);
         }
-        assert_eq!(placed.block.offset, moved.block.offset);
-        assert_eq!(placed.block.coupling, moved.block.coupling);
+        assert_eq!(placed.block.offset, found.block.offset);
+        assert_eq!(placed.block.normal, found.block.normal);
     }
 }
 

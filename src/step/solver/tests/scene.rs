@@ -103,6 +103,8 @@ pub struct Contact {
     pub friction: Real,
     pub restitution: Real,
     pub tangent_velocity: Vector,
+    /// How far (rad) bodies may have turned since.
+    pub held_turn: Real,
 }
 
 impl Contact {
@@ -114,6 +116,7 @@ impl Contact {
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
+            held_turn: 0.0,
         }
     }
 
@@ -188,7 +191,8 @@ impl Scene {
             self.input.placed_separations[k].0[lane] = separation;
             self.input.present[k].0[lane] = 1.0;
         }
-        self.input.normal.set_lane(lane, contact.normal);
+        self.input.placed_normal.set_lane(lane, contact.normal);
+        self.input.held_turn_squared.0[lane] = contact.held_turn * contact.held_turn;
         self.input.friction.0[lane] = contact.friction;
         self.input.restitution.0[lane] = contact.restitution;
         self.input.tangent_velocity.set_lane(lane, contact.tangent_velocity);
