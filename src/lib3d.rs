@@ -50,6 +50,7 @@ use dim3 as dim; // the one line that decides the dimension
 mod base;
 mod model;
 mod step;
+mod query;
 #[cfg(feature = "debug-render")]
 mod debug_render;
 mod api;

@@ -7,3 +7,4 @@
 mod determinism;
 mod hostile;
 pub mod physics;
+mod queries;

@@ -17,3 +17,4 @@ pub use crate::model::event::{ChannelEventCollector, DefaultEventHandler, EventH
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
 };
+pub use crate::query::{QueryFilter, QueryFilterFlags, QueryPipeline, QueryPredicate, QueryView};

@@ -62,6 +62,49 @@ impl Tasks {
     }
 }
 
+impl Tasks {
+    /// Gives each place what `make` makes of its index. `grain` as for [`Self::par_for`].
+    pub fn par_fill<T: Send>(
+        &self,
+        places: &mut [T],
+        grain: usize,
+        make: impl Fn(usize) -> T + Sync,
+    ) {
+        #[cfg(feature = "parallel")]
+        if self.threads > 1 && places.len() > grain {
+            let piece = places.len().div_ceil(self.threads * PIECES_PER_THREAD).max(grain.max(1));
+            return fill_split(places, 0, piece, &make);
+        }
+        let _ = (grain, self.threads); // of no use to one thread
+        fill(places, 0, &make);
+    }
+}
+
+fn fill<T>(places: &mut [T], first: usize, make: &impl Fn(usize) -> T) {
+    for (index, place) in (first..).zip(places) {
+        *place = make(index);
+    }
+}
+
+/// Halves the places until they are one piece, and offers the second half to other threads.
+#[cfg(feature = "parallel")]
+fn fill_split<T: Send>(
+    places: &mut [T],
+    first: usize,
+    piece: usize,
+    make: &(impl Fn(usize) -> T + Sync),
+) {
+    if places.len() <= piece {
+        return fill(places, first, make);
+    }
+    let middle = places.len() / 2;
+    let (left, right) = places.split_at_mut(middle);
+    rayon::join(
+        || fill_split(left, first, piece, make),
+        || fill_split(right, first + middle, piece, make),
+    );
+}
+
 /// Halves the range until it is one piece, and offers the second half to other threads.
 #[cfg(feature = "parallel")]
 fn split(range: Range<usize>, piece: usize, work: &(impl Fn(Range<usize>) + Sync)) {

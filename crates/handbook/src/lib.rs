@@ -23,6 +23,7 @@ pages! {
     colliders: "../../../docs/guide/colliders.md",
     contacts_and_events: "../../../docs/guide/contacts-and-events.md",
     hooks: "../../../docs/guide/hooks.md",
+    queries: "../../../docs/guide/queries.md",
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",

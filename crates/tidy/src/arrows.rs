@@ -21,6 +21,8 @@ enum Room<'a> {
     Notes,
     Stage(&'a str),
     Step,
+    /// Questions about the world: reads it, writes nothing.
+    Query,
     DebugRender,
     Api,
     /// `lib2d.rs` and `lib3d.rs`.
@@ -51,6 +53,7 @@ impl<'a> Room<'a> {
                 Self::Stage(stage)
             }
             ["step", ..] => Self::Step,
+            ["query", ..] => Self::Query,
             ["debug_render", ..] => Self::DebugRender,
             ["api" | "data" | "dynamics" | "geometry" | "math" | "pipeline" | "prelude", ..] => {
                 Self::Api
@@ -62,14 +65,17 @@ impl<'a> Room<'a> {
     /// May this room use that one?
     fn may_use(self, other: Self) -> bool {
         use Room::{
-            Api, Base, DebugRender, Dim, DimContact, DimSurface, Door, Model, Notes, Stage, Step,
+            Api, Base, DebugRender, Dim, DimContact, DimSurface, Door, Model, Notes, Query, Stage,
+            Step,
         };
         match self {
             _ if self == other => true,
             Door | Api => true,
             Base => false,
             Dim => other == Base,
-            DimContact | DimSurface | Notes | DebugRender => matches!(other, Base | Dim | Model),
+            DimContact | DimSurface | Notes | Query | DebugRender => {
+                matches!(other, Base | Dim | Model)
+            }
             Model => matches!(other, Base | Dim),
             Stage(_) => matches!(other, Base | Dim | DimContact | Model | Notes),
             Step => matches!(other, Base | Dim | Model | Notes | Stage(_)),

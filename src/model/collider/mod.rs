@@ -6,6 +6,7 @@
 //! Setters leave a note of what changed, so that the next step looks at changed colliders alone.
 
 mod interact;
+mod journal;
 mod active;
 mod builder;
 mod check;
@@ -31,6 +32,7 @@ pub use error::InvalidCollider;
 pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
 pub(crate) use interact::may_interact;
+pub(crate) use journal::Bookmark;
 pub use mass::ColliderMassProps;
 pub use material::{CoefficientCombineRule, ColliderMaterial};
 pub use mesh_converter::MeshConverter;

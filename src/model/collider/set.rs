@@ -1,5 +1,6 @@
 //! All colliders of a simulation, and the notes that the user's changes leave for the next step.
 
+use super::journal::{Bookmark, Journal};
 use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
 use crate::base::arena::Arena;
 use crate::dim::math::Pose;
@@ -24,16 +25,28 @@ pub(crate) struct RemovedCollider {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderSet {
     colliders: Arena<Collider>,
+    notes: Notes,
+}
+
+/// What is remembered of changes.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Notes {
     /// Colliders that the user may have changed since the last step, each once.
     modified: Vec<ColliderHandle>,
     removed: Vec<RemovedCollider>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    journal: Journal,
 }
 
-/// Leaves a note, once, that the user may have changed a collider.
-fn note(modified: &mut Vec<ColliderHandle>, handle: ColliderHandle, collider: &mut Collider) {
-    if !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {
-        collider.changes.insert(ColliderChanges::IN_MODIFIED_SET);
-        modified.push(handle);
+impl Notes {
+    /// The user may be about to change a collider. `count` is the number of colliders.
+    fn change(&mut self, handle: ColliderHandle, collider: &mut Collider, count: usize) {
+        self.journal.note(handle.into_raw_parts().0, count);
+        if !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {
+            collider.changes.insert(ColliderChanges::IN_MODIFIED_SET);
+            self.modified.push(handle);
+        }
     }
 }
 
@@ -110,7 +123,8 @@ impl ColliderSet {
         collider.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET;
         collider.proxy = ColliderProxy::default(); // it may be the copy of one that is in a set
         let handle = ColliderHandle(self.colliders.insert(collider));
-        self.modified.push(handle);
+        self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
+        self.notes.modified.push(handle);
         handle
     }
 
@@ -125,6 +139,7 @@ impl ColliderSet {
         new_parent_handle: Option<RigidBodyHandle>,
         bodies: &mut RigidBodySet,
     ) {
+        let count = self.colliders.len();
         let Some(collider) = self.colliders.get_mut(handle.0) else {
             log::warn!("ColliderSet::set_parent ignored: {handle:?} finds no collider");
             return;
@@ -151,7 +166,7 @@ impl ColliderSet {
                 body.wake_up(true);
             }
         }
-        note(&mut self.modified, handle, collider);
+        self.notes.change(handle, collider, count);
     }
 
     /// Takes a collider out of the set and off its body; `None` if the handle finds none.
@@ -185,8 +200,9 @@ impl ColliderSet {
 
     /// The collider that a handle finds, for changing it.
     pub fn get_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
+        let count = self.colliders.len();
         let collider = self.colliders.get_mut(handle.0)?;
-        note(&mut self.modified, handle, collider);
+        self.notes.change(handle, collider, count);
         Some(collider)
     }
 
@@ -197,12 +213,13 @@ impl ColliderSet {
         handle1: ColliderHandle,
         handle2: ColliderHandle,
     ) -> (Option<&mut Collider>, Option<&mut Collider>) {
+        let count = self.colliders.len();
         let (mut collider1, mut collider2) = self.colliders.get2_mut(handle1.0, handle2.0);
         if let Some(collider) = &mut collider1 {
-            note(&mut self.modified, handle1, collider);
+            self.notes.change(handle1, collider, count);
         }
         if let Some(collider) = &mut collider2 {
-            note(&mut self.modified, handle2, collider);
+            self.notes.change(handle2, collider, count);
         }
         (collider1, collider2)
     }
@@ -216,9 +233,10 @@ impl ColliderSet {
     /// Whatever collider stands in a slot (the first number of a handle) now, with its handle, for
     /// changing it.
     pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut Collider, ColliderHandle)> {
+        let count = self.colliders.len();
         let (index, collider) = self.colliders.at_slot_mut(slot)?;
         let handle = ColliderHandle(index);
-        note(&mut self.modified, handle, collider);
+        self.notes.change(handle, collider, count);
         Some((collider, handle))
     }
 
@@ -236,10 +254,10 @@ impl ColliderSet {
     ///
     /// The next step looks at every collider that the iteration came by.
     pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
-        let modified = &mut self.modified;
+        let (count, notes) = (self.colliders.len(), &mut self.notes);
         self.colliders.iter_mut().map(move |(index, collider)| {
             let handle = ColliderHandle(index);
-            note(modified, handle, collider);
+            notes.change(handle, collider, count);
             (handle, collider)
         })
     }
@@ -249,11 +267,11 @@ impl ColliderSet {
     pub fn iter_enabled_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
-        let modified = &mut self.modified;
+        let (count, notes) = (self.colliders.len(), &mut self.notes);
         self.colliders.iter_mut().filter(|(_, collider)| collider.is_enabled()).map(
             move |(index, collider)| {
                 let handle = ColliderHandle(index);
-                note(modified, handle, collider);
+                notes.change(handle, collider, count);
                 (handle, collider)
             },
         )
@@ -265,19 +283,31 @@ impl ColliderSet {
     /// The colliders that the user may have changed, in the order of the first change; some of them may
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
-        core::mem::take(&mut self.modified)
+        core::mem::take(&mut self.notes.modified)
     }
 
     /// The colliders that were removed, in that order.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedCollider> {
-        core::mem::take(&mut self.removed)
+        core::mem::take(&mut self.notes.removed)
+    }
+
+    /// A collider got another box in the trees, or is gone.
+    pub(crate) fn note_box(&mut self, handle: ColliderHandle) {
+        self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
+    }
+
+    /// The slots of colliders that changed since a bookmark was set, some more than once, and the
+    /// bookmark for the next time; `None` if all may have.
+    pub(crate) fn changed_since(&self, bookmark: Bookmark) -> (Option<&[u32]>, Bookmark) {
+        (self.notes.journal.since(bookmark), self.notes.journal.end())
     }
 
     /// Takes a collider out of the set and leaves a note, without looking at its body: for colliders
     /// whose body is gone.
     pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
         let collider = self.colliders.remove(handle.0)?;
-        self.removed.push(RemovedCollider { handle, wake_up });
+        self.note_box(handle);
+        self.notes.removed.push(RemovedCollider { handle, wake_up });
         Some(collider)
     }
 

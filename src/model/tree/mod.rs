@@ -161,18 +161,20 @@ impl BroadPhaseBvh {
 /// One tree and how much it grew.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-struct Tree {
-    boxes: Bvh,
+pub(crate) struct Tree {
+    pub boxes: Bvh,
     /// Number of boxes when the tree was last built as a whole.
     built: u32,
 }
 
 impl Tree {
-    fn insert(&mut self, aabb: Aabb, slot: u32) {
+    /// Gives a slot its box, whether or not it had one.
+    pub fn insert(&mut self, aabb: Aabb, slot: u32) {
         self.boxes.insert(aabb, slot);
     }
 
-    fn tidy(&mut self) {
+    /// Rebuilds the tree if half of its boxes are new.
+    pub fn tidy(&mut self) {
         let count = self.boxes.leaf_count();
         if count >= REBUILD_MIN && count / 2 > self.built {
             self.boxes.rebuild(&mut BvhWorkspace::default(), BvhBuildStrategy::Binned);

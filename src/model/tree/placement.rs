@@ -7,17 +7,17 @@ use crate::model::collider::{ActiveCollisionTypes, Collider, ColliderHandle};
 use crate::model::params::IntegrationParameters;
 
 impl BroadPhaseBvh {
-    /// Lets a collider's box follow the collider. `body` is the one that it is attached to.
+    /// Lets a collider's box follow the collider. `body` is the one that it is attached to. Returns whether
+    /// the enlarged box changed.
     pub(crate) fn follow(
         &mut self,
         handle: ColliderHandle,
         collider: &mut Collider,
         body: Option<&RigidBody>,
         params: &IntegrationParameters,
-    ) {
+    ) -> bool {
         if !collider.is_enabled() {
-            self.remove(handle.into_raw_parts().0, &mut collider.proxy);
-            return;
+            return self.remove(handle.into_raw_parts().0, &mut collider.proxy);
         }
         let movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
         let kind = if movable { TreeKind::Movable } else { TreeKind::Fixed };
@@ -31,7 +31,7 @@ impl BroadPhaseBvh {
             travel: body.map_or(Vector::ZERO, |body| body.linvel * params.dt),
         };
         let tight = shape_box(collider.shape(), &collider.pose);
-        self.place(handle, &mut collider.proxy, kind, &tight, &margin);
+        self.place(handle, &mut collider.proxy, kind, &tight, &margin)
     }
 }
 

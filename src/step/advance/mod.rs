@@ -42,8 +42,8 @@ fn carry_colliders(
         let Some(parent) = collider.parent else { continue };
         collider.pose = body.pose * parent.pos_wrt_parent;
         collider.proxy.clearance -= motion;
-        if collider.proxy.clearance < 0.0 {
-            tree.follow(handle, collider, Some(body), params);
+        if collider.proxy.clearance < 0.0 && tree.follow(handle, collider, Some(body), params) {
+            colliders.note_box(handle);
         }
     }
 }

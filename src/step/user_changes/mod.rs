@@ -93,7 +93,9 @@ impl Digest<'_> {
         if let (Some(body), Some(parent)) = (body, collider.parent) {
             collider.pose = body.pose * parent.pos_wrt_parent;
         }
-        self.tree.follow(handle, collider, body, self.params);
+        if self.tree.follow(handle, collider, body, self.params) {
+            colliders.note_box(handle);
+        }
     }
 
     /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.

@@ -1,0 +1,108 @@
+//! Which colliders changed since somebody last asked: for those who keep something of each, such as the
+//! trees of queries.
+
+use core::sync::atomic::{AtomicU64, Ordering};
+
+/// Entries that are kept however few colliders there are.
+const KEPT_MIN: usize = 1024;
+
+/// How many entries are kept for each collider. Whoever is farther behind looks at all of them, which is
+/// less work than to read more entries.
+const KEPT_PER_COLLIDER: usize = 2;
+
+/// The slots of colliders in the order in which they came, went, were borrowed for changing, or got
+/// another box in the trees.
+#[derive(Debug)]
+pub(crate) struct Journal {
+    /// Tells journals apart, those of a set and of its copies, too.
+    id: u64,
+    /// The number of the first entry that is kept.
+    first: u64,
+    slots: Vec<u32>,
+}
+
+/// How far a reader has read.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Bookmark {
+    journal: u64,
+    next: u64,
+}
+
+impl Journal {
+    /// Notes a change. `count` is the number of colliders.
+    pub fn note(&mut self, slot: u32, count: usize) {
+        if self.slots.len() >= KEPT_MIN + KEPT_PER_COLLIDER * count {
+            self.first += self.slots.len() as u64;
+            self.slots.clear();
+        }
+        self.slots.push(slot);
+    }
+
+    /// The changes since a bookmark was set; `None` if they are no longer known, or it was set in another
+    /// journal: anything may have changed.
+    pub fn since(&self, bookmark: Bookmark) -> Option<&[u32]> {
+        let read = bookmark.next.checked_sub(self.first)?;
+        if bookmark.journal == self.id { self.slots.get(read as usize..) } else { None }
+    }
+
+    /// The bookmark of who has read everything.
+    pub fn end(&self) -> Bookmark {
+        Bookmark { journal: self.id, next: self.first + self.slots.len() as u64 }
+    }
+}
+
+impl Default for Journal {
+    fn default() -> Self {
+        // Zero is nobody's, so that the default bookmark is always too old.
+        static NEXT_ID: AtomicU64 = AtomicU64::new(1);
+        Self { id: NEXT_ID.fetch_add(1, Ordering::Relaxed), first: 0, slots: Vec::new() }
+    }
+}
+
+/// A copy goes its own way.
+impl Clone for Journal {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bookmark, Journal, KEPT_MIN};
+
+    #[test]
+    fn readers_hear_of_each_change_after_their_bookmark() {
+        let mut journal = Journal::default();
+        assert_eq!(journal.since(Bookmark::default()), None);
+        let start = journal.end();
+        assert_eq!(journal.since(start), Some(&[][..]));
+        journal.note(3, 1);
+        journal.note(3, 1);
+        let middle = journal.end();
+        journal.note(5, 1);
+        assert_eq!(journal.since(start), Some(&[3, 3, 5][..]));
+        assert_eq!(journal.since(middle), Some(&[5][..]));
+    }
+
+    #[test]
+    fn who_is_too_far_behind_is_told_so() {
+        let mut journal = Journal::default();
+        let start = journal.end();
+        for slot in 0..=KEPT_MIN as u32 {
+            journal.note(slot, 0);
+        }
+        assert_eq!(journal.since(start), None);
+        let end = journal.end();
+        journal.note(7, 0);
+        assert_eq!(journal.since(end), Some(&[7][..]));
+    }
+
+    #[test]
+    fn bookmarks_of_other_journals_are_not_believed() {
+        let mut journal = Journal::default();
+        journal.note(1, 1);
+        let copy = journal.clone();
+        assert_eq!(copy.since(journal.end()), None);
+        assert_eq!(journal.since(copy.end()), None);
+    }
+}

@@ -1,0 +1,211 @@
+//! Which colliders a query is about.
+
+use crate::model::body::{RigidBodyHandle, RigidBodyType};
+use crate::model::collider::{Collider, ColliderHandle, InteractionGroups};
+
+bitflags::bitflags! {
+    /// Whole kinds of colliders that a query leaves out.
+    #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
+    pub struct QueryFilterFlags: u32 {
+        /// Leaves out colliders of fixed bodies, and those that have no body.
+        const EXCLUDE_FIXED = 1 << 1;
+        /// Leaves out colliders of kinematic bodies.
+        const EXCLUDE_KINEMATIC = 1 << 2;
+        /// Leaves out colliders of dynamic bodies.
+        const EXCLUDE_DYNAMIC = 1 << 3;
+        /// Leaves out sensors.
+        const EXCLUDE_SENSORS = 1 << 4;
+        /// Leaves out all colliders that are no sensors.
+        const EXCLUDE_SOLIDS = 1 << 5;
+        /// Leaves out all but the colliders of dynamic bodies.
+        const ONLY_DYNAMIC = Self::EXCLUDE_FIXED.bits() | Self::EXCLUDE_KINEMATIC.bits();
+        /// Leaves out all but the colliders of kinematic bodies.
+        const ONLY_KINEMATIC = Self::EXCLUDE_DYNAMIC.bits() | Self::EXCLUDE_FIXED.bits();
+        /// Leaves out all but the colliders of fixed bodies, and those that have no body.
+        const ONLY_FIXED = Self::EXCLUDE_DYNAMIC.bits() | Self::EXCLUDE_KINEMATIC.bits();
+    }
+}
+
+impl QueryFilterFlags {
+    /// Does a collider of this kind pass?
+    fn test(self, traits: &Traits) -> bool {
+        let body = match traits.body_type {
+            RigidBodyType::Fixed => Self::EXCLUDE_FIXED,
+            RigidBodyType::Dynamic => Self::EXCLUDE_DYNAMIC,
+            RigidBodyType::KinematicPositionBased | RigidBodyType::KinematicVelocityBased => {
+                Self::EXCLUDE_KINEMATIC
+            }
+        };
+        let matter = if traits.is_sensor { Self::EXCLUDE_SENSORS } else { Self::EXCLUDE_SOLIDS };
+        !self.intersects(body | matter)
+    }
+}
+
+/// A question that a query asks of each collider that it comes by.
+pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
+
+/// Which colliders a query is about: all that none of its conditions leaves out.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// # let player = RigidBodyHandle::default();
+/// let filter = QueryFilter::default().exclude_sensors().exclude_rigid_body(player);
+/// ```
+///
+/// Colliders that are disabled are never found, whatever the filter says.
+#[derive(Copy, Clone, Default)]
+pub struct QueryFilter<'a> {
+    /// Whole kinds that are left out.
+    pub flags: QueryFilterFlags,
+    /// Membership and filter with which the query meets the colliders' collision groups.
+    pub groups: Option<InteractionGroups>,
+    /// One collider that is left out.
+    pub exclude_collider: Option<ColliderHandle>,
+    /// All colliders of this body are left out.
+    pub exclude_rigid_body: Option<RigidBodyHandle>,
+    /// Asked last, of what all other conditions let pass; `false` leaves the collider out.
+    pub predicate: Option<QueryPredicate<'a>>,
+}
+
+impl core::fmt::Debug for QueryFilter<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("QueryFilter")
+            .field("flags", &self.flags)
+            .field("groups", &self.groups)
+            .field("exclude_collider", &self.exclude_collider)
+            .field("exclude_rigid_body", &self.exclude_rigid_body)
+            .field("predicate", &self.predicate.map(|_| "…"))
+            .finish()
+    }
+}
+
+impl From<QueryFilterFlags> for QueryFilter<'_> {
+    fn from(flags: QueryFilterFlags) -> Self {
+        Self { flags, ..Self::default() }
+    }
+}
+
+impl From<InteractionGroups> for QueryFilter<'_> {
+    fn from(groups: InteractionGroups) -> Self {
+        Self { groups: Some(groups), ..Self::default() }
+    }
+}
+
+impl<'a> QueryFilter<'a> {
+    /// Leaves nothing out.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    fn excluding(self, flags: QueryFilterFlags) -> Self {
+        Self { flags: self.flags | flags, ..self }
+    }
+
+    /// Leaves out colliders of fixed bodies, and those that have no body.
+    #[must_use]
+    pub fn exclude_fixed(self) -> Self {
+        self.excluding(QueryFilterFlags::EXCLUDE_FIXED)
+    }
+
+    /// Leaves out colliders of kinematic bodies.
+    #[must_use]
+    pub fn exclude_kinematic(self) -> Self {
+        self.excluding(QueryFilterFlags::EXCLUDE_KINEMATIC)
+    }
+
+    /// Leaves out colliders of dynamic bodies.
+    #[must_use]
+    pub fn exclude_dynamic(self) -> Self {
+        self.excluding(QueryFilterFlags::EXCLUDE_DYNAMIC)
+    }
+
+    /// Leaves out all but the colliders of dynamic bodies.
+    #[must_use]
+    pub fn only_dynamic(self) -> Self {
+        self.excluding(QueryFilterFlags::ONLY_DYNAMIC)
+    }
+
+    /// Leaves out all but the colliders of kinematic bodies.
+    #[must_use]
+    pub fn only_kinematic(self) -> Self {
+        self.excluding(QueryFilterFlags::ONLY_KINEMATIC)
+    }
+
+    /// Leaves out all but the colliders of fixed bodies, and those that have no body.
+    #[must_use]
+    pub fn only_fixed(self) -> Self {
+        self.excluding(QueryFilterFlags::ONLY_FIXED)
+    }
+
+    /// Leaves out sensors.
+    #[must_use]
+    pub fn exclude_sensors(self) -> Self {
+        self.excluding(QueryFilterFlags::EXCLUDE_SENSORS)
+    }
+
+    /// Leaves out all colliders that are no sensors.
+    #[must_use]
+    pub fn exclude_solids(self) -> Self {
+        self.excluding(QueryFilterFlags::EXCLUDE_SOLIDS)
+    }
+
+    /// Leaves out colliders whose collision groups do not go with these.
+    #[must_use]
+    pub fn groups(self, groups: InteractionGroups) -> Self {
+        Self { groups: Some(groups), ..self }
+    }
+
+    /// Leaves out one collider. A second call replaces the first.
+    #[must_use]
+    pub fn exclude_collider(self, collider: ColliderHandle) -> Self {
+        Self { exclude_collider: Some(collider), ..self }
+    }
+
+    /// Leaves out all colliders of a body. A second call replaces the first.
+    #[must_use]
+    pub fn exclude_rigid_body(self, body: RigidBodyHandle) -> Self {
+        Self { exclude_rigid_body: Some(body), ..self }
+    }
+
+    /// Leaves out colliders of which the predicate says `false`. A second call replaces the first.
+    #[must_use]
+    pub fn predicate(self, predicate: QueryPredicate<'a>) -> Self {
+        Self { predicate: Some(predicate), ..self }
+    }
+
+    /// Does a collider pass?
+    ///
+    /// The type of its body is the one of the last step, or of the moment when the collider was attached.
+    pub fn test(&self, handle: ColliderHandle, collider: &Collider) -> bool {
+        self.test_traits(handle, &Traits::of(collider))
+            && self.predicate.is_none_or(|predicate| predicate(handle, collider))
+    }
+
+    /// All conditions but the predicate.
+    pub(super) fn test_traits(&self, handle: ColliderHandle, traits: &Traits) -> bool {
+        self.flags.test(traits)
+            && self.exclude_collider != Some(handle)
+            && (self.exclude_rigid_body.is_none() || self.exclude_rigid_body != traits.body)
+            && self.groups.is_none_or(|groups| traits.groups.test(groups))
+    }
+}
+
+/// What a filter looks at.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Traits {
+    body: Option<RigidBodyHandle>,
+    body_type: RigidBodyType,
+    is_sensor: bool,
+    groups: InteractionGroups,
+}
+
+impl Traits {
+    pub fn of(collider: &Collider) -> Self {
+        Self {
+            body: collider.parent(),
+            body_type: collider.parent_type.unwrap_or(RigidBodyType::Fixed),
+            is_sensor: collider.is_sensor(),
+            groups: collider.collision_groups(),
+        }
+    }
+}

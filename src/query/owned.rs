@@ -1,0 +1,313 @@
+//! Trees of its own: for whoever asks between steps, or never steps at all.
+
+use super::filter::{QueryFilter, Traits};
+use super::view::QueryView;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::RigidBodyType;
+use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
+use crate::model::tree::{BoxMargin, Tree, TreeKind, shape_box};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::query::{
+    DefaultQueryDispatcher, NonlinearRigidMotion, PointProjection, Ray, RayIntersection,
+    ShapeCastHit, ShapeCastOptions,
+};
+use parry::shape::{FeatureId, Shape};
+
+/// By how much boxes are larger than shapes, as a share of the smallest half extent: enough that rounding does
+/// not matter.
+const MARGIN_FRACTION: Real = 0.01;
+
+/// The same for flat boxes, as a share of how far from the origin they are.
+const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
+
+/// Answers questions about a set of colliders: what a ray hits, what is near, what is in the way.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut colliders = ColliderSet::new();
+/// let ball = colliders.insert(ColliderBuilder::ball(1.0));
+///
+/// let mut query_pipeline = QueryPipeline::new();
+/// query_pipeline.update(&colliders);
+/// let ray = Ray::new(Vector::new(0.0, 5.0, 0.0), -Vector::Y);
+/// let hit = query_pipeline.cast_ray(&colliders, &ray, 100.0, true, QueryFilter::default());
+/// assert_eq!(hit, Some((ball, 4.0)));
+/// ```
+///
+/// It knows the colliders as of the last [`Self::update`], which sees all that was inserted, removed, moved and
+/// re-shaped, and costs nothing for the others. Only where a collider *may* be is remembered; answers are
+/// computed from the collider as it is when the question is asked. Worlds that ask after each step can do without: see
+/// [`BroadPhaseBvh::as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline).
+#[derive(Clone, Default, Debug)]
+pub struct QueryPipeline {
+    fixed: Tree,
+    movable: Tree,
+    /// By slot.
+    entries: Vec<Option<Entry>>,
+    read: Bookmark,
+}
+
+/// What is remembered of a collider.
+#[derive(Copy, Clone, Debug)]
+struct Entry {
+    handle: ColliderHandle,
+    traits: Traits,
+}
+
+impl QueryPipeline {
+    /// Knows no collider yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Catches up with a set of colliders.
+    ///
+    /// A collider whose body was moved by the user is where it was until the next step carries it along.
+    pub fn update(&mut self, colliders: &ColliderSet) {
+        let (changed, end) = colliders.changed_since(self.read);
+        match changed {
+            Some(slots) => slots.iter().for_each(|&slot| self.refresh(slot, colliders)),
+            None => self.rebuild(colliders),
+        }
+        self.read = end;
+        self.fixed.tidy();
+        self.movable.tidy();
+    }
+
+    fn rebuild(&mut self, colliders: &ColliderSet) {
+        *self = Self::default();
+        for (handle, _) in colliders.iter() {
+            self.refresh(handle.into_raw_parts().0, colliders);
+        }
+    }
+
+    /// Learns what stands at a slot now.
+    fn refresh(&mut self, slot: u32, colliders: &ColliderSet) {
+        if slot as usize >= self.entries.len() {
+            self.entries.resize(slot as usize + 1, None);
+        }
+        self.fixed.boxes.remove(slot);
+        self.movable.boxes.remove(slot);
+        let placed = colliders
+            .at_slot(slot)
+            .filter(|(_, collider)| collider.is_enabled())
+            .and_then(|(handle, collider)| Some((handle, collider, whereabouts(collider)?)));
+        self.entries[slot as usize] = placed.map(|(handle, collider, aabb)| {
+            let is_fixed = matches!(collider.parent_type, None | Some(RigidBodyType::Fixed));
+            let tree = if is_fixed { &mut self.fixed } else { &mut self.movable };
+            tree.insert(aabb, slot);
+            Entry { handle, traits: Traits::of(collider) }
+        });
+    }
+
+    /// The colliders as a view, which has more ways to ask. `colliders` must be the set of the last
+    /// [`Self::update`].
+    pub fn view<'a>(
+        &'a self,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryView<'a> {
+        let trees = [&self.fixed.boxes, &self.movable.boxes];
+        QueryView::new(trees, &DefaultQueryDispatcher, colliders, filter)
+    }
+}
+
+/// A box that a collider will not leave unnoticed: around where it is, and where the broad phase has it, which
+/// says when it leaves that.
+fn whereabouts(collider: &Collider) -> Option<Aabb> {
+    let tight = shape_box(collider.shape(), collider.position());
+    let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
+    let reach = (MARGIN_FRACTION * tight.half_extents().min_element()).max(MARGIN_OF_PLACE * size);
+    let here = BoxMargin { reach, travel: Vector::ZERO }.needed(&tight)?;
+    Some(match collider.proxy.tree {
+        Some(TreeKind::Fixed | TreeKind::Movable) => here.merged(&collider.proxy.fat_aabb),
+        None => here,
+    })
+}
+
+/// Calls back until somebody says `false`.
+fn for_each<T>(items: impl Iterator<Item = T>, mut callback: impl FnMut(T) -> bool) {
+    for item in items {
+        if !callback(item) {
+            return;
+        }
+    }
+}
+
+/// The questions. Each is the one of [`QueryView`] that has the same name, for the colliders that the filter
+/// lets pass.
+impl QueryPipeline {
+    /// The first collider that a ray hits, and when: see [`QueryView::cast_ray`].
+    pub fn cast_ray(
+        &self,
+        colliders: &ColliderSet,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, Real)> {
+        self.view(colliders, filter).cast_ray(ray, max_toi, solid)
+    }
+
+    /// The first collider that a ray hits, when, and the normal there: see [`QueryView::cast_ray_and_get_normal`].
+    pub fn cast_ray_and_get_normal(
+        &self,
+        colliders: &ColliderSet,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, RayIntersection)> {
+        self.view(colliders, filter).cast_ray_and_get_normal(ray, max_toi, solid)
+    }
+
+    /// The answers of [`Self::cast_ray`] to many rays, in their order: see [`QueryView::cast_rays`].
+    pub fn cast_rays(
+        &self,
+        colliders: &ColliderSet,
+        rays: &[Ray],
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Vec<Option<(ColliderHandle, Real)>> {
+        self.view(colliders, filter).cast_rays(rays, max_toi, solid)
+    }
+
+    /// Calls back for all colliders that a ray hits, in no particular order, until the answer is `false`: see
+    /// [`QueryView::intersect_ray`].
+    pub fn intersections_with_ray(
+        &self,
+        colliders: &ColliderSet,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+        mut callback: impl FnMut(ColliderHandle, RayIntersection) -> bool,
+    ) {
+        let hits = self.view(colliders, filter).intersect_ray(*ray, max_toi, solid);
+        for_each(hits, |(handle, _, hit)| callback(handle, hit));
+    }
+
+    /// The collider that is nearest to a point, and the nearest point on it: see [`QueryView::project_point`].
+    pub fn project_point(
+        &self,
+        colliders: &ColliderSet,
+        point: &Vector,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, PointProjection)> {
+        self.view(colliders, filter).project_point(*point, Real::MAX, solid)
+    }
+
+    /// The collider whose surface is nearest to a point, the nearest point on it and the feature there: see
+    /// [`QueryView::project_point_and_get_feature`].
+    pub fn project_point_and_get_feature(
+        &self,
+        colliders: &ColliderSet,
+        point: &Vector,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
+        self.view(colliders, filter).project_point_and_get_feature(*point)
+    }
+
+    /// Calls back for all colliders that a point is inside of, in no particular order, until the answer is
+    /// `false`: see [`QueryView::intersect_point`].
+    pub fn intersections_with_point(
+        &self,
+        colliders: &ColliderSet,
+        point: Vector,
+        filter: QueryFilter<'_>,
+        mut callback: impl FnMut(ColliderHandle) -> bool,
+    ) {
+        let around = self.view(colliders, filter).intersect_point(point);
+        for_each(around, |(handle, _)| callback(handle));
+    }
+
+    /// Calls back for all colliders whose boxes overlap a box, in no particular order, until the answer is
+    /// `false`.
+    ///
+    /// These are the boxes that are remembered, and they are somewhat larger than the colliders (after a step, by a tenth
+    /// of their size and ahead of where they move). The filter's predicate is not asked, because there are no
+    /// colliders at hand to show it; [`QueryView::intersect_aabb_conservative`] asks it.
+    pub fn colliders_with_aabb_intersecting_aabb(
+        &self,
+        aabb: &Aabb,
+        filter: QueryFilter<'_>,
+        callback: impl FnMut(ColliderHandle) -> bool,
+    ) {
+        let trees = [&self.fixed.boxes, &self.movable.boxes].into_iter();
+        let slots = trees.flat_map(|tree| tree.intersect_aabb(aabb));
+        let found = slots.filter_map(|slot| {
+            let entry = self.entries.get(slot as usize)?.as_ref()?;
+            filter.test_traits(entry.handle, &entry.traits).then_some(entry.handle)
+        });
+        for_each(found, callback);
+    }
+
+    /// Any collider that a shape intersects.
+    pub fn intersection_with_shape(
+        &self,
+        colliders: &ColliderSet,
+        shape_pos: &Pose,
+        shape: &dyn Shape,
+        filter: QueryFilter<'_>,
+    ) -> Option<ColliderHandle> {
+        let mut found = self.view(colliders, filter).intersect_shape(*shape_pos, shape);
+        found.next().map(|(handle, _)| handle)
+    }
+
+    /// Calls back for all colliders that a shape intersects, in no particular order, until the answer is
+    /// `false`: see [`QueryView::intersect_shape`].
+    pub fn intersections_with_shape(
+        &self,
+        colliders: &ColliderSet,
+        shape_pos: &Pose,
+        shape: &dyn Shape,
+        filter: QueryFilter<'_>,
+        mut callback: impl FnMut(ColliderHandle) -> bool,
+    ) {
+        let found = self.view(colliders, filter).intersect_shape(*shape_pos, shape);
+        for_each(found, |(handle, _)| callback(handle));
+    }
+
+    /// The first collider that a shape meets on its way at constant velocity, without turning: see
+    /// [`QueryView::cast_shape`].
+    ///
+    /// With `stop_at_penetration`, a shape that begins inside of a collider meets it at time 0; without, only
+    /// if it goes deeper.
+    #[expect(clippy::too_many_arguments, reason = "the documented parameters")]
+    pub fn cast_shape(
+        &self,
+        colliders: &ColliderSet,
+        shape_pos: &Pose,
+        shape_vel: &Vector,
+        shape: &dyn Shape,
+        max_toi: Real,
+        stop_at_penetration: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        let options = ShapeCastOptions {
+            max_time_of_impact: max_toi,
+            stop_at_penetration,
+            ..ShapeCastOptions::default()
+        };
+        self.view(colliders, filter).cast_shape(shape_pos, *shape_vel, shape, options)
+    }
+
+    /// The first collider that a shape meets between two times of a motion that turns: see
+    /// [`QueryView::cast_shape_nonlinear`].
+    #[expect(clippy::too_many_arguments, reason = "those of `cast_shape`, and a time more")]
+    pub fn cast_shape_nonlinear(
+        &self,
+        colliders: &ColliderSet,
+        shape_motion: &NonlinearRigidMotion,
+        shape: &dyn Shape,
+        start_time: Real,
+        end_time: Real,
+        stop_at_penetration: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        let view = self.view(colliders, filter);
+        view.cast_shape_nonlinear(shape_motion, shape, start_time, end_time, stop_at_penetration)
+    }
+}

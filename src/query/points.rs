@@ -1,0 +1,75 @@
+//! Points: what is near, and what is around them?
+
+use super::view::QueryView;
+use crate::dim::math::{Real, Vector};
+use crate::model::collider::{Collider, ColliderHandle};
+use parry::partitioning::BvhNode;
+use parry::query::PointProjection;
+use parry::shape::FeatureId;
+
+/// How far a point is from a box; zero inside.
+fn distance(node: &BvhNode, point: Vector) -> Real {
+    let outside = (node.mins() - point).max(point - node.maxs()).max(Vector::ZERO);
+    // What is as far away as the box is must not be farther by rounding.
+    outside.length() * (1.0 - 4.0 * Real::EPSILON)
+}
+
+impl<'a> QueryView<'a> {
+    /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on it.
+    ///
+    /// A point inside of a `solid` collider is its own projection; if it is not solid, the nearest point of
+    /// its surface is. Length units, world space.
+    pub fn project_point(
+        &self,
+        point: Vector,
+        max_distance: Real,
+        solid: bool,
+    ) -> Option<(ColliderHandle, PointProjection)> {
+        if !(point.is_finite() && max_distance >= 0.0) {
+            return None;
+        }
+        self.nearest(
+            max_distance,
+            |node, _| distance(node, point),
+            |_, collider, _| {
+                let found = collider.shape().project_point(collider.position(), point, solid);
+                Some((found.point.distance(point), found))
+            },
+        )
+    }
+
+    /// The collider whose surface is nearest to a point, the nearest point on it, and the feature (vertex, edge,
+    /// face) of the shape that the point is on.
+    pub fn project_point_and_get_feature(
+        &self,
+        point: Vector,
+    ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
+        if !point.is_finite() {
+            return None;
+        }
+        let found = self.nearest(
+            Real::MAX,
+            |node, _| distance(node, point),
+            |_, collider, _| {
+                let (found, feature) =
+                    collider.shape().project_point_and_get_feature(collider.position(), point);
+                Some((found.point.distance(point), (found, feature)))
+            },
+        );
+        found.map(|(handle, (projection, feature))| (handle, projection, feature))
+    }
+
+    /// All colliders that a point is inside of, or on the surface of, in no particular order.
+    pub fn intersect_point(
+        self,
+        point: Vector,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        let sound = point.is_finite().then_some(point);
+        sound.into_iter().flat_map(move |point| {
+            let around = self.candidates(move |node| distance(node, point) <= 0.0);
+            around.filter(move |(_, collider)| {
+                collider.shape().contains_point(collider.position(), point)
+            })
+        })
+    }
+}

@@ -1,0 +1,168 @@
+//! Shapes: what do they touch, and what is in their way?
+
+use super::nearest::limit_for;
+use super::rays::Slabs;
+use super::view::QueryView;
+use crate::base::guard::guarded;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::{Collider, ColliderHandle};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::partitioning::BvhNode;
+use parry::query::{NonlinearRigidMotion, Ray, ShapeCastHit, ShapeCastOptions};
+use parry::shape::Shape;
+
+fn is_finite(pose: &Pose) -> bool {
+    crate::model::check::checked_pose(*pose).is_some()
+}
+
+/// A box in motion, as other boxes see it: its middle is a ray, and they are larger by its half extents.
+struct Sweep {
+    slabs: Slabs,
+    half_extents: Vector,
+}
+
+impl Sweep {
+    fn of(shape: &dyn Shape, pose: &Pose, velocity: Vector, target_distance: Real) -> Self {
+        let aabb = shape.compute_aabb(pose);
+        // Rounding must not let two boxes miss each other that touch.
+        let size = aabb.mins.abs().max(aabb.maxs.abs()).max_element();
+        let margin = target_distance.max(0.0) + 16.0 * Real::EPSILON * size;
+        Self {
+            slabs: Slabs::of(&Ray::new(aabb.center(), velocity)),
+            half_extents: aabb.half_extents() + Vector::splat(margin),
+        }
+    }
+
+    fn entry(&self, node: &BvhNode, limit: Real) -> Real {
+        let (mins, maxs) = (node.mins() - self.half_extents, node.maxs() + self.half_extents);
+        self.slabs.entry(mins, maxs, limit)
+    }
+}
+
+impl<'a> QueryView<'a> {
+    /// All colliders whose boxes, as the trees have them, overlap a box, in no particular order. These boxes are
+    /// larger than the colliders: more is found than touches.
+    pub fn intersect_aabb_conservative(
+        self,
+        aabb: Aabb,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        let node = BvhNode::leaf(aabb, 0);
+        self.candidates(move |other| other.intersects(&node))
+    }
+
+    /// All colliders that a shape intersects, in no particular order.
+    ///
+    /// Pairs of shapes that the dispatcher does not know do not intersect.
+    pub fn intersect_shape(
+        self,
+        shape_pos: Pose,
+        shape: &'a dyn Shape,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        let posed = is_finite(&shape_pos).then_some(shape_pos);
+        posed.into_iter().flat_map(move |pose| {
+            let size = pose.translation.abs().max_element();
+            let aabb = shape.compute_aabb(&pose).loosened(16.0 * Real::EPSILON * size);
+            self.intersect_aabb_conservative(aabb).filter(move |(_, collider)| {
+                let pose12 = pose.inv_mul(collider.position());
+                let test = || self.dispatcher.intersection_test(&pose12, shape, collider.shape());
+                guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
+            })
+        })
+    }
+
+    /// The first collider that a shape meets on its way at constant velocity, without turning.
+    ///
+    /// A shape of no velocity meets nothing: [`Self::intersect_shape`] says what it touches. Times are in units of `shape_vel`; `options` says how long the way is, at which distance the shape stops, and
+    /// what a shape does that begins inside of a collider. In the hit, the first point and normal are in the frame of the
+    /// shape, the second in that of the collider.
+    pub fn cast_shape(
+        &self,
+        shape_pos: &Pose,
+        shape_vel: Vector,
+        shape: &dyn Shape,
+        options: ShapeCastOptions,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        let limit = options.max_time_of_impact;
+        let is_sound = is_finite(shape_pos)
+            && shape_vel.is_finite()
+            && options.target_distance.is_finite()
+            && limit >= 0.0;
+        if !is_sound {
+            return None;
+        }
+        let sweep = Sweep::of(shape, shape_pos, shape_vel, options.target_distance);
+        self.nearest(
+            limit,
+            |node, reach| sweep.entry(node, reach),
+            |_, collider, reach| {
+                let pose12 = shape_pos.inv_mul(collider.position());
+                let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
+                let max_time_of_impact = limit_for(collider, limit, reach);
+                let options = ShapeCastOptions { max_time_of_impact, ..options };
+                let other = collider.shape();
+                let cast =
+                    || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
+                let hit = guarded(cast)?.ok()??;
+                Some((hit.time_of_impact, hit))
+            },
+        )
+    }
+
+    /// The first collider that a shape meets between two times of a motion that turns.
+    ///
+    /// With `stop_at_penetration`, a shape that begins inside of a collider meets it at once; without, only if it
+    /// goes deeper.
+    pub fn cast_shape_nonlinear(
+        &self,
+        shape_motion: &NonlinearRigidMotion,
+        shape: &dyn Shape,
+        start_time: Real,
+        end_time: Real,
+        stop_at_penetration: bool,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        let around = swept_box(shape_motion, shape, start_time, end_time)?;
+        let node = BvhNode::leaf(around, 0);
+        self.nearest(
+            end_time,
+            |other, _| if other.intersects(&node) { start_time } else { Real::INFINITY },
+            |_, collider, reach| {
+                let still = NonlinearRigidMotion::constant_position(*collider.position());
+                let cast = || {
+                    self.dispatcher.cast_shapes_nonlinear(
+                        shape_motion,
+                        shape,
+                        &still,
+                        collider.shape(),
+                        start_time,
+                        limit_for(collider, end_time, reach),
+                        stop_at_penetration,
+                    )
+                };
+                let hit = guarded(cast)?.ok()??;
+                Some((hit.time_of_impact, hit))
+            },
+        )
+    }
+}
+
+/// A box that the shape stays within between the two times; `None` if that makes no sense.
+///
+/// The centre goes straight, and nothing of the shape is ever farther from it than now.
+fn swept_box(
+    motion: &NonlinearRigidMotion,
+    shape: &dyn Shape,
+    start_time: Real,
+    end_time: Real,
+) -> Option<Aabb> {
+    let poses = [motion.position_at_time(start_time), motion.position_at_time(end_time)];
+    let is_sound = start_time <= end_time && poses.iter().all(is_finite);
+    if !is_sound {
+        return None;
+    }
+    let local = shape.compute_local_aabb();
+    let center = motion.local_center;
+    let corner = (local.mins - center).abs().max((local.maxs - center).abs());
+    let reach = Vector::splat(corner.length());
+    let centers = poses.map(|pose| pose * center);
+    Some(Aabb::new(centers[0].min(centers[1]) - reach, centers[0].max(centers[1]) + reach))
+}

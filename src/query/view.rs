@@ -1,0 +1,100 @@
+//! Trees of boxes and the colliders that they stand for.
+
+use super::filter::QueryFilter;
+use crate::model::body::RigidBodySet;
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
+use crate::model::tree::{BroadPhaseBvh, TreeKind};
+use parry::partitioning::{Bvh, BvhNode};
+use parry::query::QueryDispatcher;
+
+/// Colliders that can be asked: borrowed trees of boxes, the colliders in them, and which of these are
+/// meant.
+///
+/// Comes from [`BroadPhaseBvh::as_query_pipeline`] or [`QueryPipeline::view`](super::QueryPipeline::view). Made and
+/// dropped at no cost.
+#[derive(Copy, Clone)]
+pub struct QueryView<'a> {
+    trees: [&'a Bvh; 2],
+    /// How pairs of shapes are computed.
+    pub dispatcher: &'a dyn QueryDispatcher,
+    /// The colliders.
+    pub colliders: &'a ColliderSet,
+    /// Which of them are meant.
+    pub filter: QueryFilter<'a>,
+}
+
+impl core::fmt::Debug for QueryView<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("QueryView").field("filter", &self.filter).finish_non_exhaustive()
+    }
+}
+
+impl BroadPhaseBvh {
+    /// Lets its colliders be asked, without a tree of their own.
+    ///
+    /// Boxes are those of the last step: a collider that was inserted since is not found, and one that the user
+    /// moved since is found only where its old box is. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// # let mut world = PhysicsWorld::new();
+    /// # world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::ball(1.0));
+    /// # world.step();
+    /// let dispatcher = world.narrow_phase.query_dispatcher();
+    /// let queries = world.broad_phase.as_query_pipeline(
+    ///     dispatcher,
+    ///     &world.bodies,
+    ///     &world.colliders,
+    ///     QueryFilter::default(),
+    /// );
+    /// let ray = Ray::new(Vector::new(0.0, 5.0, 0.0), -Vector::Y);
+    /// assert_eq!(queries.cast_ray(&ray, 100.0, true).map(|(_, time)| time), Some(4.0));
+    /// ```
+    pub fn as_query_pipeline<'a>(
+        &'a self,
+        dispatcher: &'a dyn QueryDispatcher,
+        _bodies: &'a RigidBodySet,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> QueryView<'a> {
+        let trees = [self.boxes(TreeKind::Fixed), self.boxes(TreeKind::Movable)];
+        QueryView::new(trees, dispatcher, colliders, filter)
+    }
+}
+
+impl<'a> QueryView<'a> {
+    /// Leaves of the trees are slots of the colliders.
+    pub(super) fn new(
+        trees: [&'a Bvh; 2],
+        dispatcher: &'a dyn QueryDispatcher,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> Self {
+        Self { trees, dispatcher, colliders, filter }
+    }
+
+    /// The same colliders with another filter.
+    #[must_use]
+    pub fn with_filter(self, filter: QueryFilter<'a>) -> Self {
+        Self { filter, ..self }
+    }
+
+    pub(super) fn trees(&self) -> [&'a Bvh; 2] {
+        self.trees
+    }
+
+    /// The collider at a slot, if it is meant.
+    pub(super) fn candidate(&self, slot: u32) -> Option<(ColliderHandle, &'a Collider)> {
+        let (handle, collider) = self.colliders.at_slot(slot)?;
+        (collider.is_enabled() && self.filter.test(handle, collider)).then_some((handle, collider))
+    }
+
+    /// All colliders that are meant and whose boxes pass.
+    pub(super) fn candidates(
+        self,
+        passes: impl Fn(&BvhNode) -> bool + Copy + 'a,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        let slots = self.trees.into_iter().flat_map(move |tree| tree.leaves(passes));
+        slots.filter_map(move |slot| self.candidate(slot))
+    }
+}

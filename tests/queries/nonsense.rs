@@ -1,0 +1,91 @@
+//! Questions that make no sense have no answer, and do no harm.
+
+use crate::dim::{cuboid, vec};
+use rapier::parry::query::NonlinearRigidMotion;
+use rapier::prelude::*;
+
+const BAD: [Real; 3] = [Real::NAN, Real::INFINITY, Real::NEG_INFINITY];
+
+fn block() -> (ColliderSet, QueryPipeline) {
+    let mut colliders = ColliderSet::new();
+    colliders.insert(cuboid(1.0, 1.0));
+    colliders.insert(ColliderBuilder::ball(1.0).translation(vec(3.0, 0.0)));
+    let mut queries = QueryPipeline::new();
+    queries.update(&colliders);
+    (colliders, queries)
+}
+
+#[test]
+fn rays() {
+    let (colliders, queries) = block();
+    let cast =
+        |ray: Ray, limit| queries.cast_ray(&colliders, &ray, limit, true, QueryFilter::default());
+    assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::INFINITY).is_some());
+    assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::MAX).is_some());
+    assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::ZERO), 10.0).is_none());
+    assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), -1.0).is_none());
+    assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::NAN).is_none());
+    for bad in BAD {
+        assert!(cast(Ray::new(vec(bad, 0.0), Vector::X), 10.0).is_none());
+        assert!(cast(Ray::new(vec(-5.0, 0.0), vec(1.0, bad)), 10.0).is_none());
+    }
+    // As long and as short as numbers get.
+    for size in [Real::MAX, 1.0e30, 1.0e-30, Real::MIN_POSITIVE] {
+        cast(Ray::new(vec(-5.0, 0.0), Vector::X * size), Real::MAX);
+        cast(Ray::new(vec(-size, 0.0), Vector::X), Real::MAX);
+    }
+}
+
+#[test]
+fn points() {
+    let (colliders, queries) = block();
+    for bad in BAD {
+        let point = vec(0.0, bad);
+        assert!(queries.project_point(&colliders, &point, true, QueryFilter::default()).is_none());
+        let with_feature =
+            queries.project_point_and_get_feature(&colliders, &point, QueryFilter::default());
+        assert!(with_feature.is_none());
+        queries.intersections_with_point(&colliders, point, QueryFilter::default(), |handle| {
+            panic!("{handle:?} is at {point}")
+        });
+    }
+    let far = vec(1.0e6, 0.0);
+    assert!(queries.project_point(&colliders, &far, true, QueryFilter::default()).is_some());
+}
+
+#[test]
+fn shapes() {
+    let (colliders, queries) = block();
+    let shape = cuboid(0.5, 0.5).build();
+    let cast = |translation: Vector, velocity: Vector, limit: Real| {
+        let pose = Pose::from_translation(translation);
+        let filter = QueryFilter::default();
+        queries.cast_shape(&colliders, &pose, &velocity, shape.shape(), limit, true, filter)
+    };
+    let start = vec(-5.0, 0.0);
+    assert!(cast(start, Vector::X, Real::INFINITY).is_some());
+    assert!(cast(start, Vector::ZERO, Real::INFINITY).is_none());
+    assert!(cast(Vector::ZERO, Vector::ZERO, 1.0).is_none(), "it is not on its way");
+    assert!(cast(start, Vector::X, -1.0).is_none());
+    assert!(cast(start, Vector::X, Real::NAN).is_none());
+    for bad in BAD {
+        assert!(cast(vec(bad, 0.0), Vector::X, 10.0).is_none());
+        assert!(cast(start, vec(1.0, bad), 10.0).is_none());
+        let pose = Pose::from_translation(vec(0.0, bad));
+        let filter = QueryFilter::default();
+        let touching = queries.intersection_with_shape(&colliders, &pose, shape.shape(), filter);
+        assert!(touching.is_none());
+        let motion = NonlinearRigidMotion::new(pose, Vector::ZERO, Vector::X, Default::default());
+        let shape = shape.shape();
+        let hit = queries.cast_shape_nonlinear(&colliders, &motion, shape, 0.0, 1.0, true, filter);
+        assert!(hit.is_none());
+    }
+}
+
+#[test]
+fn a_pipeline_that_was_never_updated_knows_nothing() {
+    let (colliders, _) = block();
+    let queries = QueryPipeline::new();
+    let ray = Ray::new(vec(-5.0, 0.0), Vector::X);
+    assert!(queries.cast_ray(&colliders, &ray, 10.0, true, QueryFilter::default()).is_none());
+}

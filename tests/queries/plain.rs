@@ -1,0 +1,167 @@
+//! Questions whose answers are known beforehand.
+
+use crate::dim::{about_z, cuboid, vec};
+use rapier::parry::query::NonlinearRigidMotion;
+use rapier::prelude::*;
+
+fn alone(collider: ColliderBuilder) -> (ColliderSet, ColliderHandle, QueryPipeline) {
+    let mut colliders = ColliderSet::new();
+    let handle = colliders.insert(collider);
+    let mut queries = QueryPipeline::new();
+    queries.update(&colliders);
+    (colliders, handle, queries)
+}
+
+const ALL: QueryFilter<'static> = QueryFilter {
+    flags: QueryFilterFlags::empty(),
+    groups: None,
+    exclude_collider: None,
+    exclude_rigid_body: None,
+    predicate: None,
+};
+
+#[test]
+fn rays_enter_solids_at_once_and_leave_hollow_shapes() {
+    let (colliders, ball, queries) = alone(ColliderBuilder::ball(2.0));
+    let ray = Ray::new(Vector::ZERO, Vector::X * 4.0);
+    assert_eq!(queries.cast_ray(&colliders, &ray, 10.0, true, ALL), Some((ball, 0.0)));
+    // Times are in units of the direction's length.
+    assert_eq!(queries.cast_ray(&colliders, &ray, 10.0, false, ALL), Some((ball, 0.5)));
+    assert_eq!(queries.cast_ray(&colliders, &ray, 0.4, false, ALL), None);
+    let from_left = Ray::new(vec(-5.0, 0.0), Vector::X);
+    let (_, hit) = queries
+        .cast_ray_and_get_normal(&colliders, &from_left, 10.0, true, ALL)
+        .expect("the ball is in the way");
+    assert!((hit.time_of_impact - 3.0).abs() < 1.0e-5);
+    assert!((hit.normal + Vector::X).length() < 1.0e-5);
+}
+
+#[test]
+fn walls_beyond_the_limit_are_not_hit_from_within() {
+    let (colliders, hollow, queries) = alone(cuboid(2.0, 2.0));
+    let ray = Ray::new(Vector::ZERO, Vector::X);
+    let cast = |limit: Real| queries.cast_ray(&colliders, &ray, limit, false, ALL);
+    assert_eq!(cast(1.0), None);
+    assert_eq!(cast(3.0), Some((hollow, 2.0)));
+}
+
+/// A ray exactly along the common face of two boxes hits both at the same time: the first one is meant,
+/// however the tree was built.
+#[test]
+fn of_equal_answers_that_of_the_lower_slot_is_given() {
+    let places = [vec(0.0, 1.0), vec(0.0, -1.0), vec(0.0, 3.0), vec(0.0, -3.0)];
+    for order in [[0, 1, 2, 3], [1, 0, 3, 2], [3, 2, 1, 0], [2, 0, 1, 3]] {
+        let mut colliders = ColliderSet::new();
+        let handles = order.map(|k| colliders.insert(cuboid(1.0, 1.0).translation(places[k])));
+        let lower = order.iter().position(|&k| k < 2).expect("two boxes meet at the height 0");
+        let mut queries = QueryPipeline::new();
+        queries.update(&colliders);
+        let ray = Ray::new(vec(-5.0, 0.0), Vector::X);
+        let hit = queries.cast_ray(&colliders, &ray, 10.0, true, ALL);
+        assert_eq!(hit, Some((handles[lower], 4.0)));
+    }
+}
+
+#[test]
+fn points_are_projected_onto_what_is_nearest() {
+    let mut colliders = ColliderSet::new();
+    let left = colliders.insert(cuboid(1.0, 1.0).translation(vec(-4.0, 0.0)));
+    let right = colliders.insert(cuboid(1.0, 1.0).translation(vec(5.0, 0.0)));
+    let mut queries = QueryPipeline::new();
+    queries.update(&colliders);
+    let (handle, found) =
+        queries.project_point(&colliders, &Vector::ZERO, true, ALL).expect("something is nearest");
+    assert_eq!((handle, found.point), (left, vec(-3.0, 0.0)));
+    let inside = vec(5.0, 0.25);
+    let (handle, found) =
+        queries.project_point(&colliders, &inside, true, ALL).expect("something is nearest");
+    assert_eq!((handle, found.point, found.is_inside), (right, inside, true));
+    let (_, found) =
+        queries.project_point(&colliders, &inside, false, ALL).expect("something is nearest");
+    assert!((found.point - inside).length() > 0.7);
+    let mut around = Vec::new();
+    queries.intersections_with_point(&colliders, inside, ALL, |handle| {
+        around.push(handle);
+        true
+    });
+    assert_eq!(around, [right]);
+}
+
+#[test]
+fn shapes_meet_what_is_in_their_way() {
+    let (colliders, wall, queries) = alone(cuboid(1.0, 10.0).translation(vec(6.0, 0.0)));
+    let ball = rapier::parry::shape::Ball::new(0.5);
+    let start = Pose::from_translation(Vector::ZERO);
+    let cast = |velocity: Vector, limit: Real| {
+        queries.cast_shape(&colliders, &start, &velocity, &ball, limit, true, ALL)
+    };
+    let (handle, hit) = cast(Vector::X * 3.0, 10.0).expect("the wall is in the way");
+    assert_eq!(handle, wall);
+    // From the ball's surface at 0.5 to the wall's at 5, at 3 per unit of time.
+    assert!((hit.time_of_impact - 1.5).abs() < 1.0e-3, "{hit:?}");
+    assert!(cast(Vector::X * 3.0, 1.4).is_none());
+    assert!(cast(-Vector::X, 100.0).is_none());
+    let close = Pose::from_translation(vec(4.6, 0.0));
+    assert_eq!(queries.intersection_with_shape(&colliders, &close, &ball, ALL), Some(wall));
+    assert_eq!(queries.intersection_with_shape(&colliders, &start, &ball, ALL), None);
+}
+
+/// A bar that turns about its middle sweeps over a peg beside it, which going straight it would not touch.
+#[test]
+fn turning_shapes_meet_what_they_sweep_over() {
+    let (colliders, peg, queries) = alone(ColliderBuilder::ball(0.2).translation(vec(0.0, 2.0)));
+    let bar = cuboid(3.0, 0.1).build();
+    let still = RigidBodyBuilder::fixed().build();
+    let motion = |turn: Real| {
+        let pose = *still.position();
+        NonlinearRigidMotion::new(pose, Vector::ZERO, Vector::ZERO, about_z(turn))
+    };
+    let sweep = |turn| {
+        queries.cast_shape_nonlinear(&colliders, &motion(turn), bar.shape(), 0.0, 1.0, true, ALL)
+    };
+    assert!(sweep(0.0).is_none());
+    // The upper side of the bar reaches the peg when sin φ · 2 = 0.3, nearly, before a quarter turn.
+    let (handle, hit) = sweep(1.6).expect("the peg is in the way");
+    let turned = hit.time_of_impact * 1.6;
+    assert_eq!(handle, peg);
+    let until = (std::f64::consts::FRAC_PI_2 as Real) - (0.3 / 2.0 as Real).asin();
+    assert!((turned - until).abs() < 0.01, "after {turned} rad instead of {until}");
+}
+
+#[test]
+fn groups_and_exclusions_are_kept() {
+    let mut world = PhysicsWorld::new();
+    let group = |n: u32| InteractionGroups::new(Group::from_bits_retain(n), Group::ALL);
+    let (body, first) = world.insert(
+        RigidBodyBuilder::kinematic_position_based().translation(vec(1.0, 0.0)),
+        cuboid(0.1, 1.0).collision_groups(group(1)),
+    );
+    let second = world.insert_collider(
+        cuboid(0.1, 1.0).translation(vec(2.0, 0.0)).collision_groups(group(2)),
+        None,
+    );
+    let (_, third) = world.insert(
+        RigidBodyBuilder::dynamic().translation(vec(3.0, 0.0)),
+        cuboid(0.1, 1.0).collision_groups(group(4)).sensor(true),
+    );
+    let mut queries = QueryPipeline::new();
+    queries.update(&world.colliders);
+    let ask = |filter: QueryFilter<'_>| {
+        let ray = Ray::new(vec(-1.0, 0.0), Vector::X);
+        let hit = queries.cast_ray(&world.colliders, &ray, 100.0, true, filter);
+        hit.map(|(handle, _)| handle)
+    };
+    assert_eq!(ask(ALL), Some(first));
+    assert_eq!(ask(ALL.exclude_rigid_body(body)), Some(second));
+    assert_eq!(ask(ALL.exclude_collider(first)), Some(second));
+    assert_eq!(ask(ALL.exclude_kinematic()), Some(second));
+    assert_eq!(ask(ALL.only_kinematic()), Some(first));
+    assert_eq!(ask(ALL.only_fixed()), Some(second));
+    assert_eq!(ask(ALL.only_dynamic()), Some(third));
+    assert_eq!(ask(ALL.only_dynamic().exclude_sensors()), None);
+    assert_eq!(ask(ALL.exclude_solids()), Some(third));
+    let only = |n: u32| InteractionGroups::new(Group::ALL, Group::from_bits_retain(n));
+    assert_eq!(ask(ALL.groups(only(2))), Some(second));
+    assert_eq!(ask(ALL.groups(only(4))), Some(third));
+    assert_eq!(ask(ALL.groups(only(8))), None);
+}
