@@ -13,6 +13,13 @@ struct Best<T> {
 }
 
 impl<T> Best<T> {
+    /// Can nothing at this slot be better? Of what is at no distance, only what stands at a lower slot is: the crowd in
+    /// which a shape begins need not be looked at one by one.
+    fn beats_all_at(&self, slot: u32) -> bool {
+        let best = self.found.as_ref().map(|(handle, _)| handle.into_raw_parts().0);
+        self.distance <= 0.0 && best.is_some_and(|best| best < slot)
+    }
+
     /// Takes what is nearer, or as near and at a lower slot.
     fn offer(&mut self, distance: Real, handle: ColliderHandle, what: T) {
         let slot = |handle: ColliderHandle| handle.into_raw_parts().0;
@@ -57,6 +64,9 @@ impl QueryView<'_> {
                 // The tree goes where it is strictly better; what is as good must be looked at, too.
                 |node, reach| to_box(node, reach).min(Real::MAX).next_down(),
                 |slot, reach| {
+                    if best.borrow().beats_all_at(slot) {
+                        return None;
+                    }
                     let (handle, collider) = self.candidate(slot)?;
                     let (distance, what) = to_collider(handle, collider, reach)?;
                     best.borrow_mut().offer(distance, handle, what);

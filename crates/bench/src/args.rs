@@ -31,6 +31,8 @@ pub struct Options {
     pub write: bool,
     /// Show the stages of this engine's step, with no peers.
     pub profile: bool,
+    /// Ask questions instead of taking steps.
+    pub queries: bool,
 }
 
 /// Why the command line cannot be followed.
@@ -78,6 +80,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
         rounds: 3,
         write: false,
         profile: false,
+        queries: false,
     };
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
@@ -86,6 +89,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
             "-h" | "--help" => return Ok(Request::Help),
             "--write" => options.write = true,
             "--profile" => options.profile = true,
+            "--queries" => options.queries = true,
             "--scene" => options.scenes.extend(find_scenes(value()?, scenes)?),
             "--engine" => options.engines.push(find_engine(value()?)?),
             "--steps" => options.steps = Some(number(argument, value()?)?),
@@ -143,6 +147,7 @@ Usage: bench [OPTIONS]
   --steps N         take N steps in every scene, not the scene's own number
   --rounds N        turns of each engine, each in a fresh world; the median counts (default: 3)
   --profile         the stages of this engine's step instead
+  --queries         rays and shapes a second instead of steps
   --write           also write the table to docs/benchmarks/latest.md
   -h, --help        print this
 

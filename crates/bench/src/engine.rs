@@ -25,6 +25,41 @@ impl Kind {
     }
 }
 
+/// Questions that are put to every engine: lines of one length, and balls that go along them.
+pub struct Probes {
+    /// Where they begin; in 2D the third number means nothing.
+    pub origins: Vec<[f32; 3]>,
+    /// Where they go, as unit vectors.
+    pub directions: Vec<[f32; 3]>,
+    /// How far they go.
+    pub reach: f32,
+    /// The radius of the balls.
+    pub radius: f32,
+}
+
+impl Probes {
+    /// Random ones that begin within a box (lowest and highest corner).
+    pub fn random(count: usize, [low, high]: [[f32; 3]; 2], seed: u64) -> Self {
+        let mut dice = examples3d::common::Dice::new(seed);
+        let mut origins = Vec::with_capacity(count);
+        let mut directions = Vec::with_capacity(count);
+        while origins.len() < count {
+            let direction = [(); 3].map(|()| dice.between(-1.0, 1.0));
+            // In 2D a scene is flat, and so is what is asked of it.
+            let flat = if high[2] > low[2] { direction[2] } else { 0.0 };
+            let direction = [direction[0], direction[1], flat];
+            let length = direction.iter().map(|x| x * x).sum::<f32>().sqrt();
+            if (0.1..1.0).contains(&length) {
+                directions.push(direction.map(|x| x / length));
+                origins
+                    .push([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * dice.between(0.0, 1.0)));
+            }
+        }
+        let size = |k: usize| high[k] - low[k];
+        Self { origins, directions, reach: size(0).max(size(2)), radius: 0.01 * size(1) }
+    }
+}
+
 /// A world in some engine, made from a scene.
 pub trait Engine {
     /// Advances by 1/60 s.
@@ -32,6 +67,13 @@ pub trait Engine {
 
     /// Looks at the world as it is now. Not part of the time measured.
     fn stats(&self) -> Stats;
+
+    /// Sends rays, or balls of a radius, as far as they go, and counts those that hit something; `None` if it
+    /// cannot be asked.
+    fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
+        let _ = (probes, radius);
+        None
+    }
 
     /// Bytes that it holds outside the reach of Rust's allocator.
     fn foreign_bytes(&self) -> usize {
@@ -68,6 +110,9 @@ impl Unsupported {
 pub trait Template {
     /// Number of bodies that move by themselves.
     fn dynamic_bodies(&self) -> usize;
+
+    /// The box around all bodies that move: its lowest and its highest corner (in 2D the third number is zero).
+    fn region(&self) -> [[f32; 3]; 2];
 
     /// A fresh world in the given engine.
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported>;

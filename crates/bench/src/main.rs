@@ -26,6 +26,7 @@ mod engine;
 mod flat;
 mod memory;
 mod profile;
+mod queries;
 mod report;
 mod solid;
 
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
     let outcome = match args::parse(&arguments, &scenes) {
         Ok(Request::Help) => args::print_help(&scenes),
         Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
+        Ok(Request::Run(options)) if options.queries => queries::run(&scenes, &options),
         Ok(Request::Run(options)) => run(&scenes, &options),
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "bench: {error}");

@@ -6,9 +6,11 @@
 
 use super::ours::prelude as ours;
 use super::overlap::deepest_overlap;
+use super::peer::parry::query::ShapeCastOptions;
 use super::peer::prelude::*;
 use super::template::{DT, SUBSTEPS, Template};
-use crate::engine::{Engine, Stats};
+use super::vector_of;
+use crate::engine::{Engine, Probes, Stats};
 
 /// A world in Rapier.
 pub struct Rapier<'t> {
@@ -43,6 +45,29 @@ impl<'t> Rapier<'t> {
 impl Engine for Rapier<'_> {
     fn step(&mut self) {
         self.world.step();
+    }
+
+    fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
+        let PhysicsWorld { broad_phase, narrow_phase, bodies, colliders, .. } = &self.world;
+        let dispatcher = narrow_phase.query_dispatcher();
+        let all = QueryFilter::default();
+        let queries = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, all);
+        let ball = radius.map(Ball::new);
+        let options = ShapeCastOptions::with_max_time_of_impact(probes.reach);
+        let hits =
+            probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
+                let (origin, direction) = (vector_of(origin), vector_of(direction));
+                match &ball {
+                    None => {
+                        queries.cast_ray(&Ray::new(origin, direction), probes.reach, true).is_some()
+                    }
+                    Some(ball) => {
+                        let start = Pose::from_translation(origin);
+                        queries.cast_shape(&start, direction, ball, options).is_some()
+                    }
+                }
+            });
+        Some(hits.count())
     }
 
     fn stats(&self) -> Stats {

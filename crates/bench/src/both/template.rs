@@ -4,7 +4,7 @@ use super::examples;
 use super::ours::prelude::*;
 use super::rapier::Rapier;
 use super::this::This;
-use super::{BOX_FEATURE, start_box};
+use super::{BOX_FEATURE, start_box, three};
 use crate::catalog::Scene;
 use crate::engine::{Engine, Kind, Unsupported};
 
@@ -75,6 +75,17 @@ pub fn catalog(dimension: &'static str, names: &[(&str, bool)]) -> Vec<Scene> {
 impl crate::engine::Template for Template {
     fn dynamic_bodies(&self) -> usize {
         self.world.bodies.iter().filter(|(_, body)| body.is_dynamic()).count()
+    }
+
+    fn region(&self) -> [[f32; 3]; 2] {
+        let mut around = Aabb::new_invalid();
+        for (_, collider) in self.world.colliders.iter() {
+            let parent = collider.parent().map(|parent| &self.world.bodies[parent]);
+            if parent.is_some_and(RigidBody::is_dynamic) {
+                around.merge(&collider.compute_aabb());
+            }
+        }
+        [three(around.mins), three(around.maxs)]
     }
 
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {

@@ -17,10 +17,21 @@ mod this;
 
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
+use ours::math::Vector;
 use template::Template;
 
 /// The feature with which the third engine is built in.
 const BOX_FEATURE: &str = "box2d";
+
+/// A vector as three numbers.
+fn three(v: Vector) -> [f32; 3] {
+    [v.x, v.y, 0.0]
+}
+
+/// The vector of three numbers.
+fn vector_of(v: [f32; 3]) -> Vector {
+    Vector::new(v[0], v[1])
+}
 
 /// The third engine, if it is built in.
 #[cfg(feature = "box2d")]

@@ -7,7 +7,8 @@
 use super::ours::prelude::*;
 use super::overlap::deepest_overlap;
 use super::template::{DT, SUBSTEPS, Template};
-use crate::engine::{Engine, Stats, Unsupported};
+use super::vector_of;
+use crate::engine::{Engine, Probes, Stats, Unsupported};
 use box3d_sys::*;
 
 /// Box3D's own limit.
@@ -78,6 +79,23 @@ impl Engine for Box3d<'_> {
         }
         stats.overlap = deepest_overlap(self.template, &poses);
         stats
+    }
+
+    /// Rays alone.
+    fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
+        if radius.is_some() {
+            return None;
+        }
+        // SAFETY: returns plain values.
+        let filter = unsafe { b3DefaultQueryFilter() };
+        let hits =
+            probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
+                let (origin, way) =
+                    (vector(vector_of(origin)), vector(vector_of(direction) * probes.reach));
+                // SAFETY: the world is live, all else is passed by value.
+                unsafe { b3World_CastRayClosest(self.world.0, origin, way, filter) }.hit
+            });
+        Some(hits.count())
     }
 
     fn foreign_bytes(&self) -> usize {

@@ -17,10 +17,21 @@ mod this;
 
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
+use ours::math::Vector;
 use template::Template;
 
 /// The feature with which the third engine is built in.
 const BOX_FEATURE: &str = "box3d";
+
+/// A vector as three numbers.
+fn three(v: Vector) -> [f32; 3] {
+    [v.x, v.y, v.z]
+}
+
+/// The vector of three numbers.
+fn vector_of(v: [f32; 3]) -> Vector {
+    Vector::from_array(v)
+}
 
 /// The third engine, if it is built in.
 #[cfg(feature = "box3d")]
