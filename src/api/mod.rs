@@ -8,6 +8,7 @@
 mod collision_pipeline;
 mod physics_pipeline;
 mod world;
+mod world_queries;
 
 pub mod data;
 pub mod dynamics;

@@ -207,7 +207,7 @@ impl QueryPipeline {
         point: &Vector,
         filter: QueryFilter<'_>,
     ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
-        self.view(colliders, filter).project_point_and_get_feature(*point)
+        self.view(colliders, filter).project_point_and_get_feature(*point, Real::MAX)
     }
 
     /// Calls back for all colliders that a point is inside of, in no particular order, until the answer is

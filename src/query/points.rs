@@ -39,16 +39,17 @@ impl<'a> QueryView<'a> {
     }
 
     /// The collider whose surface is nearest to a point, the nearest point on it, and the feature (vertex, edge,
-    /// face) of the shape that the point is on.
+    /// face) of the shape that the point is on. No farther away than `max_distance`.
     pub fn project_point_and_get_feature(
         &self,
         point: Vector,
+        max_distance: Real,
     ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
-        if !point.is_finite() {
+        if !(point.is_finite() && max_distance >= 0.0) {
             return None;
         }
         let found = self.nearest(
-            Real::MAX,
+            max_distance,
             |node, _| distance(node, point),
             |_, collider, _| {
                 let (found, feature) =

@@ -1,0 +1,147 @@
+//! Questions to a world, as of its last step: [`QueryView`] has the details of each.
+
+use super::world::PhysicsWorld;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::{Collider, ColliderHandle};
+use crate::query::{QueryFilter, QueryView};
+use parry::bounding_volume::Aabb;
+use parry::query::{
+    NonlinearRigidMotion, PointProjection, Ray, RayIntersection, ShapeCastHit, ShapeCastOptions,
+};
+use parry::shape::{FeatureId, Shape};
+
+/// Questions. Boxes are those of the last step: see [`Self::query_pipeline`].
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut world = PhysicsWorld::new();
+/// let (_, ball) = world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::ball(1.0));
+/// world.step();
+/// let ray = Ray::new(Vector::new(0.0, 5.0, 0.0), -Vector::Y);
+/// let hit = world.cast_ray(&ray, 100.0, true, QueryFilter::default());
+/// assert_eq!(hit, Some((ball, 4.0)));
+/// ```
+impl PhysicsWorld {
+    /// All colliders, to be asked.
+    ///
+    /// As of the last step: a collider that was inserted since is not found, and one that was moved since only where
+    /// its box was. A [`QueryPipeline`](crate::query::QueryPipeline) of one's own sees such changes at once.
+    pub fn query_pipeline(&self) -> QueryView<'_> {
+        self.query_pipeline_with_filter(QueryFilter::default())
+    }
+
+    /// Those colliders that a filter lets pass, to be asked.
+    pub fn query_pipeline_with_filter<'a>(&'a self, filter: QueryFilter<'a>) -> QueryView<'a> {
+        let dispatcher = self.narrow_phase.query_dispatcher();
+        self.broad_phase.as_query_pipeline(dispatcher, &self.bodies, &self.colliders, filter)
+    }
+
+    /// The first collider that a ray hits, and when: see [`QueryView::cast_ray`].
+    pub fn cast_ray(
+        &self,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, Real)> {
+        self.query_pipeline_with_filter(filter).cast_ray(ray, max_toi, solid)
+    }
+
+    /// The first collider that a ray hits, when, and the normal there: see [`QueryView::cast_ray_and_get_normal`].
+    pub fn cast_ray_and_get_normal(
+        &self,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, RayIntersection)> {
+        self.query_pipeline_with_filter(filter).cast_ray_and_get_normal(ray, max_toi, solid)
+    }
+
+    /// All colliders that a ray hits: see [`QueryView::intersect_ray`].
+    pub fn intersect_ray<'a>(
+        &'a self,
+        ray: Ray,
+        max_toi: Real,
+        solid: bool,
+        filter: QueryFilter<'a>,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider, RayIntersection)> {
+        self.query_pipeline_with_filter(filter).intersect_ray(ray, max_toi, solid)
+    }
+
+    /// The first collider in the way of a shape: see [`QueryView::cast_shape`].
+    pub fn cast_shape(
+        &self,
+        shape_pos: &Pose,
+        shape_vel: Vector,
+        shape: &dyn Shape,
+        options: ShapeCastOptions,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        self.query_pipeline_with_filter(filter).cast_shape(shape_pos, shape_vel, shape, options)
+    }
+
+    /// The first collider in the way of a shape that turns: see [`QueryView::cast_shape_nonlinear`].
+    pub fn cast_shape_nonlinear(
+        &self,
+        shape_motion: &NonlinearRigidMotion,
+        shape: &dyn Shape,
+        start_time: Real,
+        end_time: Real,
+        stop_at_penetration: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        let queries = self.query_pipeline_with_filter(filter);
+        queries.cast_shape_nonlinear(shape_motion, shape, start_time, end_time, stop_at_penetration)
+    }
+
+    /// The collider that is nearest to a point, and the nearest point on it: see [`QueryView::project_point`].
+    pub fn project_point(
+        &self,
+        point: Vector,
+        max_distance: Real,
+        solid: bool,
+        filter: QueryFilter<'_>,
+    ) -> Option<(ColliderHandle, PointProjection)> {
+        self.query_pipeline_with_filter(filter).project_point(point, max_distance, solid)
+    }
+
+    /// The collider whose surface is nearest to a point, the nearest point on it and the feature there: see
+    /// [`QueryView::project_point_and_get_feature`].
+    pub fn project_point_and_get_feature(
+        &self,
+        point: Vector,
+        filter: QueryFilter<'_>,
+        max_distance: Real,
+    ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
+        self.query_pipeline_with_filter(filter).project_point_and_get_feature(point, max_distance)
+    }
+
+    /// All colliders that a point is inside of: see [`QueryView::intersect_point`].
+    pub fn intersect_point<'a>(
+        &'a self,
+        point: Vector,
+        filter: QueryFilter<'a>,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        self.query_pipeline_with_filter(filter).intersect_point(point)
+    }
+
+    /// All colliders that a shape touches: see [`QueryView::intersect_shape`].
+    pub fn intersect_shape<'a>(
+        &'a self,
+        shape_pos: Pose,
+        shape: &'a dyn Shape,
+        filter: QueryFilter<'a>,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        self.query_pipeline_with_filter(filter).intersect_shape(shape_pos, shape)
+    }
+
+    /// All colliders whose boxes overlap a box: see [`QueryView::intersect_aabb_conservative`].
+    pub fn intersect_aabb_conservative<'a>(
+        &'a self,
+        aabb: Aabb,
+        filter: QueryFilter<'a>,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
+        self.query_pipeline_with_filter(filter).intersect_aabb_conservative(aabb)
+    }
+}
