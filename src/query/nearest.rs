@@ -33,26 +33,18 @@ impl<T> Best<T> {
     }
 }
 
-/// How far a collider is to be looked for, when something is known already within `reach`.
-///
-/// What a shape answers may depend on the limit in its last bit, and no answer may depend on the tree: so a single
-/// shape gets the same limit whatever is known. One of many parts must not look at all of them.
-pub(super) fn limit_for(collider: &Collider, limit: Real, reach: Real) -> Real {
-    let has_parts = collider.shape().as_composite_shape().is_some();
-    if has_parts { (reach * 1.001).min(limit) } else { limit }
-}
-
 impl QueryView<'_> {
     /// The nearest of the colliders that are meant, no farther away than `limit`.
     ///
     /// `to_box` says how near anything in a box can be (infinite: nothing in it matters), given how far away the
-    /// best so far is; `to_collider` how far away a collider is, and what else is to be known of it. It may answer with
-    /// what is farther away than the best.
+    /// best so far is; `to_collider` how far away a collider is, and what else is to be known of it. It is not told what
+    /// is known already: what a shape answers may depend on the limit in its last bit, and no answer may depend on the
+    /// tree.
     pub(super) fn nearest<T>(
         &self,
         limit: Real,
         to_box: impl Fn(&BvhNode, Real) -> Real,
-        to_collider: impl Fn(ColliderHandle, &Collider, Real) -> Option<(Real, T)>,
+        to_collider: impl Fn(&Collider) -> Option<(Real, T)>,
     ) -> Option<(ColliderHandle, T)> {
         // Infinity is what nothing is nearer than, for the tree.
         let limit = limit.min(0.5 * Real::MAX);
@@ -63,12 +55,12 @@ impl QueryView<'_> {
                 reach.next_up(),
                 // The tree goes where it is strictly better; what is as good must be looked at, too.
                 |node, reach| to_box(node, reach).min(Real::MAX).next_down(),
-                |slot, reach| {
+                |slot, _| {
                     if best.borrow().beats_all_at(slot) {
                         return None;
                     }
                     let (handle, collider) = self.candidate(slot)?;
-                    let (distance, what) = to_collider(handle, collider, reach)?;
+                    let (distance, what) = to_collider(collider)?;
                     best.borrow_mut().offer(distance, handle, what);
                     Some(distance)
                 },

@@ -5,7 +5,7 @@ use super::view::QueryView;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyType;
 use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
-use crate::model::tree::{BoxMargin, Tree, TreeKind, shape_box};
+use crate::model::tree::{BoxMargin, Tree, shape_box};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::query::{
     DefaultQueryDispatcher, NonlinearRigidMotion, PointProjection, Ray, RayIntersection,
@@ -62,7 +62,7 @@ impl QueryPipeline {
 
     /// Catches up with a set of colliders.
     ///
-    /// A collider whose body was moved by the user is where it was until the next step carries it along.
+    /// Colliders follow their body with the next step: where the user moved it, and into nothing if it was removed.
     pub fn update(&mut self, colliders: &ColliderSet) {
         let (changed, end) = colliders.changed_since(self.read);
         match changed {
@@ -118,11 +118,12 @@ fn whereabouts(collider: &Collider) -> Option<Aabb> {
     let tight = shape_box(collider.shape(), collider.position());
     let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
     let reach = (MARGIN_FRACTION * tight.half_extents().min_element()).max(MARGIN_OF_PLACE * size);
-    let here = BoxMargin { reach, travel: Vector::ZERO }.needed(&tight)?;
-    Some(match collider.proxy.tree {
-        Some(TreeKind::Fixed | TreeKind::Movable) => here.merged(&collider.proxy.fat_aabb),
-        None => here,
-    })
+    let here = BoxMargin { reach, travel: Vector::ZERO }.needed(&tight);
+    let kept = collider.proxy.tree.map(|_| collider.proxy.fat_aabb);
+    match (here, kept) {
+        (Some(here), Some(kept)) => Some(here.merged(&kept)),
+        (here, kept) => here.or(kept),
+    }
 }
 
 /// Calls back until somebody says `false`.

@@ -31,7 +31,7 @@ impl<'a> QueryView<'a> {
         self.nearest(
             max_distance,
             |node, _| distance(node, point),
-            |_, collider, _| {
+            |collider| {
                 let found = collider.shape().project_point(collider.position(), point, solid);
                 Some((found.point.distance(point), found))
             },
@@ -51,7 +51,7 @@ impl<'a> QueryView<'a> {
         let found = self.nearest(
             max_distance,
             |node, _| distance(node, point),
-            |_, collider, _| {
+            |collider| {
                 let (found, feature) =
                     collider.shape().project_point_and_get_feature(collider.position(), point);
                 Some((found.point.distance(point), (found, feature)))

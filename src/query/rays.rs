@@ -1,7 +1,6 @@
 //! Rays: what do they hit?
 
 use super::filter::QueryFilter;
-use super::nearest::limit_for;
 use super::view::QueryView;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{DIM, Real, Vector};
@@ -41,6 +40,13 @@ impl Slabs {
         let end = t1.max(t2).min_element() * (1.0 + 4.0 * Real::EPSILON);
         if start <= end && start <= limit { start } else { Real::INFINITY }
     }
+
+    /// When the ray has left a box: zero if it never enters.
+    #[inline]
+    pub fn exit(&self, mins: Vector, maxs: Vector) -> Real {
+        let (t1, t2) = ((mins - self.origin) * self.inv_dir, (maxs - self.origin) * self.inv_dir);
+        (t1.max(t2).min_element() * (1.0 + 4.0 * Real::EPSILON)).max(0.0)
+    }
 }
 
 /// The limit of a question that has an answer: neither the ray nor the limit is nonsense.
@@ -66,9 +72,8 @@ impl<'a> QueryView<'a> {
         self.nearest(
             limit,
             |node, reach| slabs.entry(node.mins(), node.maxs(), reach),
-            |_, collider, reach| {
-                let reach = limit_for(collider, limit, reach);
-                let time = time_of_impact(collider, ray, reach, solid)?;
+            |collider| {
+                let time = time_of_impact(collider, ray, limit, solid)?;
                 Some((time, time))
             },
         )
@@ -87,8 +92,8 @@ impl<'a> QueryView<'a> {
         self.nearest(
             limit,
             |node, reach| slabs.entry(node.mins(), node.maxs(), reach),
-            |_, collider, reach| {
-                let hit = intersection(collider, ray, limit_for(collider, limit, reach), solid)?;
+            |collider| {
+                let hit = intersection(collider, ray, limit, solid)?;
                 Some((hit.time_of_impact, hit))
             },
         )

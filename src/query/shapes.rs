@@ -1,11 +1,11 @@
 //! Shapes: what do they touch, and what is in their way?
 
-use super::nearest::limit_for;
 use super::rays::Slabs;
 use super::view::QueryView;
 use crate::base::guard::guarded;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::tree::shape_box;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::partitioning::BvhNode;
 use parry::query::{NonlinearRigidMotion, Ray, ShapeCastHit, ShapeCastOptions};
@@ -31,6 +31,12 @@ impl Sweep {
             slabs: Slabs::of(&Ray::new(aabb.center(), velocity)),
             half_extents: aabb.half_extents() + Vector::splat(margin),
         }
+    }
+
+    /// When it has left a box for good, and a little later.
+    fn exit(&self, aabb: &Aabb) -> Real {
+        let (mins, maxs) = (aabb.mins - self.half_extents, aabb.maxs + self.half_extents);
+        1.01 * self.slabs.exit(mins, maxs)
     }
 
     fn entry(&self, node: &BvhNode, limit: Real) -> Real {
@@ -85,7 +91,8 @@ impl<'a> QueryView<'a> {
         let limit = options.max_time_of_impact;
         let is_sound = is_finite(shape_pos)
             && shape_vel.is_finite()
-            && options.target_distance.is_finite()
+            && shape_vel != Vector::ZERO
+            && (0.0..Real::INFINITY).contains(&options.target_distance)
             && limit >= 0.0;
         if !is_sound {
             return None;
@@ -94,11 +101,12 @@ impl<'a> QueryView<'a> {
         self.nearest(
             limit,
             |node, reach| sweep.entry(node, reach),
-            |_, collider, reach| {
+            |collider| {
                 let pose12 = shape_pos.inv_mul(collider.position());
                 let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
-                let max_time_of_impact = limit_for(collider, limit, reach);
-                let options = ShapeCastOptions { max_time_of_impact, ..options };
+                // Some pairs of shapes look along all of the way, however long it is.
+                let end = sweep.exit(&shape_box(collider.shape(), collider.position()));
+                let options = ShapeCastOptions { max_time_of_impact: limit.min(end), ..options };
                 let other = collider.shape();
                 let cast =
                     || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
@@ -125,7 +133,7 @@ impl<'a> QueryView<'a> {
         self.nearest(
             end_time,
             |other, _| if other.intersects(&node) { start_time } else { Real::INFINITY },
-            |_, collider, reach| {
+            |collider| {
                 let still = NonlinearRigidMotion::constant_position(*collider.position());
                 let cast = || {
                     self.dispatcher.cast_shapes_nonlinear(
@@ -134,7 +142,7 @@ impl<'a> QueryView<'a> {
                         &still,
                         collider.shape(),
                         start_time,
-                        limit_for(collider, end_time, reach),
+                        end_time,
                         stop_at_penetration,
                     )
                 };

@@ -32,8 +32,8 @@ impl core::fmt::Debug for QueryView<'_> {
 impl BroadPhaseBvh {
     /// Lets its colliders be asked, without a tree of their own.
     ///
-    /// Boxes are those of the last step: a collider that was inserted since is not found, and one that the user
-    /// moved since is found only where its old box is. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
+    /// Boxes are those of the last step: a collider that was inserted or moved by the user since is found only where a
+    /// box is that it, or what stood at its slot before, had then. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

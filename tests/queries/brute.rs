@@ -36,7 +36,12 @@ fn direction(dice: &mut Dice) -> Vector {
 /// Colliders of all kinds, some with bodies of all kinds, some sensors.
 fn crowd(dice: &mut Dice) -> PhysicsWorld {
     let mut world = world(60);
-    let shapes = assortment();
+    let mut shapes = assortment();
+    let parts = [0.0, 0.5].map(|x: Real| {
+        let part = shapes[0].build();
+        (Pose::from_translation(vec(x, 0.3 * x)), part.shared_shape().clone())
+    });
+    shapes.push(ColliderBuilder::compound(parts.to_vec()));
     for index in 0..COLLIDERS {
         let collider = shapes[index % shapes.len()].clone().sensor(index % 7 == 0);
         let pose = place(dice);

@@ -133,3 +133,19 @@ fn boxes_are_found_without_colliders_at_hand() {
     });
     assert_eq!(solid, [near]);
 }
+
+/// Far beyond the limits of the world and back again, by way of its body.
+#[test]
+fn what_was_out_of_the_world_is_found_when_it_is_back() {
+    let mut world = PhysicsWorld::new();
+    world.gravity = Vector::ZERO;
+    let (_, collider) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+    let mut queries = QueryPipeline::new();
+    world.step();
+    queries.update(&world.colliders);
+    world.colliders[collider].set_position(Pose::from_translation(vec(2.0e10, 0.0)));
+    queries.update(&world.colliders);
+    world.step();
+    queries.update(&world.colliders);
+    assert_eq!(hit(&queries, &world.colliders), Some(collider));
+}

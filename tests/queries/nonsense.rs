@@ -66,6 +66,11 @@ fn shapes() {
     assert!(cast(start, Vector::X, Real::INFINITY).is_some());
     assert!(cast(start, Vector::ZERO, Real::INFINITY).is_none());
     assert!(cast(Vector::ZERO, Vector::ZERO, 1.0).is_none(), "it is not on its way");
+    let ball = ColliderBuilder::ball(0.5).build();
+    let onto_ball = Pose::from_translation(vec(3.0, 0.0));
+    let (still, all) = (Vector::ZERO, QueryFilter::default());
+    let hit = queries.cast_shape(&colliders, &onto_ball, &still, ball.shape(), 1.0, true, all);
+    assert!(hit.is_none(), "nor is a ball");
     assert!(cast(start, Vector::X, -1.0).is_none());
     assert!(cast(start, Vector::X, Real::NAN).is_none());
     for bad in BAD {

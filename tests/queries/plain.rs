@@ -165,3 +165,32 @@ fn groups_and_exclusions_are_kept() {
     assert_eq!(ask(ALL.groups(only(4))), Some(third));
     assert_eq!(ask(ALL.groups(only(8))), None);
 }
+
+/// A ray that begins within a crowd hits all of it at once, compounds and single shapes alike.
+#[test]
+fn in_a_crowd_the_lowest_slot_is_met_whatever_its_shape() {
+    for compound_at in 0..4 {
+        let mut colliders = ColliderSet::new();
+        let handles: Vec<_> = (0..4)
+            .map(|k| {
+                let single = cuboid(1.0, 1.0);
+                if k != compound_at {
+                    return colliders.insert(single.translation(vec(0.1 * k as Real, 0.0)));
+                }
+                let part = single.build().shared_shape().clone();
+                let parts =
+                    [-0.5, 0.5].map(|x| (Pose::from_translation(vec(x, 0.0)), part.clone()));
+                colliders.insert(ColliderBuilder::compound(parts.to_vec()))
+            })
+            .collect();
+        let mut queries = QueryPipeline::new();
+        queries.update(&colliders);
+        let ray = Ray::new(vec(0.2, 0.1), Vector::X);
+        let hit = queries.cast_ray(&colliders, &ray, 10.0, true, ALL);
+        assert_eq!(hit, Some((handles[0], 0.0)));
+        let (start, ball) =
+            (Pose::from_translation(vec(0.2, 0.1)), rapier::parry::shape::Ball::new(0.1));
+        let hit = queries.cast_shape(&colliders, &start, &Vector::X, &ball, 10.0, true, ALL);
+        assert_eq!(hit.map(|(handle, hit)| (handle, hit.time_of_impact)), Some((handles[0], 0.0)));
+    }
+}

@@ -57,21 +57,24 @@ pub struct ContactPair {
 /// same reason, for up to seven degrees and at any speed.
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact do not act along one line, and the
-/// pair's angular momentum is not conserved: two cubes that are pressed together and spin as one would be stopped. So
-/// only bodies that turn more slowly than [`Self::SLOW`] are held, by no more than [`Self::HELD_TURN_MAX`], and not
-/// where the normal would lag by more than friction hides ([`Self::HELD_BY_FRICTION`]). What is wrong in the end is
-/// the load's lever, by a few hundredths of the body's size, on bodies that turn by less than 3 degrees a second.
+/// angular momentum of a pair that is pressed together is not conserved. So only bodies that have weight and turn more
+/// slowly than [`Self::SLOW`] are held, by no more than [`Self::HELD_TURN_MAX`], and not where the normal would lag by
+/// more than friction hides ([`Self::HELD_BY_FRICTION`]). What is wrong in the end is the load's lever, by a few
+/// hundredths of the body's size, on bodies that turn by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Placement {
     pub rotations: [Rotation; 2],
     /// From the first centre of mass to the second (length units).
     pub centers: Vector,
+    /// Did both bodies creep then, and whenever somebody looked since?
+    pub may_hold: bool,
 }
 
 impl Placement {
     /// Both bodies at the origin.
-    pub const NOWHERE: Self = Self { rotations: [Rotation::IDENTITY; 2], centers: Vector::ZERO };
+    pub const NOWHERE: Self =
+        Self { rotations: [Rotation::IDENTITY; 2], centers: Vector::ZERO, may_hold: false };
 
     /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows
     /// that settles stay below it; at 0.02 they did not, and it was seen to lean.

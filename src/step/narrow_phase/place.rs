@@ -45,6 +45,7 @@ impl<'a> Place<'a> {
         Placement {
             rotations: [self.frames[0].rotation(), self.frames[1].rotation()],
             centers: x2 - x1,
+            may_hold: self.creeps(),
         }
     }
 
@@ -68,14 +69,16 @@ impl<'a> Place<'a> {
         (manifold.data.normal, manifold.data.placed_normal) = (normal, normal);
     }
 
-    /// How far the two bodies may move (a bound, as for slack) until contacts that were placed like this
-    /// must be placed anew. `friction` is the least coefficient of the contacts.
-    ///
-    /// Those that are not held follow their bodies and need not be. Should the bodies begin to creep later, they will be
-    /// placed when their slack is used up.
+    /// Do both bodies creep?
+    pub fn creeps(&self) -> bool {
+        self.frames.iter().all(Frame::creeps)
+    }
+
+    /// How far the two bodies may move (a bound, as for slack) until contacts that were placed like this, and are held,
+    /// must be placed anew. `friction` is the least coefficient of the contacts. Those that are not held need not be.
     pub fn left(&self, placed: &Placement, friction: Real) -> Real {
         let held = Placement::held_turn(friction);
-        if held == 0.0 || !self.frames.iter().all(Frame::creeps) {
+        if held == 0.0 || !placed.may_hold {
             return Real::INFINITY;
         }
         let left = |side: usize| self.frames[side].turn_left(placed.rotations[side], held);

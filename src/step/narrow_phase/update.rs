@@ -314,18 +314,20 @@ impl ContactPair {
         moved.fold(0.0, Real::max).sqrt() + turn * reach
     }
 
-    /// Places contacts that are held anew if a body has crept too far. Returns how far the bodies may move until this
-    /// must be asked again.
+    /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the
+    /// bodies may move until this must be asked again.
     fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
         let place = Place::of(view);
         let friction = self.least_friction();
-        let left = place.left(&self.placement, friction);
-        if left > 0.0 {
-            return left;
-        }
-        self.placement = place.placement();
-        for manifold in &mut self.manifolds {
-            place.put(manifold);
+        let (held, creeps) = (self.placement.may_hold, place.creeps());
+        if !creeps {
+            // Should they creep again later, they must not be held where they were long ago.
+            self.placement.may_hold = false;
+        } else if !held || place.left(&self.placement, friction) <= 0.0 {
+            self.placement = place.placement();
+            for manifold in &mut self.manifolds {
+                place.put(manifold);
+            }
         }
         place.left(&self.placement, friction)
     }

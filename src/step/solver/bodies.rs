@@ -25,6 +25,8 @@ struct Motion {
     angular_acceleration: AngVector,
     linear_damping: Real,
     angular_damping: Real,
+    /// Does gravity pull it, so that it may be part of a pile? What holds piles up counts, too.
+    bears_weight: bool,
     /// For a body that tumbles.
     gyroscope: Option<Gyroscope>,
 }
@@ -113,10 +115,12 @@ impl SolverBodies {
         if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
     }
 
-    /// Does a body creep ([`Placement`])?
+    /// Is this a body of a pile that creeps, or what a pile stands on ([`Placement`])?
     pub fn creeps(&self, index: u32) -> bool {
-        let (_, angvel) = self.states[(index & !READ_ONLY) as usize].velocity();
-        Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
+        let at = (index & !READ_ONLY) as usize;
+        let (_, angvel) = self.states[at].velocity();
+        self.motions[at].bears_weight
+            && Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
     }
 
     /// The states, to be shared among constraints of one colour.
@@ -195,7 +199,11 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> Real {
     };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
+    let old_center = body.mprops.world_com;
     body.update_world_mass_properties();
+    // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
+    let rounded = body.mprops.world_com - old_center;
+    let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
     motion_bound(shift, ang_length_squared(turn), body.extent)
 }
 
@@ -222,6 +230,7 @@ impl Motion {
         angular_acceleration: ANG_ZERO,
         linear_damping: 0.0,
         angular_damping: 0.0,
+        bears_weight: true,
         gyroscope: None,
     };
 
@@ -241,6 +250,7 @@ impl Motion {
             angular_acceleration: mul_inertia(&mprops.inv_inertia, body.torque),
             linear_damping: body.linear_damping,
             angular_damping: body.angular_damping,
+            bears_weight: gravity * body.gravity_scale != Vector::ZERO,
             gyroscope,
         }
     }

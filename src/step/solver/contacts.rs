@@ -183,7 +183,7 @@ fn fill(
         load_bodies(input, lane, indices, &pair.placement);
         let manifold = &pair.manifolds[at.manifold as usize];
         load_manifold(input, lane, manifold);
-        let creep = bodies.creeps(indices[0]) && bodies.creeps(indices[1]);
+        let creep = pair.placement.may_hold && indices.iter().all(|&index| bodies.creeps(index));
         let held = if creep { Placement::held_turn(manifold.data.friction) } else { 0.0 };
         input.held_turn_squared.0[lane] = held * held;
     }

@@ -42,7 +42,6 @@ impl Digest<'_> {
             };
             self.drop_forbidden_pairs(collider_handle);
             self.place(collider_handle);
-            self.structure.colliders.note_box(collider_handle);
             self.tree.mark_moved(collider_handle.into_raw_parts().0);
         }
     }

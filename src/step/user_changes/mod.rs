@@ -93,9 +93,9 @@ impl Digest<'_> {
         if let (Some(body), Some(parent)) = (body, collider.parent) {
             collider.pose = body.pose * parent.pos_wrt_parent;
         }
-        if self.tree.follow(handle, collider, body, self.params) {
-            colliders.note_box(handle);
-        }
+        self.tree.follow(handle, collider, body, self.params);
+        // Wherever its box was, it may be elsewhere now.
+        colliders.note_box(handle);
     }
 
     /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.
