@@ -26,6 +26,7 @@ pub(super) struct SolverContacts {
     /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
     colors: Vec<Range<usize>>,
     len: usize,
+    point_count: usize,
 }
 
 /// Splits the graph into what stands in one block: whole lanes of a colour, single manifolds of the
@@ -43,6 +44,11 @@ impl SolverContacts {
         self.len
     }
 
+    /// Number of contact points in them.
+    pub fn point_count(&self) -> usize {
+        self.point_count
+    }
+
     /// Fills the inputs from the manifolds.
     pub fn load(
         &mut self,
@@ -51,7 +57,7 @@ impl SolverContacts {
         bodies: &SolverBodies,
     ) {
         self.colors.clear();
-        self.len = graph.len();
+        (self.len, self.point_count) = (graph.len(), 0);
         let mut count = 0;
         let mut current = None;
         for (color, chunk) in chunks(graph) {
@@ -66,7 +72,7 @@ impl SolverContacts {
                 self.inputs.push(ContactInput::EMPTY);
                 self.blocks.push(ContactBlock::EMPTY);
             }
-            fill(&mut self.inputs[count], chunk, narrow_phase, bodies);
+            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies);
             count += 1;
         }
         self.inputs.truncate(count);
@@ -166,13 +172,14 @@ impl SolverContacts {
     }
 }
 
-/// Fills one input, lane by lane.
+/// Fills one input, lane by lane. Returns the number of points.
 fn fill(
     input: &mut ContactInput,
     chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
     bodies: &SolverBodies,
-) {
+) -> usize {
+    let mut point_count = 0;
     if chunk.len() < LANES {
         *input = ContactInput::EMPTY;
     }
@@ -186,7 +193,9 @@ fn fill(
         let creep = pair.placement.may_hold && indices.iter().all(|&index| bodies.creeps(index));
         let held = if creep { Placement::held_turn(manifold.data.friction) } else { 0.0 };
         input.held_turn_squared.0[lane] = held * held;
+        point_count += manifold.contacts().len();
     }
+    point_count
 }
 
 fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2], placement: &Placement) {

@@ -91,4 +91,5 @@ pub(crate) fn solve(
     states.store(islands, bodies, params);
     counters.velocity_writeback_time.pause();
     counters.nconstraints = contacts.len();
+    counters.ncontacts = contacts.point_count();
 }
