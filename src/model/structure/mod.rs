@@ -369,6 +369,17 @@ impl Structure<'_> {
         }
     }
 
+    /// Wakes those bodies of a pair that sleep. Sleepers do not lose contacts by themselves: an edit took
+    /// their hold, and they may fall now.
+    pub fn wake_sleepers_of(&mut self, id: PairId) {
+        for slot in self.narrow_phase.contacts.bodies(id) {
+            let sleeper = self.bodies.at_slot(slot).filter(|(_, body)| body.link.awake == NONE);
+            if let Some((handle, _)) = sleeper {
+                self.wake_body(handle);
+            }
+        }
+    }
+
     /// Two colliders are too far apart to be watched, or one of them goes.
     pub fn remove_contact_pair(&mut self, id: PairId) -> ContactPair {
         self.detach(id);
@@ -389,7 +400,10 @@ impl Structure<'_> {
         let wanted = pair.manifolds.iter().any(ContactManifold::is_solved);
         match (wanted, pair.attached) {
             (true, false) => self.attach(id),
-            (false, true) => self.detach(id),
+            (false, true) => {
+                self.detach(id);
+                self.wake_sleepers_of(id);
+            }
             (true, true) => self.update_colors(id),
             (false, false) => {}
         }

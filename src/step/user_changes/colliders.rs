@@ -53,6 +53,9 @@ impl Digest<'_> {
         for id in contacts {
             let pair = &self.structure.narrow_phase.contacts[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
+                if pair.is_touching() {
+                    self.structure.wake_sleepers_of(id);
+                }
                 let pair = self.structure.remove_contact_pair(id);
                 if pair.start_event_emitted {
                     let flags = CollisionEventFlags::empty();
