@@ -5,6 +5,7 @@
 //! 3D, in single and double precision.
 
 mod determinism;
+mod api;
 mod hostile;
 pub mod physics;
 mod queries;

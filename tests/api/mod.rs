@@ -1,0 +1,16 @@
+//! # What the public API promises
+//!
+//! Events, hooks, groups, reading of contacts, edits between steps, collision detection alone, and worlds
+//! that are saved and restored.
+
+mod stage;
+
+mod contacts;
+mod detection;
+mod edits;
+mod events;
+mod filters;
+mod forces;
+mod hooks;
+mod sensors;
+mod worlds;

@@ -1,0 +1,105 @@
+//! Small worlds, and a handler that writes events down.
+
+use crate::dim::{cuboid, vec};
+use rapier::prelude::*;
+use std::sync::Mutex;
+
+/// A world with fixed ground whose top is at height 0.
+pub fn world_with_ground() -> (PhysicsWorld, ColliderHandle) {
+    let mut world = PhysicsWorld::new();
+    let ground = cuboid(50.0, 1.0).translation(vec(0.0, -1.0));
+    let ground = world.insert_collider(ground, None);
+    (world, ground)
+}
+
+/// A dynamic box of half extents 0.5 that cannot turn, with its centre here.
+pub fn add_box(
+    world: &mut PhysicsWorld,
+    place: Vector,
+    collider: impl FnOnce(ColliderBuilder) -> ColliderBuilder,
+) -> (RigidBodyHandle, ColliderHandle) {
+    let body = RigidBodyBuilder::dynamic().translation(place).lock_rotations();
+    world.insert(body, collider(cuboid(0.5, 0.5)))
+}
+
+/// A collider as it is.
+pub fn plain(collider: ColliderBuilder) -> ColliderBuilder {
+    collider
+}
+
+/// A collider that sends all events.
+pub fn telling(collider: ColliderBuilder) -> ColliderBuilder {
+    collider.active_events(ActiveEvents::all())
+}
+
+pub fn steps(world: &mut PhysicsWorld, count: usize) {
+    (0..count).for_each(|_| world.step());
+}
+
+/// Height of a body.
+pub fn height(world: &PhysicsWorld, body: RigidBodyHandle) -> Real {
+    world.bodies[body].translation().y
+}
+
+/// Is a number what it should be, but for this error?
+#[track_caller]
+pub fn close(found: Real, expected: Real, error: Real) {
+    assert!((found - expected).abs() <= error, "{found} is not {expected}");
+}
+
+/// Writes all events down, in the order in which they come.
+#[derive(Default)]
+pub struct Protocol {
+    pub collisions: Mutex<Vec<CollisionEvent>>,
+    pub forces: Mutex<Vec<ContactForceEvent>>,
+}
+
+impl Protocol {
+    /// What was written since the last call.
+    pub fn collisions(&self) -> Vec<CollisionEvent> {
+        std::mem::take(&mut self.collisions.lock().unwrap())
+    }
+
+    /// What was written since the last call.
+    pub fn forces(&self) -> Vec<ContactForceEvent> {
+        std::mem::take(&mut self.forces.lock().unwrap())
+    }
+
+    /// Steps a world and returns the collision events of these steps.
+    pub fn of_steps(&self, world: &mut PhysicsWorld, count: usize) -> Vec<CollisionEvent> {
+        (0..count).for_each(|_| world.step_with_events(&(), self));
+        self.collisions()
+    }
+}
+
+impl EventHandler for Protocol {
+    fn handle_collision_event(
+        &self,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        event: &CollisionEvent,
+        _: Option<&ContactPair>,
+    ) {
+        self.collisions.lock().unwrap().push(*event);
+    }
+
+    fn handle_contact_force_event(
+        &self,
+        _: Real,
+        event: &ContactForceEvent,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+    ) {
+        self.forces.lock().unwrap().push(*event);
+    }
+}
+
+/// An event between these two, in whichever order.
+#[track_caller]
+pub fn between(event: &CollisionEvent, a: ColliderHandle, b: ColliderHandle) {
+    let mut found = [event.collider1(), event.collider2()];
+    let mut expected = [a, b];
+    found.sort_unstable();
+    expected.sort_unstable();
+    assert_eq!(found, expected, "{event:?}");
+}
