@@ -43,6 +43,11 @@ pub struct WideRotation<W> {
 }
 
 impl WideVector<Lane> {
+    /// The zero vector in every lane.
+    pub const ZERO: Self = Self { x: Lane::ZERO, y: Lane::ZERO, z: Lane::ZERO };
+    /// The unit vector along the second axis in every lane.
+    pub const Y: Self = Self { y: Lane::splat(1.0), ..Self::ZERO };
+
     /// Sets the vector of one lane.
     pub fn set_lane(&mut self, lane: usize, value: Vector) {
         (self.x.0[lane], self.y.0[lane], self.z.0[lane]) = (value.x, value.y, value.z);

@@ -3,7 +3,8 @@
 use crate::base::wide::{LANES, Lane};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim2::state::READ_ONLY;
-use crate::dim2::wide::{WideRotation, WideSymmetric, WideVector};
+use crate::dim2::wide::{WideSymmetric, WideVector};
+use crate::model::contact::WidePlacement;
 
 /// Pairs of different points of one manifold.
 pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
@@ -17,19 +18,12 @@ pub(crate) struct ContactInput {
     pub is_world: [Lane; 2],
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
-    /// The normal in world space as the contacts were placed.
-    pub placed_normal: WideVector<Lane>,
-    /// Orientations of the bodies when the contacts were placed, and from the first centre of mass to
-    /// the second.
-    pub placed_rotations: [WideRotation<Lane>; 2],
-    pub placed_centers: WideVector<Lane>,
+    /// How the bodies stood when the contacts were placed.
+    pub placement: WidePlacement,
     /// From the first centre of mass to the points as they were placed, in world space.
     pub levers: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Separations of the points as they were placed.
     pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
-    /// Square of how far (rad) the bodies may have turned since, and the contacts are still held where they were
-    /// placed. Zero: they follow.
-    pub held_turn_squared: Lane,
     /// One for points that are there, zero for the others.
     pub present: [Lane; MAX_MANIFOLD_POINTS],
     /// Normal impulses with which to start.
@@ -52,17 +46,14 @@ pub(crate) struct ContactInput {
 impl ContactInput {
     /// No manifold in any lane. A lane that stays empty acts on the world alone, and not on that.
     pub const EMPTY: Self = {
-        let vector = WideVector { x: Lane::ZERO, y: Lane::ZERO };
+        let vector = WideVector::ZERO;
         Self {
             bodies: [[READ_ONLY; LANES]; 2],
             is_world: [Lane::splat(1.0); 2],
             mass_factors: [Lane::ZERO; 2],
-            placed_normal: WideVector { x: Lane::ZERO, y: Lane::splat(1.0) },
-            placed_rotations: [WideRotation::IDENTITY; 2],
-            placed_centers: vector,
+            placement: WidePlacement::NOWHERE,
             levers: [vector; MAX_MANIFOLD_POINTS],
             placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
-            held_turn_squared: Lane::ZERO,
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             friction: Lane::ZERO,
@@ -146,7 +137,7 @@ impl ContactBlock {
     /// No constraint in any lane.
     pub const EMPTY: Self = {
         let zero = Lane::ZERO;
-        let vector = WideVector { x: zero, y: zero };
+        let vector = WideVector::ZERO;
         let point = PointRow { x: zero, separation: zero, mass: zero, impulse: zero };
         let friction = FrictionRow {
             height: zero,

@@ -11,7 +11,8 @@ use crate::dim3::state::{
     BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, gather_velocities,
     scatter_velocities,
 };
-use crate::dim3::wide::{WideRotation, WideSymmetric, WideVector};
+use crate::dim3::wide::{WideSymmetric, WideVector};
+use crate::model::contact::MotionSince;
 
 /// One contact point on its way from a manifold to a row.
 #[derive(Copy, Clone)]
@@ -91,8 +92,8 @@ fn read_geometry<W: Wide>(
     input: &mut ContactInput,
     poses: &[WidePose<W>; 2],
 ) -> (Frame<W>, WideVector<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
-    let motion = MotionSince::placed(input, poses);
-    let (n, c) = (motion.normal(input), motion.offset());
+    let motion = MotionSince::new(&input.placement, &input.is_world, poses);
+    let (n, c) = (motion.normal, motion.offset());
     n.store(&mut input.world_normal);
     let frame = Frame::about(n);
 
@@ -114,77 +115,6 @@ fn read_geometry<W: Wide>(
         };
     }
     (frame, frame.local(c), points)
-}
-
-/// What the bodies moved since their contacts were placed.
-struct MotionSince<W: Wide> {
-    turns: [WideRotation<W>; 2],
-    /// Of the second centre of mass against the first.
-    shift: WideVector<W>,
-    /// `c = x1 - x2`, which turns levers of the first body into those of the second: as placed, and now.
-    ///
-    /// The world has no centre of mass. Levers are measured from the other body's then, as short as they
-    /// can be, and `c` is zero.
-    offsets: [WideVector<W>; 2],
-    /// From where the levers of the first body are measured.
-    origin: WideVector<W>,
-    is_second_world: W::Mask,
-    is_held: W::Mask,
-}
-
-impl<W: Wide> MotionSince<W> {
-    #[inline(always)]
-    fn placed(input: &ContactInput, poses: &[WidePose<W>; 2]) -> Self {
-        let half = W::splat(0.5);
-        let is_world = [half.lt(W::load(&input.is_world[0])), half.lt(W::load(&input.is_world[1]))];
-        let has_world = is_world[0] | is_world[1];
-        let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
-        let centers = WideVector::load(&input.placed_centers);
-        let turn = |side: usize| {
-            poses[side].rotation.since(WideRotation::load(&input.placed_rotations[side]))
-        };
-        let (turns, limit) = ([turn(0), turn(1)], W::load(&input.held_turn_squared));
-        let zero = WideVector::zero();
-        Self {
-            turns,
-            shift: (x2 - x1) - centers,
-            offsets: [
-                WideVector::select(has_world, zero, -centers),
-                WideVector::select(has_world, zero, x1 - x2),
-            ],
-            origin: WideVector::select(is_world[0], x2, x1),
-            is_second_world: is_world[1],
-            is_held: turns[0].chord_squared().lt(limit) & turns[1].chord_squared().lt(limit),
-        }
-    }
-
-    /// The normal: on the first body, or held.
-    #[inline(always)]
-    fn normal(&self, input: &ContactInput) -> WideVector<W> {
-        let placed = WideVector::load(&input.placed_normal);
-        WideVector::select(self.is_held, placed, self.turns[0].rotate(placed))
-    }
-
-    /// `c`, or what is held of it.
-    #[inline(always)]
-    fn offset(&self) -> WideVector<W> {
-        WideVector::select(self.is_held, self.offsets[0], self.offsets[1])
-    }
-
-    /// The lever, now, to midway between what was at a lever of the first body then; and how far the second
-    /// surface moved against the first there.
-    #[inline(always)]
-    fn at(&self, placed: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
-        let placed2 = placed + self.offsets[0];
-        let turned1 = self.turns[0].displacement(placed);
-        let turned2 = self.turns[1].displacement(placed2);
-        let moved = self.shift + turned2 - turned1;
-        let half = moved * W::splat(0.5);
-        // The surface of the world has not moved; from the other one it is half of the way.
-        let from_first = placed + turned1 + half;
-        let from_second = placed2 + turned2 - half - self.offsets[1];
-        (WideVector::select(self.is_second_world, from_first, from_second), moved)
-    }
 }
 
 /// What a block keeps of its bodies.

@@ -3,10 +3,11 @@
 mod manifold;
 mod narrow_phase;
 mod pair;
+mod placement;
 mod store;
 
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
 pub use narrow_phase::NarrowPhase;
-pub(crate) use pair::Placement;
 pub use pair::{ContactPair, IntersectionPair};
+pub(crate) use placement::{MotionSince, Placement, WidePlacement};
 pub(crate) use store::{AwakePair, DUE, Pair, PairId, PairStore};

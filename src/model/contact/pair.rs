@@ -1,8 +1,9 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
 use super::manifold::ContactManifold;
+use super::placement::Placement;
 use super::store::Pair;
-use crate::dim::math::{Pose, Real, Rotation, Vector};
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 use smallvec::SmallVec;
 
@@ -30,76 +31,6 @@ pub struct ContactPair {
     pub(crate) pose12: Pose,
     /// How the bodies stood when the contact points were put into the world.
     pub(crate) placement: Placement,
-}
-
-/// How two bodies stood when their contact points were put into the world. Where the points are later follows
-/// from what the bodies moved since.
-///
-/// A fixed body, or none, stands at the origin and is not turned.
-///
-/// # Contacts that are held in place
-///
-/// While both bodies *creep*, normal and levers are what they were then, and only the separations follow. Else piles
-/// would buckle that cannot. The faces of two rigid boxes on each other do not give way, but the soft contacts of the
-/// solver do: under a moment they yield like a hinge with a spring. A tower of `n` unit cubes of mass `m` is then an
-/// elastic column, and under its own weight it buckles (Greenhill 1881) when the stiffness `k` of its hinges is less
-/// than
-///
-/// ```text
-/// k  <  n³ m g / 7.84        k = β m / (8 σ h²)        (β, σ, h: see `model/params/softness`)
-/// ```
-///
-/// which for our contacts are towers of some twenty cubes. What tips a column is the moment of its load about the
-/// leaning part below: the load times how far the levers have turned. With levers that are held in place that moment
-/// is zero, as it is between faces that cannot give way, and the column is a beam without a load along it, which is
-/// stable whatever its height. The alternative, stiffer contacts, would have to be a hundred times as stiff for a
-/// pile of a hundred layers, and one visit per substep does not converge for these. Box3D keeps its anchors for the
-/// same reason, for up to seven degrees and at any speed.
-///
-/// The price: that moment is real. Without it, action and reaction of a contact do not act along one line, and the
-/// angular momentum of a pair that is pressed together is not conserved. So only bodies that have weight and turn more
-/// slowly than [`Self::SLOW`] are held, by no more than [`Self::HELD_TURN_MAX`], and not where the normal would lag by
-/// more than friction hides ([`Self::HELD_BY_FRICTION`]). What is wrong in the end is the load's lever, by a few
-/// hundredths of the body's size, on bodies that turn by less than 3 degrees a second.
-#[derive(Copy, Clone, Debug)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Placement {
-    pub rotations: [Rotation; 2],
-    /// From the first centre of mass to the second (length units).
-    pub centers: Vector,
-    /// Did both bodies creep then, and whenever somebody looked since?
-    pub may_hold: bool,
-}
-
-impl Placement {
-    /// Both bodies at the origin.
-    pub const NOWHERE: Self =
-        Self { rotations: [Rotation::IDENTITY; 2], centers: Vector::ZERO, may_hold: false };
-
-    /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows
-    /// that settles stay below it; at 0.02 they did not, and it was seen to lean.
-    const SLOW: Real = 0.05;
-
-    /// The farthest (rad) that contacts are held behind a body that turns: three degrees.
-    const HELD_TURN_MAX: Real = 0.05;
-
-    /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
-    const HELD_BY_FRICTION: Real = 0.1;
-
-    /// Does a body creep? One that the user moves, or that cannot move, does only if it does not turn at all: nothing
-    /// bends it, so there is nothing to hold straight. What stands on a platform that tilts is to feel it.
-    pub fn creeps(angular_speed_squared: Real, is_dynamic: bool) -> bool {
-        if is_dynamic {
-            angular_speed_squared < Self::SLOW * Self::SLOW
-        } else {
-            angular_speed_squared == 0.0
-        }
-    }
-
-    /// How far (rad) contacts are held behind bodies that creep.
-    pub fn held_turn(friction: Real) -> Real {
-        (Self::HELD_BY_FRICTION * friction).clamp(0.0, Self::HELD_TURN_MAX)
-    }
 }
 
 impl Default for ContactPair {

@@ -187,32 +187,30 @@ fn fill(
         let slots = narrow_phase.contacts.bodies(at.pair);
         let indices = slots.map(|slot| bodies.index_of(slot));
         let pair = &narrow_phase.contacts[at.pair];
-        load_bodies(input, lane, indices, &pair.placement);
+        load_bodies(input, lane, indices);
         let manifold = &pair.manifolds[at.manifold as usize];
         load_manifold(input, lane, manifold);
         let creep = pair.placement.may_hold && indices.iter().all(|&index| bodies.creeps(index));
-        let held = if creep { Placement::held_turn(manifold.data.friction) } else { 0.0 };
-        input.held_turn_squared.0[lane] = held * held;
+        let data = &manifold.data;
+        let held = if creep { Placement::held_turn(data.friction) } else { 0.0 };
+        input.placement.set_lane(lane, &pair.placement, data.placed_normal, held);
         point_count += manifold.contacts().len();
     }
     point_count
 }
 
-fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2], placement: &Placement) {
+fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2]) {
     let world = BodyPose::WORLD_INDEX;
-    for side in 0..2 {
-        input.bodies[side][lane] = indices[side];
-        input.is_world[side].0[lane] = if indices[side] == world { 1.0 } else { 0.0 };
-        input.placed_rotations[side].set_lane(lane, &placement.rotations[side]);
+    for (side, index) in indices.into_iter().enumerate() {
+        input.bodies[side][lane] = index;
+        input.is_world[side].0[lane] = if index == world { 1.0 } else { 0.0 };
     }
-    input.placed_centers.set_lane(lane, placement.centers);
 }
 
 fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifold) {
     let data = &manifold.data;
     input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
     input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
-    input.placed_normal.set_lane(lane, data.placed_normal);
     input.friction.0[lane] = data.friction;
     input.restitution.0[lane] = data.restitution;
     input.tangent_velocity.set_lane(lane, data.tangent_velocity);

@@ -9,6 +9,7 @@ use crate::dim::math::{
     rotation_from_angle, torque, zero_inertia,
 };
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
+use crate::model::contact::Placement;
 use crate::model::params::{ContactPass, Softness};
 use parry::shape::{Cuboid, Shape};
 
@@ -180,19 +181,19 @@ impl Scene {
             self.input.bodies[side][lane] = index;
             self.input.is_world[side].0[lane] = if body.is_none() { 1.0 } else { 0.0 };
             self.input.mass_factors[side].0[lane] = 1.0;
-            let rotation = body.map_or(Rotation::IDENTITY, |body| body.rotation);
-            self.input.placed_rotations[side].set_lane(lane, &rotation);
         }
         let [x1, x2] = bodies.map(|body| body.map(|body| body.center));
-        let centers = x2.unwrap_or_default() - x1.unwrap_or_default();
-        self.input.placed_centers.set_lane(lane, centers);
+        let placement = Placement {
+            rotations: bodies.map(|body| body.map_or(Rotation::IDENTITY, |body| body.rotation)),
+            centers: x2.unwrap_or_default() - x1.unwrap_or_default(),
+            may_hold: true,
+        };
+        self.input.placement.set_lane(lane, &placement, contact.normal, contact.held_turn);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
             self.input.levers[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
             self.input.placed_separations[k].0[lane] = separation;
             self.input.present[k].0[lane] = 1.0;
         }
-        self.input.placed_normal.set_lane(lane, contact.normal);
-        self.input.held_turn_squared.0[lane] = contact.held_turn * contact.held_turn;
         self.input.friction.0[lane] = contact.friction;
         self.input.restitution.0[lane] = contact.restitution;
         self.input.tangent_velocity.set_lane(lane, contact.tangent_velocity);
