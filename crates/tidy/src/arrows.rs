@@ -17,12 +17,16 @@ enum Room<'a> {
     /// What a user calls differently in each dimension: inherent methods of the model's types.
     DimSurface,
     Model,
+    /// Where two shapes touch: no bodies, no time.
+    Collide,
     /// The names in `step/` that every stage may use.
     Notes,
     Stage(&'a str),
     Step,
     /// Questions about the world: reads it, writes nothing.
     Query,
+    /// Characters, vehicles, feedback: users of queries and of the model's public side.
+    Controllers,
     DebugRender,
     Api,
     /// `lib2d.rs` and `lib3d.rs`.
@@ -48,16 +52,20 @@ impl<'a> Room<'a> {
             ["dim" | "dim2" | "dim3", "surface", ..] => Self::DimSurface,
             ["dim" | "dim2" | "dim3", ..] => Self::Dim,
             ["model", ..] => Self::Model,
+            ["collide", ..] => Self::Collide,
             ["step", notes, ..] if NOTES.contains(notes) => Self::Notes,
             ["step", stage, ..] if stage.starts_with(char::is_lowercase) && *stage != "mod" => {
                 Self::Stage(stage)
             }
             ["step", ..] => Self::Step,
             ["query", ..] => Self::Query,
+            ["controllers", ..] => Self::Controllers,
             ["debug_render", ..] => Self::DebugRender,
-            ["api" | "data" | "dynamics" | "geometry" | "math" | "pipeline" | "prelude", ..] => {
-                Self::Api
-            }
+            [
+                "api" | "control" | "data" | "dynamics" | "geometry" | "math" | "pipeline"
+                | "prelude",
+                ..,
+            ] => Self::Api,
             _ => return None,
         })
     }
@@ -65,19 +73,21 @@ impl<'a> Room<'a> {
     /// May this room use that one?
     fn may_use(self, other: Self) -> bool {
         use Room::{
-            Api, Base, DebugRender, Dim, DimContact, DimSurface, Door, Model, Notes, Query, Stage,
-            Step,
+            Api, Base, Collide, Controllers, DebugRender, Dim, DimContact, DimSurface, Door, Model,
+            Notes, Query, Stage, Step,
         };
         match self {
             _ if self == other => true,
             Door | Api => true,
             Base => false,
             Dim => other == Base,
-            DimContact | DimSurface | Notes | Query | DebugRender => {
+            DimContact | DimSurface | Collide | Notes | DebugRender => {
                 matches!(other, Base | Dim | Model)
             }
+            Query => matches!(other, Base | Dim | Model | Collide),
+            Controllers => matches!(other, Base | Dim | Model | Collide | Query),
             Model => matches!(other, Base | Dim),
-            Stage(_) => matches!(other, Base | Dim | DimContact | Model | Notes),
+            Stage(_) => matches!(other, Base | Dim | DimContact | Model | Collide | Notes),
             Step => matches!(other, Base | Dim | Model | Notes | Stage(_)),
         }
     }

@@ -10,19 +10,8 @@
 //! A step takes off a bound of what the two bodies moved, which costs two loads, and only pairs whose
 //! slack is used up are looked at more closely: [`update`].
 
-mod ball;
-mod capsule;
-mod convex;
-mod generate;
-mod matching;
-mod parts;
 mod place;
-mod polytopes;
 mod recycle;
-mod support;
 mod update;
-mod voxels;
-#[cfg(test)]
-mod tests;
 
 pub(crate) use update::{NarrowPhaseScratch, Surroundings, update};

@@ -1,12 +1,11 @@
 //! Which pairs are due, and what becomes of them.
 
-use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
-use super::matching::inherit_impulses;
 use super::place::{Place, turn_bound};
 use super::recycle::recycle_distance;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
+use crate::collide::{ManifoldScratch, compute_manifolds, inherit_impulses, shapes_intersect};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{

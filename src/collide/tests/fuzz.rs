@@ -2,9 +2,9 @@
 
 use super::{Scene, assert_sound, manifolds};
 use crate::base::random::Random;
+use crate::collide::manifolds::shapes_intersect;
 use crate::dim::collide::samples::{self, CONVEX_KINDS, KINDS};
 use crate::dim::math::{Pose, Real, Vector};
-use crate::step::narrow_phase::generate::shapes_intersect;
 
 #[test]
 fn random_pairs_give_sound_manifolds() {

@@ -7,7 +7,7 @@ mod matching;
 mod polytopes;
 mod timing;
 
-use super::generate::{ManifoldScratch, compute_manifolds, shapes_intersect};
+use super::manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
 use crate::base::random::Random;
 use crate::dim::collide::samples;

@@ -2,10 +2,10 @@
 
 use super::{Scene, just_touching, manifolds};
 use crate::base::random::Random;
+use crate::collide::matching::inherit_impulses;
 use crate::dim::collide::samples;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
-use crate::step::narrow_phase::matching::inherit_impulses;
 use parry::shape::PackedFeatureId;
 
 /// Gives every point an impulse that tells where it is.

@@ -1,10 +1,10 @@
 //! How long contact generation takes. Run with `--release -- --ignored --nocapture timing`.
 
 use crate::base::random::Random;
+use crate::collide::manifolds::{ManifoldScratch, compute_manifolds};
+use crate::collide::matching::inherit_impulses;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Vector};
-use crate::step::narrow_phase::generate::{ManifoldScratch, compute_manifolds};
-use crate::step::narrow_phase::matching::inherit_impulses;
 use parry::shape::{Shape, SharedShape};
 use smallvec::SmallVec;
 use std::time::Instant;

@@ -1,0 +1,25 @@
+//! # Where do two shapes touch?
+//!
+//! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago.
+//! Nothing here knows of bodies or of time: the narrow phase asks for the pairs of the world, queries
+//! and controllers for whatever they like.
+//!
+//! [`manifolds`] takes shapes apart into convex [`parts`] and puts the results together; [`convex`]
+//! chooses the way for two of them: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and
+//! what is round about them), or [`support`] for all others. What differs by dimension is in
+//! [`crate::dim::collide`]. [`matching`] hands impulses on from step to step.
+
+mod ball;
+mod capsule;
+mod convex;
+mod manifolds;
+mod matching;
+mod parts;
+mod polytopes;
+mod support;
+#[cfg(test)]
+mod tests;
+mod voxels;
+
+pub(crate) use manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
+pub(crate) use matching::inherit_impulses;
