@@ -52,8 +52,9 @@ mod model;
 mod collide;
 mod step;
 mod query;
+mod controllers;
 #[cfg(feature = "debug-render")]
 mod debug_render;
 mod api;
 
-pub use api::{data, dynamics, geometry, math, pipeline, prelude};
+pub use api::{control, data, dynamics, geometry, math, pipeline, prelude};

@@ -1,6 +1,6 @@
 //! # API — the public face
 //!
-//! The documented module paths (`dynamics`, `geometry`, `pipeline`, `math`, `prelude`) gather public
+//! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) gather public
 //! names from the rooms where they live; the facades [`pipeline::PhysicsPipeline`],
 //! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once, and
 //! do nothing else.
@@ -10,6 +10,7 @@ mod physics_pipeline;
 mod world;
 mod world_queries;
 
+pub mod control;
 pub mod data;
 pub mod dynamics;
 pub mod geometry;

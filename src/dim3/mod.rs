@@ -7,6 +7,7 @@ pub mod collide;
 pub mod axes;
 pub mod hull;
 pub mod names;
+pub mod mask;
 pub mod mass;
 pub mod math;
 pub mod shapes;

@@ -73,3 +73,17 @@ impl RigidBodyVelocity {
         }
     }
 }
+
+impl core::ops::Add for RigidBodyVelocity {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { linvel: self.linvel + other.linvel, angvel: self.angvel + other.angvel }
+    }
+}
+
+impl core::ops::AddAssign for RigidBodyVelocity {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}

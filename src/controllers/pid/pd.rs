@@ -1,0 +1,156 @@
+//! The controller without memory: springs and dampers.
+
+use crate::dim::mask::AxesMask;
+use crate::dim::math::{
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, rotation_to_angle,
+};
+use crate::model::body::{RigidBody, RigidBodyVelocity};
+
+/// How far something is from where it should be; or how much too slow it is.
+#[derive(Copy, Clone, PartialEq, Debug)]
+pub struct PdErrors {
+    /// Target position minus actual position (length), or target velocity minus actual velocity (length/s).
+    pub linear: Vector,
+    /// The rotation that leads from the actual to the target rotation, as axis times angle in world space (rad), or target
+    /// minus actual angular velocity (rad/s).
+    pub angular: AngVector,
+}
+
+impl Default for PdErrors {
+    fn default() -> Self {
+        Self { linear: Vector::ZERO, angular: ANG_ZERO }
+    }
+}
+
+impl From<RigidBodyVelocity> for PdErrors {
+    fn from(vels: RigidBodyVelocity) -> Self {
+        Self { linear: vels.linvel, angular: vels.angvel }
+    }
+}
+
+/// Leads a dynamic body to a pose: says by how much its velocity should change before the next step.
+///
+/// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the [`axes`](Self::axes) only. The
+/// body keeps colliding on its way, which sets it apart from a kinematic one.
+///
+/// ```
+/// use rapier3d::prelude::*;
+///
+/// let mut world = PhysicsWorld::new();
+/// world.gravity = Vector::ZERO;
+/// let (hand, _) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+/// let target = Pose::from_translation(vector![3.0, 1.0, 0.0]);
+///
+/// let controller = PdController::default();
+/// for _ in 0..60 {
+///     let body = &mut world.bodies[hand];
+///     let change = controller.rigid_body_correction(body, target, RigidBodyVelocity::zero());
+///     let vels = body.vels();
+///     body.set_vels(vels + change, true);
+///     world.step();
+/// }
+/// assert!((world.bodies[hand].translation() - target.translation).length() < 1.0e-3);
+/// ```
+///
+/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt` comes home without
+/// swinging; `kd = 1` and `kp = 1 / dt` are there in one step. Anything with `0 < kd < 2` and `0 < kp·dt < 2·(2 - kd)` comes home in
+/// the end.
+#[derive(Copy, Clone, PartialEq, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct PdController {
+    /// Velocity for each unit of distance, per axis (1/s).
+    pub lin_kp: Vector,
+    /// Share of the velocity's error that is removed, per axis.
+    pub lin_kd: Vector,
+    /// Angular velocity for each radian of error, per axis (1/s).
+    pub ang_kp: AngVector,
+    /// Share of the angular velocity's error that is removed, per axis.
+    pub ang_kd: AngVector,
+    /// The world axes along and about which the controller acts.
+    pub axes: AxesMask,
+}
+
+impl Default for PdController {
+    /// `kp = 60`, `kd = 0.8`, all axes: home within a few steps at 60 steps a second.
+    fn default() -> Self {
+        Self::new(60.0, 0.8, AxesMask::all())
+    }
+}
+
+impl PdController {
+    /// A controller with the same gains for all axes: `kp` in 1/s, `kd` without a unit.
+    pub fn new(kp: Real, kd: Real, axes: AxesMask) -> Self {
+        let (lin, ang) = (Vector::ONE, AxesMask::all().angular());
+        Self { lin_kp: lin * kp, lin_kd: lin * kd, ang_kp: ang * kp, ang_kd: ang * kd, axes }
+    }
+
+    /// By how much the body's linear velocity should change for its origin to get to `target_pos` (world space) and to move at
+    /// `target_linvel` (length/s) there.
+    pub fn linear_rigid_body_correction(
+        &self,
+        rb: &RigidBody,
+        target_pos: Vector,
+        target_linvel: Vector,
+    ) -> Vector {
+        let target = Pose::from_parts(target_pos, *rb.rotation());
+        let target_vels = RigidBodyVelocity::new(target_linvel, rb.angvel());
+        self.rigid_body_correction(rb, target, target_vels).linvel
+    }
+
+    /// By how much the body's angular velocity should change for it to turn to `target_rot`, and to turn at `target_angvel` (rad/s) there.
+    pub fn angular_rigid_body_correction(
+        &self,
+        rb: &RigidBody,
+        target_rot: Rotation,
+        target_angvel: AngVector,
+    ) -> AngVector {
+        let target = Pose::from_parts(rb.translation(), target_rot);
+        let target_vels = RigidBodyVelocity::new(rb.linvel(), target_angvel);
+        self.rigid_body_correction(rb, target, target_vels).angvel
+    }
+
+    /// By how much the body's velocity should change for it to get to a pose, and to move at `target_vels` there.
+    ///
+    /// Poses are those of the body's frame; `target_vels.linvel` is the velocity of its origin. Zero where a number is not finite.
+    pub fn rigid_body_correction(
+        &self,
+        rb: &RigidBody,
+        target_pose: Pose,
+        target_vels: RigidBodyVelocity,
+    ) -> RigidBodyVelocity {
+        self.correction(&pose_errors(rb, &target_pose), &velocity_errors(rb, &target_vels))
+    }
+
+    /// By how much a velocity should change, given how far off pose and velocity are. Zero where a number is not finite.
+    pub fn correction(&self, pose_errors: &PdErrors, vel_errors: &PdErrors) -> RigidBodyVelocity {
+        let linear = self.lin_kp * pose_errors.linear + self.lin_kd * vel_errors.linear;
+        let angular = self.ang_kp * pose_errors.angular + self.ang_kd * vel_errors.angular;
+        sound(RigidBodyVelocity::new(linear * self.axes.linear(), angular * self.axes.angular()))
+    }
+}
+
+/// How far the frame of a body is from a pose.
+pub(super) fn pose_errors(rb: &RigidBody, target: &Pose) -> PdErrors {
+    PdErrors {
+        linear: target.translation - rb.translation(),
+        angular: rotation_to_angle(&(target.rotation * rb.rotation().inverse())),
+    }
+}
+
+/// How much the velocity of a body's origin, and its angular velocity, differ from these.
+pub(super) fn velocity_errors(rb: &RigidBody, target: &RigidBodyVelocity) -> PdErrors {
+    PdErrors {
+        linear: target.linvel - rb.velocity_at_point(rb.translation()),
+        angular: target.angvel - rb.angvel(),
+    }
+}
+
+/// The velocity, with zeros in the place of a part that is not finite.
+pub(super) fn sound(vels: RigidBodyVelocity) -> RigidBodyVelocity {
+    let linvel = if vels.linvel.is_finite() { vels.linvel } else { Vector::ZERO };
+    let angvel = if ang_is_finite(vels.angvel) { vels.angvel } else { ANG_ZERO };
+    if linvel != vels.linvel || angvel != vels.angvel {
+        log::warn!("a controller's change of velocity {vels:?} is not finite: nothing changes");
+    }
+    RigidBodyVelocity { linvel, angvel }
+}
