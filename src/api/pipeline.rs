@@ -4,6 +4,7 @@ pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;
 pub use super::world::PhysicsWorld;
 pub use crate::base::timer::Timer;
+pub use crate::controllers::QueryPipelineMut;
 #[cfg(feature = "debug-render")]
 pub use crate::debug_render::{
     DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,

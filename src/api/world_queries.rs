@@ -1,6 +1,7 @@
 //! Questions to a world, as of its last step: [`QueryView`] has the details of each.
 
 use super::world::PhysicsWorld;
+use crate::controllers::QueryPipelineMut;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use crate::query::{QueryFilter, QueryView};
@@ -34,6 +35,13 @@ impl PhysicsWorld {
     pub fn query_pipeline_with_filter<'a>(&'a self, filter: QueryFilter<'a>) -> QueryView<'a> {
         let dispatcher = self.narrow_phase.query_dispatcher();
         self.broad_phase.as_query_pipeline(dispatcher, &self.bodies, &self.colliders, filter)
+    }
+
+    /// Those colliders that a filter lets pass, to be asked, and all bodies, to be pushed: what controllers want.
+    pub fn query_pipeline_mut<'a>(&'a mut self, filter: QueryFilter<'a>) -> QueryPipelineMut<'a> {
+        let Self { broad_phase, narrow_phase, bodies, colliders, .. } = self;
+        let dispatcher = narrow_phase.query_dispatcher();
+        broad_phase.as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
     }
 
     /// The first collider that a ray hits, and when: see [`QueryView::cast_ray`].

@@ -11,3 +11,6 @@
 //! handles. So one controller can lead a crowd, and a world can be saved without it.
 
 pub mod pid;
+mod world_access;
+
+pub use world_access::QueryPipelineMut;
