@@ -2,6 +2,8 @@
 
 use rapier::prelude::*;
 
+#[path = "ghosts/dim2.rs"]
+pub mod grounds;
 #[path = "hostile/dim2.rs"]
 pub mod hostile;
 

@@ -2,6 +2,8 @@
 
 use rapier::prelude::*;
 
+#[path = "ghosts/dim3.rs"]
+pub mod grounds;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
 #[path = "physics/tumbling.rs"]

@@ -6,6 +6,7 @@
 
 mod determinism;
 mod api;
+mod ghosts;
 mod hostile;
 pub mod physics;
 mod queries;

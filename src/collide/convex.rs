@@ -3,8 +3,8 @@
 use super::ball::ball_manifold;
 use super::capsule::capsule_capsule;
 use super::parts::Part;
-use super::polytopes::polytope_polytope;
-use super::support::{Core, support_manifold};
+use super::polytopes::{face_contacts, polytope_polytope};
+use super::support::{Core, contacts_along, support_manifold};
 use crate::dim::collide::{Polytope, RawManifold, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
@@ -97,6 +97,25 @@ fn general_manifold(
             raw,
         )
         .is_ok()
+}
+
+/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`: those of the
+/// face of the first or of the second that looks that way.
+///
+/// Balls have none but those that they have anyway.
+pub(super) fn manifold_along(
+    pos12: &Pose,
+    parts: [&Part<'_>; 2],
+    is_first: bool,
+    direction: Vector,
+    prediction: Real,
+    raw: &mut RawManifold,
+) {
+    if let [Some(polytope1), Some(polytope2)] = parts.map(|part| Polytope::of(part.shape)) {
+        face_contacts(pos12, [polytope1, polytope2], is_first, direction, prediction, raw);
+    } else if let [Some(core1), Some(core2)] = parts.map(Core::of) {
+        contacts_along(pos12, [core1, core2], direction, raw);
+    }
 }
 
 /// Exchanges the roles of the two parts.

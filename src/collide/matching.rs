@@ -1,36 +1,51 @@
 //! Which contact of this step was which contact of the last: so that solving starts from the impulses
 //! that held the bodies apart a moment ago.
 
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::Real;
 use crate::model::contact::{Contact, ContactManifold};
 use parry::shape::PackedFeatureId;
 
 /// Manifolds whose normals differ by more than 45° hold different sides of the bodies apart.
 const NORMAL_COSINE_MIN: Real = 0.7;
+/// Manifolds of different parts count as the same up to 8° between their normals.
+const SAME_NORMAL: Real = 0.99;
 /// Points without known features are the same if they are closer than this share of the manifold's size.
 const NEAR_FRACTION: Real = 0.25;
 
 /// Hands the impulses of the last step's manifolds to the manifolds of this step.
 ///
-/// Manifolds match by the parts they stand between, points by the features of the two shapes (so a
-/// sliding box keeps its impulses), or else by their place on the first shape.
+/// Manifolds match by the parts they stand between or, where many parts have one manifold, by their
+/// normals; points by the features of the two shapes (so a sliding box keeps its impulses), or else by
+/// their place on either shape.
 pub(crate) fn inherit_impulses(new: &mut [ContactManifold], old: &[ContactManifold]) {
     // Both lists follow the same traversal, so the next match is most often right after the last.
     let mut start = 0;
     for manifold in new {
         let ids = (manifold.subshape1, manifold.subshape2);
-        let matching = (start..old.len())
+        let has_same_parts = (start..old.len())
             .chain(0..start)
             .find(|&index| (old[index].subshape1, old[index].subshape2) == ids);
-        if let Some(index) = matching {
-            inherit_manifold(manifold, &old[index]);
+        if let Some(index) = has_same_parts {
+            inherit_manifold(manifold, &old[index], true);
             start = index + 1;
+        } else if let Some(index) = with_same_normal(manifold, old) {
+            inherit_manifold(manifold, &old[index], false);
         }
     }
 }
 
+/// The manifold that looks the same way on both shapes: that of other parts, as a body slides over them.
+fn with_same_normal(manifold: &ContactManifold, old: &[ContactManifold]) -> Option<usize> {
+    let cosine = |index: &usize| {
+        let other = &old[*index];
+        manifold.local_n1.dot(other.local_n1).max(manifold.local_n2.dot(other.local_n2))
+    };
+    let same = (0..old.len()).filter(|index| cosine(index) > SAME_NORMAL);
+    same.max_by(|a, b| cosine(a).total_cmp(&cosine(b)))
+}
+
 /// Hands over what one manifold remembers.
-fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold) {
+fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold, has_same_parts: bool) {
     new.data.user_data = old.data.user_data;
     if new.local_n1.dot(old.local_n1) < NORMAL_COSINE_MIN {
         return;
@@ -42,7 +57,8 @@ fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold) {
     let mut taken = 0_u32; // one bit for each old point
     let mut matched = 0_u32; // one bit for each new point
     for (index, point) in new.data.points.iter_mut().enumerate() {
-        if let Some(found) = with_same_features(point, old_points, taken) {
+        let found = with_same_features(point, old_points, taken).filter(|_| has_same_parts);
+        if let Some(found) = found {
             point.inherit(&old_points[found]);
             taken |= 1 << found;
             matched |= 1 << index;
@@ -53,7 +69,7 @@ fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold) {
         if matched & (1 << index) != 0 {
             continue;
         }
-        if let Some(found) = nearest(point.local_p1, old_points, taken, limit) {
+        if let Some(found) = nearest(point, old_points, taken, limit) {
             point.inherit(&old_points[found]);
             taken |= 1 << found;
         }
@@ -81,11 +97,12 @@ fn near_limit(old: &[Contact], new_count: usize) -> Real {
     spread.fold(0.0, Real::max) * (NEAR_FRACTION * NEAR_FRACTION)
 }
 
-/// The nearest old point that nobody took, within the squared distance `limit`.
-fn nearest(place: Vector, old: &[Contact], taken: u32, limit: Real) -> Option<usize> {
+/// The old point that nobody took and that is nearest on one of the shapes, within the squared distance `limit`.
+fn nearest(point: &Contact, old: &[Contact], taken: u32, limit: Real) -> Option<usize> {
     let mut best = (None, limit);
-    for (index, point) in old.iter().enumerate() {
-        let distance = point.local_p1.distance_squared(place);
+    for (index, other) in old.iter().enumerate() {
+        let on_first = other.local_p1.distance_squared(point.local_p1);
+        let distance = on_first.min(other.local_p2.distance_squared(point.local_p2));
         if taken & (1 << index) == 0 && distance <= best.1 {
             best = (Some(index), distance);
         }

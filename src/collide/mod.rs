@@ -4,8 +4,9 @@
 //! Nothing here knows of bodies or of time: the narrow phase asks for the pairs of the world, queries
 //! and controllers for whatever they like.
 //!
-//! [`manifolds`] takes shapes apart into convex [`parts`] and puts the results together; [`convex`]
-//! chooses the way for two of them: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and
+//! [`manifolds`] takes shapes apart into convex [`parts`], finds out which contacts are only [`seams`]
+//! between these, and puts the [`patches`] that are left together; [`convex`] chooses the way for two
+//! parts: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and
 //! what is round about them), or [`support`] for all others. What differs by dimension is in
 //! [`crate::dim::collide`]. [`matching`] hands impulses on from step to step.
 
@@ -14,12 +15,16 @@ mod capsule;
 mod convex;
 mod manifolds;
 mod matching;
+mod neighbor;
 mod parts;
+mod patches;
 mod polytopes;
+mod seams;
 mod support;
 #[cfg(test)]
 mod tests;
 mod voxels;
 
-pub(crate) use manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
+pub(crate) use manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};
 pub(crate) use matching::inherit_impulses;
+pub(crate) use neighbor::{Neighbor, seams_among};

@@ -3,8 +3,8 @@
 //! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
 //! only part. Parts that are far from the other shape are never looked at.
 
-use super::voxels::for_each_voxel;
-use crate::dim::collide::for_each_cell;
+use super::voxels::{for_each_voxel, with_voxel};
+use crate::dim::collide::{flat_corners, for_each_cell, with_cell};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::partitioning::BvhNode;
@@ -28,6 +28,15 @@ impl<'a> Part<'a> {
     /// A convex shape as its own only part.
     pub fn whole(shape: &'a dyn Shape) -> Self {
         Self { id: 0, pose: None, shape, constraints: None }
+    }
+
+    /// Is it flat, and does it lie in a plane of its shape's frame?
+    pub fn is_flat_in(&self, point: Vector, normal: Vector, tolerance: Real) -> bool {
+        let is_near = |corner: Vector| {
+            let corner = self.pose.map_or(corner, |pose| *pose * corner);
+            (corner - point).dot(normal).abs() < tolerance
+        };
+        flat_corners(self.shape).is_some_and(|corners| corners.into_iter().all(is_near))
     }
 
     /// Place of the part in the frame of its shape.
@@ -68,6 +77,28 @@ impl<'a> Parts<'a> {
         match *self {
             Self::Convex(shape) => shape,
             Self::Tree(shape, _) | Self::Grid(shape, _) | Self::Voxels(shape, _) => shape,
+        }
+    }
+
+    /// Is it one convex part?
+    pub fn is_convex(&self) -> bool {
+        matches!(self, Self::Convex(_))
+    }
+
+    /// Calls `f` with the part of a number, without constraints. Not if there is none.
+    pub fn with_part(&self, id: u32, f: &mut dyn FnMut(Part<'_>)) {
+        let constraints = None;
+        match *self {
+            Self::Convex(shape) => f(Part::whole(shape)),
+            Self::Tree(_, composite) => {
+                composite.map_part_at(id, &mut |pose, shape, _| {
+                    f(Part { id, pose, shape, constraints });
+                });
+            }
+            Self::Grid(_, field) => {
+                with_cell(field, id, &mut |shape| f(Part { id, pose: None, shape, constraints }));
+            }
+            Self::Voxels(_, voxels) => with_voxel(voxels, id, f),
         }
     }
 

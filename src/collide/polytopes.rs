@@ -25,6 +25,9 @@ const SAME_AXIS: Real = 0.98;
 /// have become the better one.
 const DEEP: Real = 0.25;
 
+/// A face with at least this cosine to a direction looks along it.
+const LOOKS_ALONG: Real = 0.5;
+
 /// How much deeper than two edges other corners may be, as a share of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;
 
@@ -67,15 +70,33 @@ pub(super) fn polytope_polytope(
         prediction: prediction + radius,
     };
     let gap = pair.add_contacts(raw);
-    if radius > 0.0 {
-        raw.local_n2 = pair.pos21.rotation * -raw.local_n1;
-        for point in &mut raw.points {
-            point.local_p1 += raw.local_n1 * radius1;
-            point.local_p2 += raw.local_n2 * radius2;
-            point.dist -= radius;
-        }
-    }
+    pair.thicken([radius1, radius2], raw);
     gap - radius
+}
+
+/// Computes the contacts of the face of one of two polytopes, the first or the second, that looks along
+/// `direction` (from the first to the second, in the first frame), whether or not another would
+/// separate the two better. None if there is no such face.
+pub(super) fn face_contacts(
+    pos12: &Pose,
+    [(polytope1, radius1), (polytope2, radius2)]: [(Polytope<'_>, Real); 2],
+    is_first: bool,
+    direction: Vector,
+    prediction: Real,
+    raw: &mut RawManifold,
+) {
+    let pair = Pair {
+        pos12,
+        pos21: pos12.inverse(),
+        polytope1: &polytope1,
+        polytope2: &polytope2,
+        prediction: prediction + radius1 + radius2,
+    };
+    let face = if is_first { pair.first_face(direction) } else { pair.second_face(direction) };
+    if let Some(face) = face.filter(|face| face.normal.dot(direction) > LOOKS_ALONG) {
+        pair.add_face(&face, raw);
+        pair.thicken([radius1, radius2], raw);
+    }
 }
 
 impl Pair<'_> {
@@ -165,6 +186,18 @@ impl Pair<'_> {
         (deepest.dist <= separation.gap + deepest.tolerance).then_some(separation.gap)
     }
 
+    /// Puts layers of a thickness around the polytopes.
+    fn thicken(&self, [radius1, radius2]: [Real; 2], raw: &mut RawManifold) {
+        if radius1 + radius2 > 0.0 {
+            raw.local_n2 = self.pos21.rotation * -raw.local_n1;
+            for point in &mut raw.points {
+                point.local_p1 += raw.local_n1 * radius1;
+                point.local_p2 += raw.local_n2 * radius2;
+                point.dist -= radius1 + radius2;
+            }
+        }
+    }
+
     /// Adds the contact of the two edges that are closest along `direction`. Returns how far the
     /// polytopes are apart, if this is where they are closest.
     fn add_edges(&self, direction: Vector, raw: &mut RawManifold) -> Option<Real> {
@@ -209,7 +242,8 @@ impl Pair<'_> {
         match closest(self.pos12, shape1, shape2, self.prediction, hint) {
             Closest::Apart(direction) => raw.local_n1 = direction,
             Closest::Near { point1, point2, normal, dist } => {
-                let tolerance = TOLERANCE * self.thickness(normal);
+                // Flat shapes have no thickness, but rounding.
+                let tolerance = TOLERANCE * self.thickness(normal).max(self.prediction);
                 let best = self.best_face(normal, hint).filter(|best| best.gap >= dist - tolerance);
                 // Where the face is not where they are closest, the closest points are better.
                 if best.is_some_and(|best| self.add_face(&best, raw).is_some()) {

@@ -57,23 +57,52 @@ pub(super) fn support_manifold(
         return;
     }
     let point2 = pos12.inverse_transform_point(point2);
-    let (mut feature1, mut feature2) = (PolygonalFeature::default(), PolygonalFeature::default());
-    core1.shape.local_support_feature_toward(local_n1, point1, &mut feature1);
-    core2.shape.local_support_feature_toward(local_n2, point2, &mut feature2);
-    let pos21 = pos12.inverse();
-    PolygonalFeature::contacts(pos12, &pos21, local_n1, local_n2, &feature1, &feature2, raw, false);
+    add_features(pos12, cores, [local_n1, local_n2], [point1, point2], raw);
     let is_bent = local_n1 != normal;
     if is_bent {
         raw.points.retain(|point| dist >= 0.0 || point.dist >= BENT_DEPTH * dist);
     } else {
         add_closest(pos12, cores, [point1, point2], dist, raw);
     }
-    raw.local_n1 = local_n1;
-    raw.local_n2 = local_n2;
+    thicken(cores, [local_n1, local_n2], raw);
+}
+
+/// Computes the contacts of two parts along a unit vector of the first frame, from the first to the
+/// second, whether or not another would separate them better.
+pub(super) fn contacts_along(
+    pos12: &Pose,
+    cores: [Core<'_>; 2],
+    direction: Vector,
+    raw: &mut RawManifold,
+) {
+    let normals = [direction, pos12.rotation.inverse() * -direction];
+    let point = |side: usize| cores[side].shape.local_support_point(normals[side]);
+    add_features(pos12, cores, normals, [point(0), point(1)], raw);
+    thicken(cores, normals, raw);
+}
+
+/// Adds the contacts of the features that lie at two points, each in the frame of its part.
+fn add_features(
+    pos12: &Pose,
+    [core1, core2]: [Core<'_>; 2],
+    [normal1, normal2]: [Vector; 2],
+    [point1, point2]: [Vector; 2],
+    raw: &mut RawManifold,
+) {
+    let (mut feature1, mut feature2) = (PolygonalFeature::default(), PolygonalFeature::default());
+    core1.shape.local_support_feature_toward(normal1, point1, &mut feature1);
+    core2.shape.local_support_feature_toward(normal2, point2, &mut feature2);
+    let pos21 = pos12.inverse();
+    PolygonalFeature::contacts(pos12, &pos21, normal1, normal2, &feature1, &feature2, raw, false);
+}
+
+/// Puts the layers of the parts around their cores.
+fn thicken([core1, core2]: [Core<'_>; 2], normals: [Vector; 2], raw: &mut RawManifold) {
+    [raw.local_n1, raw.local_n2] = normals;
     for point in &mut raw.points {
-        point.local_p1 += local_n1 * core1.radius;
-        point.local_p2 += local_n2 * core2.radius;
-        point.dist -= radius;
+        point.local_p1 += normals[0] * core1.radius;
+        point.local_p2 += normals[1] * core2.radius;
+        point.dist -= core1.radius + core2.radius;
     }
 }
 

@@ -26,6 +26,17 @@ pub(super) fn for_each_voxel(voxels: &Voxels, region: &Aabb, f: &mut dyn FnMut(P
     }
 }
 
+/// Calls `f` with the voxel of a number, as if it stood alone.
+pub(super) fn with_voxel(voxels: &Voxels, id: u32, f: &mut dyn FnMut(Part<'_>)) {
+    let Some(key) = voxels.voxel_at_flat_id(id) else { return };
+    f(Part {
+        id,
+        pose: Some(&Pose::from_translation(voxels.voxel_center(key))),
+        shape: &Cuboid::new(voxels.voxel_size() * 0.5),
+        constraints: None,
+    });
+}
+
 /// The faces of a voxel that no other voxel covers.
 struct FreeFaces(AxisMask);
 

@@ -80,7 +80,8 @@ fn stacked(aside: Vector, gap: Real, previous: &[ContactManifold]) -> ContactMan
     let pos12 = Pose::from_translation(aside + Vector::Y * (1.0 + gap));
     let mut found = smallvec::SmallVec::new();
     let scratch = &mut Default::default();
-    super::compute_manifolds(&pos12, &*cube, &*cube, 0.02, previous, scratch, &mut found);
+    let pair = super::ShapePair::alone(&pos12, [&*cube, &*cube], 0.02);
+    super::compute_manifolds(&pair, previous, scratch, &mut found);
     assert_eq!(found.len(), 1);
     found.remove(0)
 }
@@ -143,7 +144,8 @@ fn turned_boxes_keep_four_points_that_span_the_overlap() {
         let mut found = smallvec::SmallVec::new();
         let scratch = &mut Default::default();
         let pos12 = Pose::from_parts(height, turn);
-        super::compute_manifolds(&pos12, &*cube, &*cube, 0.02, &previous, scratch, &mut found);
+        let pair = super::ShapePair::alone(&pos12, [&*cube, &*cube], 0.02);
+        super::compute_manifolds(&pair, &previous, scratch, &mut found);
         let names = |m: &ContactManifold| -> Vec<_> {
             m.contacts().iter().map(|c| (c.fid1, c.fid2)).collect()
         };

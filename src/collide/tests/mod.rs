@@ -7,7 +7,7 @@ mod matching;
 mod polytopes;
 mod timing;
 
-use super::manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
+use super::manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
 use crate::base::random::Random;
 use crate::dim::collide::samples;
@@ -31,7 +31,8 @@ impl Scene {
     fn place(&mut self, pos12: Pose) {
         let (old, scratch) = (core::mem::take(&mut self.found), &mut ManifoldScratch::default());
         let [shape1, shape2] = &self.shapes;
-        compute_manifolds(&pos12, &**shape1, &**shape2, 0.02, &old, scratch, &mut self.found);
+        let pair = ShapePair::alone(&pos12, [&**shape1, &**shape2], 0.02);
+        compute_manifolds(&pair, &old, scratch, &mut self.found);
         inherit_impulses(&mut self.found, &old);
     }
 }
@@ -45,7 +46,8 @@ fn manifolds(
 ) -> (SmallVec<[ContactManifold; 1]>, Real) {
     let mut found = SmallVec::new();
     let scratch = &mut ManifoldScratch::default();
-    let bound = compute_manifolds(pos12, shape1, shape2, prediction, &[], scratch, &mut found);
+    let pair = ShapePair::alone(pos12, [shape1, shape2], prediction);
+    let bound = compute_manifolds(&pair, &[], scratch, &mut found);
     (found, bound)
 }
 

@@ -1,7 +1,7 @@
 //! How long contact generation takes. Run with `--release -- --ignored --nocapture timing`.
 
 use crate::base::random::Random;
-use crate::collide::manifolds::{ManifoldScratch, compute_manifolds};
+use crate::collide::manifolds::{ManifoldScratch, ShapePair, compute_manifolds};
 use crate::collide::matching::inherit_impulses;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Vector};
@@ -38,7 +38,8 @@ fn time(name: &str, shape1: &dyn Shape, shape2: &dyn Shape, poses: &[Pose]) {
         .map(|pose| {
             let mut found = SmallVec::new();
             let pose = &(aside * *pose);
-            compute_manifolds(pose, shape1, shape2, 0.02, &[], &mut scratch, &mut found);
+            let pair = ShapePair::alone(pose, [shape1, shape2], 0.02);
+            compute_manifolds(&pair, &[], &mut scratch, &mut found);
             found
         })
         .collect();
@@ -46,7 +47,8 @@ fn time(name: &str, shape1: &dyn Shape, shape2: &dyn Shape, poses: &[Pose]) {
         points = 0;
         let start = Instant::now();
         for (pose, previous) in poses.iter().zip(&previous) {
-            compute_manifolds(pose, shape1, shape2, 0.02, previous, &mut scratch, &mut out);
+            let pair = ShapePair::alone(pose, [shape1, shape2], 0.02);
+            compute_manifolds(&pair, previous, &mut scratch, &mut out);
             inherit_impulses(&mut out, previous);
             points += out.iter().map(|manifold| manifold.contacts().len()).sum::<usize>();
         }

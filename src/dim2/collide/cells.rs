@@ -1,5 +1,6 @@
-//! The cells of a height field.
+//! The elements of surfaces: the cells of height fields, and what is flat.
 
+use crate::dim::math::Vector;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -10,4 +11,16 @@ pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstrai
 /// Calls `f` with the number, shape and normal constraints of each segment near `region`.
 pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>) {
     field.map_elements_in_local_aabb(region, &mut |id, segment| f(id, segment, None));
+}
+
+/// Calls `f` with the segment of a number.
+pub fn with_cell(field: &HeightField, id: u32, f: &mut dyn FnMut(&dyn Shape)) {
+    if let Some(segment) = field.segment_at(id as usize) {
+        f(&segment);
+    }
+}
+
+/// The corners of a shape that is flat: a segment.
+pub fn flat_corners(shape: &dyn Shape) -> Option<[Vector; 2]> {
+    shape.as_segment().map(|segment| [segment.a, segment.b])
 }

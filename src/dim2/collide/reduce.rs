@@ -1,8 +1,38 @@
 //! At most two points of a manifold.
 
 use super::RawPoint;
-use crate::dim::math::Vector;
-use arrayvec::ArrayVec;
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 
-/// Does nothing: in the plane two convex parts touch in two points at most.
-pub fn reduce(_points: &mut ArrayVec<RawPoint, 2>, _normal: Vector) {}
+/// Points whose depths differ by less than this share of the manifold's size are as deep as each other.
+const FLAT: Real = 5.0e-3;
+
+/// Keeps the deepest point and the one that is farthest from it. If all are equally deep, rounding must not
+/// choose: then the first is the one that is farthest to one side.
+///
+/// Two convex parts touch in two points at most, but several parts of a chain may meet the same body.
+pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
+    if points.len() <= MAX_MANIFOLD_POINTS {
+        return;
+    }
+    let [tangent] = tangents(normal);
+    let along = |point: &RawPoint| tangent.dot(point.local_p1);
+    let (low, high) = range(points.iter().map(|point| point.dist));
+    let (left, right) = range(points.iter().map(along));
+    let first = if high - low > FLAT * (right - left) {
+        points.iter().min_by(|a, b| a.dist.total_cmp(&b.dist)).copied()
+    } else {
+        points.iter().min_by(|a, b| along(a).total_cmp(&along(b))).copied()
+    };
+    let Some(first) = first else { return };
+    let away = |point: &RawPoint| (along(point) - along(&first)).abs();
+    let second = points.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied();
+    points.clear();
+    points.push(first);
+    points.extend(second);
+}
+
+fn range(values: impl Iterator<Item = Real>) -> (Real, Real) {
+    values.fold((Real::INFINITY, Real::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    })
+}

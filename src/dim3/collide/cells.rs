@@ -1,5 +1,6 @@
-//! The cells of a height field.
+//! The elements of surfaces: the cells of height fields, and what is flat.
 
+use crate::dim::math::Vector;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -13,4 +14,16 @@ pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>
         let normals = field.triangle_normal_constraints(id);
         f(id, triangle, normals.as_ref().map(|normals| normals as &dyn NormalConstraints));
     });
+}
+
+/// Calls `f` with the triangle of a number.
+pub fn with_cell(field: &HeightField, id: u32, f: &mut dyn FnMut(&dyn Shape)) {
+    if let Some(triangle) = field.triangle_at_id(id) {
+        f(&triangle);
+    }
+}
+
+/// The corners of a shape that is flat: a triangle.
+pub fn flat_corners(shape: &dyn Shape) -> Option<[Vector; 3]> {
+    shape.as_triangle().map(|triangle| [triangle.a, triangle.b, triangle.c])
 }

@@ -11,7 +11,7 @@ mod reduce;
 #[cfg(test)]
 pub mod samples;
 
-pub use cells::for_each_cell;
+pub use cells::{flat_corners, for_each_cell, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;

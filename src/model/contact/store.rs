@@ -209,9 +209,14 @@ impl<P: Pair> PairStore<P> {
         &self.awake
     }
 
-    /// What the narrow phase visits, and all entries by id.
-    pub fn awake_and_pairs(&mut self) -> (&[AwakePair], &mut [Option<Entry<P>>]) {
-        (&self.awake, &mut self.entries)
+    /// What the narrow phase visits, the ids of the pairs of each collider slot, and all entries by id.
+    pub fn split(&mut self) -> (&[AwakePair], &[Vec<PairId>], &mut [Option<Entry<P>>]) {
+        (&self.awake, &self.of_collider, &mut self.entries)
+    }
+
+    /// The pair of an entry; `None` if there is none with this id.
+    pub fn pair(entry: &Option<Entry<P>>) -> Option<&P> {
+        entry.as_ref().map(|entry| &entry.pair)
     }
 
     /// The pair of an entry; `None` if there is none with this id.

@@ -10,8 +10,12 @@
 //! A step takes off a bound of what the two bodies moved, which costs two loads, and only pairs whose
 //! slack is used up are looked at more closely: [`update`].
 
+mod contact;
 mod place;
 mod recycle;
+mod seams;
+mod sensor;
 mod update;
+mod view;
 
 pub(crate) use update::{NarrowPhaseScratch, Surroundings, update};

@@ -4,7 +4,7 @@
 //! world, once; [`Placement`] says how the solver goes on from there, and why it holds some contacts where they were
 //! placed. Those must be placed anew when their bodies have crept on.
 
-use super::update::PairView;
+use super::view::PairView;
 use crate::dim::math::{Pose, Real, Rotation, Vector, ang_length_squared};
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;

@@ -1,0 +1,74 @@
+//! What a body touches besides the shape that it is asked about.
+
+use super::parts::Parts;
+use super::seams::{Facet, Obstacle, Seam, find_seams};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
+use crate::model::contact::ContactManifold;
+use arrayvec::ArrayVec;
+use parry::shape::Shape;
+
+/// A contact of a body with an obstacle. All in the frame of the body's shape.
+#[derive(Clone)]
+pub(crate) struct Neighbor<'a> {
+    shape: &'a dyn Shape,
+    part: u32,
+    pose: Pose,
+    /// Which part of the body meets it.
+    on: u32,
+    /// Unit normal, from the obstacle to the body.
+    normal: Vector,
+    /// The points on the obstacle, the deepest first.
+    points: ArrayVec<Vector, MAX_MANIFOLD_POINTS>,
+    /// Distance at the deepest point.
+    dist: Real,
+}
+
+impl<'a> Neighbor<'a> {
+    /// What a manifold says of the obstacle that is its first or second shape (`side`). `shape` and
+    /// `pose` are the obstacle's, in the frame of the other. `None` if the manifold has no points.
+    pub fn of(
+        manifold: &ContactManifold,
+        side: usize,
+        shape: &'a dyn Shape,
+        pose: Pose,
+    ) -> Option<Self> {
+        let contacts = manifold.contacts();
+        let depth = |index: &usize| contacts[*index].dist;
+        let deepest = (0..contacts.len()).min_by(|a, b| depth(a).total_cmp(&depth(b)))?;
+        let mut points: ArrayVec<_, MAX_MANIFOLD_POINTS> = contacts
+            .iter()
+            .map(|contact| pose * if side == 0 { contact.local_p1 } else { contact.local_p2 })
+            .collect();
+        points.swap(0, deepest);
+        let parts = [manifold.subshape1, manifold.subshape2];
+        let outward = [manifold.local_n1, manifold.local_n2];
+        Some(Self {
+            shape,
+            part: parts[side],
+            pose,
+            on: parts[1 - side],
+            normal: -outward[1 - side],
+            points,
+            dist: contacts[deepest].dist,
+        })
+    }
+
+    pub(super) fn as_facet(&self) -> Facet<'a> {
+        let Self { part: id, pose, on, normal, dist, .. } = *self;
+        let obstacle = Obstacle { parts: Parts::of(self.shape), id, pose };
+        let place = self.points.first().copied().unwrap_or(Vector::ZERO);
+        Facet { obstacle, on, normal, place, dist }
+    }
+}
+
+/// Which of the contacts of one body are only [seams](super::seams) between others, `flush` being how
+/// high a step may be that is none (length units).
+pub(crate) fn seams_among(neighbors: &[Neighbor<'_>], flush: Real) -> Vec<usize> {
+    let facets: Vec<_> = neighbors.iter().map(Neighbor::as_facet).collect();
+    let mut seams = Vec::new();
+    let points = |index: usize, f: &mut dyn FnMut(Vector)| {
+        neighbors[index].points.iter().for_each(|point| f(*point));
+    };
+    find_seams(&facets, facets.len(), points, flush, &mut seams);
+    seams.iter().map(|seam: &Seam| seam.index).collect()
+}

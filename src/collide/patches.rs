@@ -1,0 +1,172 @@
+//! What was found between convex parts of two shapes, before it becomes manifolds.
+//!
+//! A body on a fine mesh touches a hundred triangles, and all of them say the same. Solving a hundred
+//! manifolds would cost a hundred times as much as solving one and would hold the body no better. So
+//! patches that look the same way are put together, and of all their points only those are kept that
+//! a single face would have: the outermost.
+
+use super::parts::Part;
+use crate::dim::collide::{RawManifold, RawPoint, reduce};
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::contact::{Contact, ContactManifold};
+use core::ops::Range;
+use parry::shape::PackedFeatureId;
+use smallvec::SmallVec;
+
+/// A normal whose squared length is off by more than this is the product of degenerate geometry.
+const NORMAL_TOLERANCE: Real = 1.0e-2;
+/// Normals with at least this cosine to each other (1.1 degrees) become one manifold.
+const SAME_WAY: Real = 0.9998;
+
+/// The contacts of two convex parts.
+#[derive(Clone, Debug)]
+pub(super) struct Patch {
+    /// Numbers of the two parts within their shapes.
+    pub parts: [u32; 2],
+    /// Unit normal from the first shape to the second, in the frame of the first.
+    pub normal: Vector,
+    /// Distance at the deepest point.
+    pub dist: Real,
+    /// Where its points are.
+    points: Range<usize>,
+}
+
+impl Patch {
+    /// A point as one of a manifold of these parts. Features of other parts would be taken for theirs.
+    fn named(&self, point: &RawPoint, parts: [u32; 2]) -> RawPoint {
+        let mut named = *point;
+        if self.parts[0] != parts[0] {
+            named.fid1 = PackedFeatureId::UNKNOWN;
+        }
+        if self.parts[1] != parts[1] {
+            named.fid2 = PackedFeatureId::UNKNOWN;
+        }
+        named
+    }
+}
+
+/// All patches of two shapes.
+#[derive(Default)]
+pub(super) struct Patches {
+    list: Vec<Patch>,
+    /// Points in the frames of the two shapes.
+    points: Vec<RawPoint>,
+    /// Which patches are part of a manifold already, and the points of the next one.
+    merged: Vec<bool>,
+    gathered: Vec<RawPoint>,
+}
+
+impl Patches {
+    pub fn clear(&mut self) {
+        self.list.clear();
+        self.points.clear();
+    }
+
+    pub fn list(&self) -> &[Patch] {
+        &self.list
+    }
+
+    /// The points of a patch.
+    pub fn points(&self, index: usize) -> &[RawPoint] {
+        &self.points[self.list[index].points.clone()]
+    }
+
+    /// Adds what was found between two parts, in their frames. `false` if it is not usable.
+    pub fn add(&mut self, raw: &RawManifold, part1: &Part<'_>, part2: &Part<'_>) -> bool {
+        let range = self.points.len()..self.points.len();
+        let at = self.list.len();
+        let parts = [part1.id, part2.id];
+        self.list.push(Patch { parts, normal: Vector::ZERO, dist: 0.0, points: range });
+        let is_sound = self.replace(at, raw, part1, part2);
+        if !is_sound {
+            self.list.pop();
+        }
+        is_sound
+    }
+
+    /// Puts other contacts of the same two parts in the place of a patch. `false` if they are not
+    /// usable.
+    pub fn replace(
+        &mut self,
+        index: usize,
+        raw: &RawManifold,
+        part1: &Part<'_>,
+        part2: &Part<'_>,
+    ) -> bool {
+        let Some(unit) = unit_normal(raw) else { return false };
+        let start = self.points.len();
+        for point in &raw.points {
+            let mut point = *point;
+            if let Some(pose) = part1.pose {
+                point.local_p1 = *pose * point.local_p1;
+            }
+            if let Some(pose) = part2.pose {
+                point.local_p2 = *pose * point.local_p2;
+            }
+            self.points.push(point);
+        }
+        let patch = &mut self.list[index];
+        patch.normal = part1.pose.map_or(unit, |pose| pose.rotation * unit);
+        patch.dist = raw.points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
+        patch.points = start..self.points.len();
+        true
+    }
+
+    /// Takes the contacts of a patch away.
+    pub fn empty(&mut self, index: usize) {
+        self.list[index].points.end = self.list[index].points.start;
+    }
+
+    /// Makes manifolds of the patches: one for each direction in which the shapes touch.
+    pub fn into_manifolds(&mut self, pos12: &Pose, out: &mut SmallVec<[ContactManifold; 1]>) {
+        self.merged.clear();
+        self.merged.extend(self.list.iter().map(|patch| patch.points.is_empty()));
+        while let Some(deepest) = self.deepest_unmerged() {
+            let (normal, parts) = (self.list[deepest].normal, self.list[deepest].parts);
+            self.gathered.clear();
+            for (patch, merged) in self.list.iter().zip(&mut self.merged) {
+                if !*merged && patch.normal.dot(normal) > SAME_WAY {
+                    *merged = true;
+                    let points = &self.points[patch.points.clone()];
+                    self.gathered.extend(points.iter().map(|point| patch.named(point, parts)));
+                }
+            }
+            push_manifold(&mut self.gathered, normal, parts, pos12, out);
+        }
+    }
+
+    fn deepest_unmerged(&self) -> Option<usize> {
+        let depth = |index: &usize| self.list[*index].dist;
+        let unmerged = (0..self.list.len()).filter(|&index| !self.merged[index]);
+        unmerged.min_by(|a, b| depth(a).total_cmp(&depth(b)))
+    }
+}
+
+/// The normal, if it is one.
+pub(super) fn unit_normal(raw: &RawManifold) -> Option<Vector> {
+    let length_squared = raw.local_n1.length_squared();
+    // Written so that NaN is refused.
+    let is_unit = (length_squared - 1.0).abs() < NORMAL_TOLERANCE;
+    is_unit.then(|| raw.local_n1 / length_squared.sqrt())
+}
+
+/// Adds a manifold with as many of the points as the solver takes. All in the frames of the shapes.
+pub(super) fn push_manifold(
+    points: &mut Vec<RawPoint>,
+    local_n1: Vector,
+    [subshape1, subshape2]: [u32; 2],
+    pos12: &Pose,
+    out: &mut SmallVec<[ContactManifold; 1]>,
+) {
+    reduce(points, local_n1);
+    // Filled in place: a manifold is some hundred bytes.
+    out.push(ContactManifold::default());
+    let Some(manifold) = out.last_mut() else { return };
+    manifold.local_n1 = local_n1;
+    manifold.local_n2 = pos12.rotation.inverse() * -local_n1;
+    manifold.subshape1 = subshape1;
+    manifold.subshape2 = subshape2;
+    manifold.data.points.extend(points.iter().map(|point| {
+        Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist)
+    }));
+}

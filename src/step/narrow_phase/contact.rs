@@ -1,0 +1,253 @@
+//! Pairs of solid colliders: where do the two touch?
+
+use super::place::{Place, turn_bound};
+use super::seams::{self, SeamScratch, obstacle_side};
+use super::update::{Outcome, Surroundings, Update, Worker};
+use super::view::PairView;
+use crate::base::pool::Pool;
+use crate::collide::{Neighbor, ShapePair, compute_manifolds, inherit_impulses};
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::RigidBody;
+use crate::model::collider::{
+    ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle,
+};
+use crate::model::contact::{ContactManifold, ContactPair, DUE, PairStore, SolverFlags};
+use crate::model::hooks::ContactModificationContext;
+use crate::step::notes::PairChange;
+use smallvec::SmallVec;
+
+/// What a computation tells of the next ones.
+struct Computed {
+    /// How far apart the shapes are beyond the prediction distance: no contact can appear before they
+    /// have moved that far.
+    gap: Real,
+    /// How far the bodies may move before the contacts must be [placed](super::place) anew.
+    left: Real,
+}
+
+impl Update for ContactPair {
+    fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome {
+        let recycle_distance = view.recycle_distance();
+        if last.slack != DUE {
+            let left = recycle_distance - self.drift(&view.pose12, view.reach());
+            if left > 0.0 && self.is_touching() {
+                let left = left.min(self.keep_placed(view));
+                return Outcome::unchanged(left, last.reports_force);
+            }
+        }
+        if !view.boxes_overlap() {
+            return Outcome::APART;
+        }
+        self.renew(view, [&[], &[]], worker)
+    }
+
+    fn look_again(
+        around: Surroundings<'_>,
+        store: &mut PairStore<Self>,
+        computed: seams::Computed<'_>,
+        scratch: &mut SeamScratch,
+        workers: &Pool<Worker>,
+    ) {
+        seams::look_again(around, store, computed, scratch, workers);
+    }
+}
+
+impl ContactPair {
+    /// Computes the pair, with what else each of the two touches.
+    pub(super) fn renew(
+        &mut self,
+        view: &PairView<'_>,
+        neighbors: [&[Neighbor<'_>]; 2],
+        worker: &mut Worker,
+    ) -> Outcome {
+        let Computed { gap, left } = self.compute(view, neighbors, worker);
+        let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
+        let slack = if view.has_hooks(hooks) {
+            DUE
+        } else if self.is_touching() {
+            view.recycle_distance().min(left)
+        } else {
+            gap
+        };
+        Outcome {
+            change: self.needs_follow_up(view).then_some(PairChange::Computed),
+            slack,
+            reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
+            obstacle: obstacle_side(view).filter(|_| self.is_touching()),
+        }
+    }
+
+    /// Did anything change that others must be told of: islands, colours, events? In a pile that moves
+    /// most pairs are computed each step, and hardly any of them begins or ends.
+    fn needs_follow_up(&mut self, view: &PairView<'_>) -> bool {
+        self.has_any_active_contact = self.is_touching();
+        let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
+        let wants_start = !self.start_event_emitted
+            && self.has_any_active_contact
+            && view.wants_events(ActiveEvents::COLLISION_EVENTS);
+        let wants_stop = self.start_event_emitted && !self.has_any_active_contact;
+        let as_colored = self.manifolds.iter().all(|manifold| {
+            !manifold.contacts().is_empty() && manifold.slot.is_some() == manifold.is_solved()
+        });
+        is_solved != self.attached
+            || !as_colored
+            || wants_start
+            || wants_stop
+            || !view.is_any_body_awake()
+    }
+
+    /// A bound of how far the two bodies moved against each other, in the region where they could touch,
+    /// since the contact points were computed.
+    ///
+    /// That is how far the points moved, and how far a rotation about them moves anything else within
+    /// `reach`: a body that tips over on its contact points has them stand still.
+    fn drift(&self, pose12: &Pose, reach: Real) -> Real {
+        let contacts = self.manifolds.iter().flat_map(ContactManifold::contacts);
+        let moved = contacts.map(|contact| {
+            (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
+        });
+        let turn = turn_bound(pose12.rotation, self.pose12.rotation);
+        moved.fold(0.0, Real::max).sqrt() + turn * reach
+    }
+
+    /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the
+    /// bodies may move until this must be asked again.
+    fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
+        let place = Place::of(view);
+        let friction = self.least_friction();
+        let (held, creeps) = (self.placement.may_hold, place.creeps());
+        if !creeps {
+            // Should they creep again later, they must not be held where they were long ago.
+            self.placement.may_hold = false;
+        } else if !held || place.left(&self.placement, friction) <= 0.0 {
+            self.placement = place.placement();
+            for manifold in &mut self.manifolds {
+                place.put(manifold);
+            }
+        }
+        place.left(&self.placement, friction)
+    }
+
+    fn least_friction(&self) -> Real {
+        self.manifolds.iter().map(|manifold| manifold.data.friction).fold(Real::MAX, Real::min)
+    }
+
+    /// Computes the manifolds.
+    ///
+    /// Manifolds that vanish stay, without points, until whoever gave them colours takes those away.
+    fn compute(
+        &mut self,
+        view: &PairView<'_>,
+        neighbors: [&[Neighbor<'_>]; 2],
+        worker: &mut Worker,
+    ) -> Computed {
+        let Worker { scratch, fresh } = worker;
+        let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
+            let context = view.filter_context([self.collider1, self.collider2]);
+            view.around.hooks.filter_contact_pair(&context)
+        };
+        let mut gap = 0.0;
+        let place = Place::of(view);
+        if wanted {
+            let (prediction, skin) = (view.prediction(), view.skin());
+            let reach = prediction + skin;
+            let old = &self.manifolds;
+            let pair = ShapePair {
+                pos12: view.pose12,
+                shapes: view.colliders.map(Collider::shape),
+                prediction: reach,
+                flush: view.around.params.allowed_linear_error(),
+                neighbors,
+            };
+            let distance = compute_manifolds(&pair, old, scratch, fresh);
+            gap = (distance - reach).max(0.0);
+            inherit_impulses(fresh, old);
+            self.placement = place.placement();
+            for manifold in fresh.iter_mut() {
+                finish(manifold, view);
+                place.put(manifold);
+                modify(manifold, self.collider1, self.collider2, view);
+                if !manifold.is_solved() {
+                    manifold.data.forget_impulses();
+                }
+            }
+            fresh.retain(|manifold| !manifold.contacts().is_empty());
+        } else {
+            fresh.clear();
+        }
+        self.pose12 = view.pose12;
+        self.replace_manifolds(fresh);
+        Computed { gap, left: place.left(&self.placement, self.least_friction()) }
+    }
+
+    fn replace_manifolds(&mut self, fresh: &mut SmallVec<[ContactManifold; 1]>) {
+        let kept = fresh.len();
+        for (index, mut manifold) in fresh.drain(..).enumerate() {
+            match self.manifolds.get_mut(index) {
+                Some(old) => {
+                    manifold.slot = old.slot;
+                    *old = manifold;
+                }
+                None => self.manifolds.push(manifold),
+            }
+        }
+        for surplus in &mut self.manifolds[kept..] {
+            surplus.data.points.clear();
+        }
+    }
+}
+
+/// Completes a manifold with what the solver needs to know of materials and bodies.
+fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
+    let [c1, c2] = view.colliders;
+    let data = &mut manifold.data;
+    data.rigid_body1 = c1.parent();
+    data.rigid_body2 = c2.parent();
+    data.tangent_velocity = Vector::ZERO;
+    let (m1, m2) = (c1.material(), c2.material());
+    data.friction = CoefficientCombineRule::combine(
+        m1.friction,
+        m1.friction_combine_rule,
+        m2.friction,
+        m2.friction_combine_rule,
+    );
+    data.restitution = CoefficientCombineRule::combine(
+        m1.restitution,
+        m1.restitution_combine_rule,
+        m2.restitution,
+        m2.restitution_combine_rule,
+    );
+    let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
+    data.relative_dominance = dominance1 - dominance2;
+    data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
+        SolverFlags::COMPUTE_RIGID_IMPULSES
+    } else {
+        SolverFlags::empty()
+    };
+}
+
+/// Lets the user change the contacts.
+fn modify(
+    manifold: &mut ContactManifold,
+    collider1: ColliderHandle,
+    collider2: ColliderHandle,
+    view: &PairView<'_>,
+) {
+    if !view.has_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS) {
+        return;
+    }
+    let mut context = ContactModificationContext {
+        bodies: view.around.bodies,
+        colliders: view.around.colliders,
+        rigid_body1: view.colliders[0].parent(),
+        rigid_body2: view.colliders[1].parent(),
+        collider1,
+        collider2,
+        manifold,
+    };
+    view.around.hooks.modify_solver_contact(&mut context);
+    manifold.data.placed_normal = manifold.data.normal;
+    for contact in &mut manifold.data.points {
+        contact.placed_dist = contact.dist;
+    }
+}

@@ -1,0 +1,182 @@
+//! A second look at contacts that other colliders contradict.
+//!
+//! Pairs are computed without knowledge of each other. A body that slides over a floor of tiles, each a
+//! collider of its own, seems to meet the next tile from the side; only together with the contact on
+//! the tile beneath it is clear that there is no side. So once all pairs are computed, the contacts of
+//! each body with what does not move are compared, and pairs with contacts that are only seams (see
+//! [`crate::collide`]) are computed again, with the others as [`Neighbor`]s.
+//!
+//! Obstacles are colliders without a dynamic body. Bodies in a pile do meet seams between dynamic bodies,
+//! but hardly two that are flush and stay so; comparing all of their contacts would cost more than it
+//! gives.
+
+use super::update::{Outcome, Surroundings, Worker};
+use super::view::PairView;
+use crate::base::disjoint::DisjointMut;
+use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
+use crate::collide::{Neighbor, seams_among};
+use crate::dim::math::Real;
+use crate::model::body::RigidBody;
+use crate::model::collider::Collider;
+use crate::model::contact::{AwakePair, ContactPair, Entry, PairId, PairStore};
+use core::ops::Range;
+use smallvec::SmallVec;
+
+/// Bodies that are worth handing over to another thread together.
+const BODIES_PER_TASK: usize = 8;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(super) struct SeamScratch {
+    /// Slots of colliders that were computed to touch an obstacle, with the pair's place in the list of
+    /// due pairs; sorted.
+    touching: Vec<(u32, u32)>,
+    /// The pairs of one collider each, as ranges of that list.
+    groups: Vec<Range<usize>>,
+}
+
+/// The pairs that were computed in this step.
+pub(super) struct Computed<'a> {
+    /// Positions in the list of awake pairs.
+    pub due: &'a [u32],
+    /// What was found of each.
+    pub outcomes: &'a mut [Outcome],
+}
+
+/// Which of two colliders is an obstacle to the other.
+pub(super) fn obstacle_side(view: &PairView<'_>) -> Option<usize> {
+    match view.bodies.map(|body| body.is_some_and(RigidBody::is_dynamic)) {
+        [false, true] => Some(0),
+        [true, false] => Some(1),
+        _ => None,
+    }
+}
+
+/// Computes pairs again that have contacts which are only seams between obstacles.
+pub(super) fn look_again(
+    around: Surroundings<'_>,
+    store: &mut PairStore<ContactPair>,
+    computed: Computed<'_>,
+    scratch: &mut SeamScratch,
+    workers: &Pool<Worker>,
+) {
+    scratch.group(store, &computed);
+    let SeamScratch { touching, groups } = &*scratch;
+    let Computed { due, outcomes } = computed;
+    let (awake, of_collider, entries) = store.split();
+    let (entries, outcomes) = (DisjointMut::new(entries), DisjointMut::new(outcomes));
+    let pair_of = |index: u32| awake[due[index as usize] as usize].id;
+    Tasks::current().par_for(groups.len(), BODIES_PER_TASK, |range| {
+        let mut worker = workers.take();
+        for group in &groups[range] {
+            let members = &touching[group.clone()];
+            let ids = &of_collider[members[0].0 as usize];
+            let mut contacts = Contacts::default();
+            for &id in ids {
+                // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and
+                // pairs of two bodies to none.
+                contacts.add(around, id, unsafe { entries.get(id as usize) });
+            }
+            contacts.take_out_seams(around.params.allowed_linear_error());
+            for &(_, index) in members {
+                let id = pair_of(index);
+                if !contacts.seams.contains(&id) {
+                    continue;
+                }
+                // SAFETY: as above, and the members of all groups have different outcomes.
+                let (entry, outcome) =
+                    unsafe { (entries.get_mut(id as usize), outcomes.get_mut(index as usize)) };
+                let Some(pair) = PairStore::pair_mut(entry) else { continue };
+                *outcome = contacts.recompute(around, id, pair, &mut worker).unwrap_or(*outcome);
+            }
+        }
+        workers.put(worker);
+    });
+}
+
+impl SeamScratch {
+    /// Lists what the bodies touch that may touch several obstacles.
+    fn group(&mut self, store: &PairStore<ContactPair>, computed: &Computed<'_>) {
+        let Self { touching, groups } = self;
+        touching.clear();
+        groups.clear();
+        for (index, outcome) in computed.outcomes.iter().enumerate() {
+            let Some(side) = outcome.obstacle else { continue };
+            let AwakePair { id, .. } = store.awake()[computed.due[index] as usize];
+            let pair = &store[id];
+            let body = [pair.collider2, pair.collider1][side].into_raw_parts().0;
+            if store.ids_of(body).len() > 1 {
+                touching.push((body, index as u32));
+            }
+        }
+        touching.sort_unstable();
+        let mut start = 0;
+        for group in touching.chunk_by(|a, b| a.0 == b.0) {
+            groups.push(start..start + group.len());
+            start += group.len();
+        }
+    }
+}
+
+/// The contacts of one collider with obstacles.
+#[derive(Default)]
+struct Contacts<'a> {
+    /// The contacts that are none but seams, once these are taken out.
+    list: SmallVec<[Neighbor<'a>; 8]>,
+    /// The pairs that they are of.
+    pairs: SmallVec<[PairId; 8]>,
+    /// The pairs with seams.
+    seams: SmallVec<[PairId; 8]>,
+}
+
+impl<'a> Contacts<'a> {
+    /// Adds the contacts of a pair, if the other collider is an obstacle.
+    fn add(&mut self, around: Surroundings<'a>, id: PairId, entry: &Option<Entry<ContactPair>>) {
+        let Some(pair) = PairStore::pair(entry).filter(|pair| pair.is_touching()) else { return };
+        let view = PairView::of(around, [pair.collider1, pair.collider2]);
+        let Some((side, view)) = view.and_then(|view| Some((obstacle_side(&view)?, view))) else {
+            return;
+        };
+        let pose = if side == 0 { view.pose12.inverse() } else { view.pose12 };
+        let shape = Collider::shape(view.colliders[side]);
+        for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {
+            if let Some(contact) = Neighbor::of(manifold, side, shape, pose) {
+                self.list.push(contact);
+                self.pairs.push(id);
+            }
+        }
+    }
+
+    /// Leaves what are contacts, and notes the pairs with those that are only seams.
+    fn take_out_seams(&mut self, flush: Real) {
+        let several = self.pairs.iter().any(|id| *id != self.pairs[0]);
+        if !several {
+            return;
+        }
+        // From behind, so that the places of the others stay what they are.
+        let mut seams = seams_among(&self.list, flush);
+        seams.sort_unstable();
+        for seam in seams.into_iter().rev() {
+            self.list.remove(seam);
+            self.seams.push(self.pairs.remove(seam));
+        }
+    }
+
+    /// Computes a pair with what is known of the others.
+    fn recompute(
+        &self,
+        around: Surroundings<'_>,
+        id: PairId,
+        pair: &mut ContactPair,
+        worker: &mut Worker,
+    ) -> Option<Outcome> {
+        let view = PairView::of(around, [pair.collider1, pair.collider2])?;
+        let side = obstacle_side(&view)?;
+        let others = self.list.iter().zip(&self.pairs).filter(|(_, of)| **of != id);
+        let others: SmallVec<[Neighbor<'_>; 8]> = others.map(|(other, _)| other.clone()).collect();
+        let mut neighbors: [&[Neighbor<'_>]; 2] = [&[], &[]];
+        neighbors[1 - side] = &others;
+        Some(pair.renew(&view, neighbors, worker))
+    }
+}

@@ -1,0 +1,117 @@
+//! Grounds whose surface is the line y = 0, made of many pieces, in 2D.
+
+use rapier::parry::math::IVector;
+use rapier::prelude::*;
+
+/// From where to where the grounds reach (m).
+const ALONG: [Real; 2] = [-3.0, 45.0];
+
+/// A ground's name, and what puts it into a world at a pose, with this friction.
+pub type Ground = (&'static str, fn(&mut PhysicsWorld, Pose, Real));
+
+/// All grounds.
+pub const GROUNDS: [Ground; 10] = [
+    ("polyline", |world, pose, friction| add(world, pose, friction, polyline(1.0))),
+    ("fine polyline", |world, pose, friction| add(world, pose, friction, polyline(0.11))),
+    ("height field", |world, pose, friction| add(world, pose, friction, height_field())),
+    ("compound", |world, pose, friction| add(world, pose, friction, compound())),
+    ("voxels", |world, pose, friction| add(world, pose, friction, voxels())),
+    ("colliders on a body", colliders_on_a_body),
+    ("colliders", |world, pose, friction| scatter(world, pose, friction, tile(), false)),
+    ("bodies", |world, pose, friction| scatter(world, pose, friction, tile(), true)),
+    ("hulls", |world, pose, friction| scatter(world, pose, friction, hull(), false)),
+    ("segments", |world, pose, friction| scatter(world, pose, friction, segment(), true)),
+];
+
+fn add(world: &mut PhysicsWorld, pose: Pose, friction: Real, ground: ColliderBuilder) {
+    world.insert_collider(ground.position(pose).friction(friction), None);
+}
+
+fn polyline(size: Real) -> ColliderBuilder {
+    let count = ((ALONG[1] - ALONG[0]) / size).ceil() as usize;
+    let vertices = (0..=count).map(|i| Vector::new(ALONG[0] + size * i as Real, 0.0)).collect();
+    ColliderBuilder::polyline(vertices, None)
+}
+
+fn height_field() -> ColliderBuilder {
+    // Its middle is the origin.
+    let reach = ALONG[1].max(-ALONG[0]);
+    let heights = vec![0.0; (2.0 * reach) as usize + 1];
+    ColliderBuilder::heightfield(heights, Vector::new(2.0 * reach, 1.0))
+}
+
+fn tile() -> ColliderBuilder {
+    ColliderBuilder::cuboid(0.5, 0.5)
+}
+
+fn hull() -> ColliderBuilder {
+    let corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(Vector::from_array);
+    ColliderBuilder::convex_hull(&corners).unwrap()
+}
+
+fn segment() -> ColliderBuilder {
+    ColliderBuilder::segment(Vector::new(-0.5, 0.5), Vector::new(0.5, 0.5))
+}
+
+/// The middles of the tiles.
+fn places() -> impl Iterator<Item = Vector> {
+    (ALONG[0] as i32..ALONG[1] as i32).map(|i| Vector::new(i as Real + 0.5, -0.5))
+}
+
+fn compound() -> ColliderBuilder {
+    let part = |place| (Pose::from_translation(place), SharedShape::cuboid(0.5, 0.5));
+    ColliderBuilder::compound(places().map(part).collect())
+}
+
+fn voxels() -> ColliderBuilder {
+    let cell = |place: Vector| {
+        let [x, y] = place.to_array().map(|coordinate| coordinate.floor() as _);
+        IVector::new(x, y)
+    };
+    ColliderBuilder::voxels(Vector::ONE, &places().map(cell).collect::<Vec<_>>())
+}
+
+fn colliders_on_a_body(world: &mut PhysicsWorld, pose: Pose, friction: Real) {
+    let body = world.insert_body(RigidBodyBuilder::fixed().pose(pose));
+    for place in places() {
+        world.insert_collider(tile().translation(place).friction(friction), Some(body));
+    }
+}
+
+/// Each tile a collider of its own, on a body of its own if `with_bodies`.
+fn scatter(
+    world: &mut PhysicsWorld,
+    pose: Pose,
+    friction: Real,
+    tile: ColliderBuilder,
+    with_bodies: bool,
+) {
+    for place in places() {
+        let (tile, pose) = (tile.clone().friction(friction), pose * Pose::from_translation(place));
+        if with_bodies {
+            world.insert(RigidBodyBuilder::fixed().pose(pose), tile);
+        } else {
+            world.insert_collider(tile.position(pose), None);
+        }
+    }
+}
+
+/// Bodies that slide: their names, how high their middle is above the ground, and how they stand.
+pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
+    let straight = Pose::IDENTITY;
+    let lying = Pose::from_rotation(Rotation::new(core::f64::consts::FRAC_PI_2 as Real));
+    let wedge = [[-0.5, -0.25], [0.5, -0.25], [0.2, 0.25], [-0.3, 0.25]].map(Vector::from_array);
+    vec![
+        ("box", 0.5, straight, ColliderBuilder::cuboid(0.5, 0.5)),
+        ("slab", 0.1, straight, ColliderBuilder::cuboid(0.5, 0.1)),
+        ("ball", 0.5, straight, ColliderBuilder::ball(0.5)),
+        ("small ball", 0.1, straight, ColliderBuilder::ball(0.1)),
+        ("capsule", 0.5, straight, ColliderBuilder::capsule_y(0.2, 0.3)),
+        ("lying capsule", 0.3, lying, ColliderBuilder::capsule_y(0.3, 0.3)),
+        ("hull", 0.25, straight, ColliderBuilder::convex_hull(&wedge).unwrap()),
+        ("round box", 0.5, straight, ColliderBuilder::round_cuboid(0.4, 0.4, 0.1)),
+    ]
+}
+
+/// A way to the side: there is none.
+pub const ASIDE: Vector = Vector::ZERO;

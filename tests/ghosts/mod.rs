@@ -1,0 +1,7 @@
+//! Does a flat ground feel flat, whatever it is made of?
+//!
+//! Bodies must not catch on the seams between the triangles, cells, parts, colliders or bodies that make up a
+//! surface, and must feel the edges, steps and gaps that are really there.
+
+mod debug;
+mod sliding;
