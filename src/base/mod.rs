@@ -3,6 +3,7 @@
 //! Knows nobody: nothing here may import another room.
 
 pub mod arena;
+pub mod bvh;
 pub mod closest;
 pub mod disjoint;
 pub(crate) mod guard;

@@ -2,6 +2,7 @@
 
 use super::filter::{QueryFilter, Traits};
 use super::view::QueryView;
+use crate::base::bvh::BoxProbe;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyType;
 use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
@@ -237,7 +238,7 @@ impl QueryPipeline {
         callback: impl FnMut(ColliderHandle) -> bool,
     ) {
         let trees = [&self.fixed.boxes, &self.movable.boxes].into_iter();
-        let slots = trees.flat_map(|tree| tree.intersect_aabb(aabb));
+        let slots = trees.flat_map(|tree| tree.leaves(BoxProbe(*aabb), Real::MAX));
         let found = slots.filter_map(|slot| {
             let entry = self.entries.get(slot as usize)?.as_ref()?;
             filter.test_traits(entry.handle, &entry.traits).then_some(entry.handle)

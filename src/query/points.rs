@@ -1,18 +1,11 @@
 //! Points: what is near, and what is around them?
 
 use super::view::QueryView;
+use crate::base::bvh::PointProbe;
 use crate::dim::math::{Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
-use parry::partitioning::BvhNode;
 use parry::query::PointProjection;
 use parry::shape::FeatureId;
-
-/// How far a point is from a box; zero inside.
-fn distance(node: &BvhNode, point: Vector) -> Real {
-    let outside = (node.mins() - point).max(point - node.maxs()).max(Vector::ZERO);
-    // What is as far away as the box is must not be farther by rounding.
-    outside.length() * (1.0 - 4.0 * Real::EPSILON)
-}
 
 impl<'a> QueryView<'a> {
     /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on it.
@@ -28,14 +21,10 @@ impl<'a> QueryView<'a> {
         if !(point.is_finite() && max_distance >= 0.0) {
             return None;
         }
-        self.nearest(
-            max_distance,
-            |node, _| distance(node, point),
-            |collider| {
-                let found = collider.shape().project_point(collider.position(), point, solid);
-                Some((found.point.distance(point), found))
-            },
-        )
+        self.nearest([0.0, max_distance], &PointProbe(point), |collider| {
+            let found = collider.shape().project_point(collider.position(), point, solid);
+            Some((found.point.distance(point), found))
+        })
     }
 
     /// The collider whose surface is nearest to a point, the nearest point on it, and the feature (vertex, edge,
@@ -48,15 +37,11 @@ impl<'a> QueryView<'a> {
         if !(point.is_finite() && max_distance >= 0.0) {
             return None;
         }
-        let found = self.nearest(
-            max_distance,
-            |node, _| distance(node, point),
-            |collider| {
-                let (found, feature) =
-                    collider.shape().project_point_and_get_feature(collider.position(), point);
-                Some((found.point.distance(point), (found, feature)))
-            },
-        );
+        let found = self.nearest([0.0, max_distance], &PointProbe(point), |collider| {
+            let (found, feature) =
+                collider.shape().project_point_and_get_feature(collider.position(), point);
+            Some((found.point.distance(point), (found, feature)))
+        });
         found.map(|(handle, (projection, feature))| (handle, projection, feature))
     }
 
@@ -67,7 +52,7 @@ impl<'a> QueryView<'a> {
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
         let sound = point.is_finite().then_some(point);
         sound.into_iter().flat_map(move |point| {
-            let around = self.candidates(move |node| distance(node, point) <= 0.0);
+            let around = self.candidates(PointProbe(point), 0.0);
             around.filter(move |(_, collider)| {
                 collider.shape().contains_point(collider.position(), point)
             })

@@ -2,8 +2,9 @@
 
 use super::filter::QueryFilter;
 use super::view::QueryView;
+use crate::base::bvh::SlabProbe;
 use crate::base::tasks::Tasks;
-use crate::dim::math::{DIM, Real, Vector};
+use crate::dim::math::{Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use parry::query::{Ray, RayIntersection};
 
@@ -11,42 +12,8 @@ use parry::query::{Ray, RayIntersection};
 const RAYS_PER_TASK: usize = 64;
 
 /// A ray as boxes see it.
-#[derive(Copy, Clone)]
-pub(super) struct Slabs {
-    origin: Vector,
-    inv_dir: Vector,
-}
-
-impl Slabs {
-    pub fn of(ray: &Ray) -> Self {
-        // A direction of no length along an axis takes for ever, and yet not infinitely long: zero times that
-        // is to be zero.
-        let mut inv_dir = ray.dir;
-        for axis in 0..DIM {
-            let dir = ray.dir[axis];
-            inv_dir[axis] = if dir.abs() > 1.0 / Real::MAX { 1.0 / dir } else { Real::MAX };
-        }
-        Self { origin: ray.origin, inv_dir }
-    }
-
-    /// When the ray enters a box: zero if it begins inside, infinity if not before `limit`.
-    ///
-    /// The end is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray along a face is not
-    /// to miss the box.
-    #[inline]
-    pub fn entry(&self, mins: Vector, maxs: Vector, limit: Real) -> Real {
-        let (t1, t2) = ((mins - self.origin) * self.inv_dir, (maxs - self.origin) * self.inv_dir);
-        let start = t1.min(t2).max_element().max(0.0);
-        let end = t1.max(t2).min_element() * (1.0 + 4.0 * Real::EPSILON);
-        if start <= end && start <= limit { start } else { Real::INFINITY }
-    }
-
-    /// When the ray has left a box: zero if it never enters.
-    #[inline]
-    pub fn exit(&self, mins: Vector, maxs: Vector) -> Real {
-        let (t1, t2) = ((mins - self.origin) * self.inv_dir, (maxs - self.origin) * self.inv_dir);
-        (t1.max(t2).min_element() * (1.0 + 4.0 * Real::EPSILON)).max(0.0)
-    }
+fn slabs(ray: &Ray) -> SlabProbe {
+    SlabProbe::new(ray.origin, ray.dir, Vector::ZERO)
 }
 
 /// The limit of a question that has an answer: neither the ray nor the limit is nonsense.
@@ -67,16 +34,10 @@ impl<'a> QueryView<'a> {
         max_time_of_impact: Real,
         solid: bool,
     ) -> Option<(ColliderHandle, Real)> {
-        let limit = sound_limit(ray, max_time_of_impact)?;
-        let slabs = Slabs::of(ray);
-        self.nearest(
-            limit,
-            |node, reach| slabs.entry(node.mins(), node.maxs(), reach),
-            |collider| {
-                let time = time_of_impact(collider, ray, limit, solid)?;
-                Some((time, time))
-            },
-        )
+        self.first_hit(ray, max_time_of_impact, |collider, limit| {
+            let time = time_of_impact(collider, ray, limit, solid)?;
+            Some((time, time))
+        })
     }
 
     /// The same, with the normal of the surface (unit length, world space, zero inside of a solid collider) and
@@ -87,16 +48,21 @@ impl<'a> QueryView<'a> {
         max_time_of_impact: Real,
         solid: bool,
     ) -> Option<(ColliderHandle, RayIntersection)> {
+        self.first_hit(ray, max_time_of_impact, |collider, limit| {
+            let hit = intersection(collider, ray, limit, solid)?;
+            Some((hit.time_of_impact, hit))
+        })
+    }
+
+    /// The collider that is hit first, by the times that `ask` gives for each, up to a limit.
+    fn first_hit<T>(
+        &self,
+        ray: &Ray,
+        max_time_of_impact: Real,
+        ask: impl Fn(&Collider, Real) -> Option<(Real, T)>,
+    ) -> Option<(ColliderHandle, T)> {
         let limit = sound_limit(ray, max_time_of_impact)?;
-        let slabs = Slabs::of(ray);
-        self.nearest(
-            limit,
-            |node, reach| slabs.entry(node.mins(), node.maxs(), reach),
-            |collider| {
-                let hit = intersection(collider, ray, limit, solid)?;
-                Some((hit.time_of_impact, hit))
-            },
-        )
+        self.nearest([0.0, limit], &slabs(ray), |collider| ask(collider, limit))
     }
 
     /// All colliders that a ray hits, each with its first hit, in no particular order.
@@ -107,10 +73,7 @@ impl<'a> QueryView<'a> {
         solid: bool,
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider, RayIntersection)> {
         sound_limit(&ray, max_time_of_impact).into_iter().flat_map(move |limit| {
-            let slabs = Slabs::of(&ray);
-            let hits =
-                self.candidates(move |node| slabs.entry(node.mins(), node.maxs(), limit) <= limit);
-            hits.filter_map(move |(handle, collider)| {
+            self.candidates(slabs(&ray), limit).filter_map(move |(handle, collider)| {
                 Some((handle, collider, intersection(collider, &ray, limit, solid)?))
             })
         })

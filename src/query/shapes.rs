@@ -1,48 +1,26 @@
 //! Shapes: what do they touch, and what is in their way?
 
-use super::rays::Slabs;
 use super::view::QueryView;
+use crate::base::bvh::{BoxProbe, SlabProbe};
 use crate::base::guard::guarded;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use crate::model::tree::shape_box;
 use parry::bounding_volume::{Aabb, BoundingVolume};
-use parry::partitioning::BvhNode;
-use parry::query::{NonlinearRigidMotion, Ray, ShapeCastHit, ShapeCastOptions};
+use parry::query::{NonlinearRigidMotion, ShapeCastHit, ShapeCastOptions};
 use parry::shape::Shape;
 
 fn is_finite(pose: &Pose) -> bool {
     crate::model::check::checked_pose(*pose).is_some()
 }
 
-/// A box in motion, as other boxes see it: its middle is a ray, and they are larger by its half extents.
-struct Sweep {
-    slabs: Slabs,
-    half_extents: Vector,
-}
-
-impl Sweep {
-    fn of(shape: &dyn Shape, pose: &Pose, velocity: Vector, target_distance: Real) -> Self {
-        let aabb = shape.compute_aabb(pose);
-        // Rounding must not let two boxes miss each other that touch.
-        let size = aabb.mins.abs().max(aabb.maxs.abs()).max_element();
-        let margin = target_distance.max(0.0) + 16.0 * Real::EPSILON * size;
-        Self {
-            slabs: Slabs::of(&Ray::new(aabb.center(), velocity)),
-            half_extents: aabb.half_extents() + Vector::splat(margin),
-        }
-    }
-
-    /// When it has left a box for good, and a little later.
-    fn exit(&self, aabb: &Aabb) -> Real {
-        let (mins, maxs) = (aabb.mins - self.half_extents, aabb.maxs + self.half_extents);
-        1.01 * self.slabs.exit(mins, maxs)
-    }
-
-    fn entry(&self, node: &BvhNode, limit: Real) -> Real {
-        let (mins, maxs) = (node.mins() - self.half_extents, node.maxs() + self.half_extents);
-        self.slabs.entry(mins, maxs, limit)
-    }
+/// The box around a shape in motion.
+fn sweep(shape: &dyn Shape, pose: &Pose, velocity: Vector, target_distance: Real) -> SlabProbe {
+    let aabb = shape.compute_aabb(pose);
+    // Rounding must not let two boxes miss each other that touch.
+    let size = aabb.mins.abs().max(aabb.maxs.abs()).max_element();
+    let margin = target_distance.max(0.0) + 16.0 * Real::EPSILON * size;
+    SlabProbe::new(aabb.center(), velocity, aabb.half_extents() + Vector::splat(margin))
 }
 
 impl<'a> QueryView<'a> {
@@ -52,8 +30,7 @@ impl<'a> QueryView<'a> {
         self,
         aabb: Aabb,
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
-        let node = BvhNode::leaf(aabb, 0);
-        self.candidates(move |other| other.intersects(&node))
+        self.candidates(BoxProbe(aabb), Real::MAX)
     }
 
     /// All colliders that a shape intersects, in no particular order.
@@ -97,23 +74,18 @@ impl<'a> QueryView<'a> {
         if !is_sound {
             return None;
         }
-        let sweep = Sweep::of(shape, shape_pos, shape_vel, options.target_distance);
-        self.nearest(
-            limit,
-            |node, reach| sweep.entry(node, reach),
-            |collider| {
-                let pose12 = shape_pos.inv_mul(collider.position());
-                let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
-                // Some pairs of shapes look along all of the way, however long it is.
-                let end = sweep.exit(&shape_box(collider.shape(), collider.position()));
-                let options = ShapeCastOptions { max_time_of_impact: limit.min(end), ..options };
-                let other = collider.shape();
-                let cast =
-                    || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
-                let hit = guarded(cast)?.ok()??;
-                Some((hit.time_of_impact, hit))
-            },
-        )
+        let sweep = sweep(shape, shape_pos, shape_vel, options.target_distance);
+        self.nearest([0.0, limit], &sweep, |collider| {
+            let pose12 = shape_pos.inv_mul(collider.position());
+            let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
+            // Some pairs of shapes look along all of the way, however long it is.
+            let end = 1.01 * sweep.exit(&shape_box(collider.shape(), collider.position()));
+            let options = ShapeCastOptions { max_time_of_impact: limit.min(end), ..options };
+            let other = collider.shape();
+            let cast = || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
+            let hit = guarded(cast)?.ok()??;
+            Some((hit.time_of_impact, hit))
+        })
     }
 
     /// The first collider that a shape meets between two times of a motion that turns.
@@ -129,27 +101,22 @@ impl<'a> QueryView<'a> {
         stop_at_penetration: bool,
     ) -> Option<(ColliderHandle, ShapeCastHit)> {
         let around = swept_box(shape_motion, shape, start_time, end_time)?;
-        let node = BvhNode::leaf(around, 0);
-        self.nearest(
-            end_time,
-            |other, _| if other.intersects(&node) { start_time } else { Real::INFINITY },
-            |collider| {
-                let still = NonlinearRigidMotion::constant_position(*collider.position());
-                let cast = || {
-                    self.dispatcher.cast_shapes_nonlinear(
-                        shape_motion,
-                        shape,
-                        &still,
-                        collider.shape(),
-                        start_time,
-                        end_time,
-                        stop_at_penetration,
-                    )
-                };
-                let hit = guarded(cast)?.ok()??;
-                Some((hit.time_of_impact, hit))
-            },
-        )
+        self.nearest([start_time, end_time], &BoxProbe(around), |collider| {
+            let still = NonlinearRigidMotion::constant_position(*collider.position());
+            let cast = || {
+                self.dispatcher.cast_shapes_nonlinear(
+                    shape_motion,
+                    shape,
+                    &still,
+                    collider.shape(),
+                    start_time,
+                    end_time,
+                    stop_at_penetration,
+                )
+            };
+            let hit = guarded(cast)?.ok()??;
+            Some((hit.time_of_impact, hit))
+        })
     }
 }
 

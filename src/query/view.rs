@@ -1,10 +1,11 @@
 //! Trees of boxes and the colliders that they stand for.
 
 use super::filter::QueryFilter;
+use crate::base::bvh::{BoxTree, Probe};
+use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
-use parry::partitioning::{Bvh, BvhNode};
 use parry::query::QueryDispatcher;
 
 /// Colliders that can be asked: borrowed trees of boxes, the colliders in them, and which of these are
@@ -14,7 +15,7 @@ use parry::query::QueryDispatcher;
 /// dropped at no cost.
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
-    trees: [&'a Bvh; 2],
+    trees: [&'a BoxTree; 2],
     /// How pairs of shapes are computed.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The colliders.
@@ -65,7 +66,7 @@ impl BroadPhaseBvh {
 impl<'a> QueryView<'a> {
     /// Leaves of the trees are slots of the colliders.
     pub(super) fn new(
-        trees: [&'a Bvh; 2],
+        trees: [&'a BoxTree; 2],
         dispatcher: &'a dyn QueryDispatcher,
         colliders: &'a ColliderSet,
         filter: QueryFilter<'a>,
@@ -79,7 +80,7 @@ impl<'a> QueryView<'a> {
         Self { filter, ..self }
     }
 
-    pub(super) fn trees(&self) -> [&'a Bvh; 2] {
+    pub(super) fn trees(&self) -> [&'a BoxTree; 2] {
         self.trees
     }
 
@@ -89,12 +90,13 @@ impl<'a> QueryView<'a> {
         (collider.is_enabled() && self.filter.test(handle, collider)).then_some((handle, collider))
     }
 
-    /// All colliders that are meant and whose boxes pass.
-    pub(super) fn candidates(
+    /// All colliders that are meant and whose boxes a probe finds within `reach`.
+    pub(super) fn candidates<P: Probe + 'a>(
         self,
-        passes: impl Fn(&BvhNode) -> bool + Copy + 'a,
+        probe: P,
+        reach: Real,
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> {
-        let slots = self.trees.into_iter().flat_map(move |tree| tree.leaves(passes));
+        let slots = self.trees.into_iter().flat_map(move |tree| tree.leaves(probe, reach));
         slots.filter_map(move |slot| self.candidate(slot))
     }
 }

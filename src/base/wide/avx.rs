@@ -108,6 +108,11 @@ macro_rules! register {
                 unsafe { x86::$movemask(mask.0) != 0 }
             }
             #[inline(always)]
+            fn bits(mask: Self::Mask) -> u32 {
+                // SAFETY: values of this type exist only where the machine has AVX2.
+                unsafe { x86::$movemask(mask.0) as u32 }
+            }
+            #[inline(always)]
             unsafe fn load_transposed(rows: [*const $scalar; $lanes]) -> [Self; $lanes] {
                 // SAFETY: the caller promises that the rows are good for reading, and the kernel runs
                 // only where the machine has AVX2.

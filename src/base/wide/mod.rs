@@ -40,6 +40,14 @@ pub const LANES: usize = 32 / size_of::<Real>();
 /// [`LANES`] numbers in memory, one per lane: what the constraint blocks are made of.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[repr(C, align(32))]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "[S; N]: serde::Serialize",
+        deserialize = "[S; N]: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Lane<S = Real, const N: usize = LANES>(pub [S; N]);
 
 impl Default for Lane {
@@ -100,6 +108,8 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Does the mask say yes in any lane?
     fn any(mask: Self::Mask) -> bool;
+    /// One bit per lane, set where the mask says yes; the first lane is the lowest bit.
+    fn bits(mask: Self::Mask) -> u32;
 
     /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number
     /// of each. [`gather`] is the safe way to say it.

@@ -112,6 +112,10 @@ macro_rules! register {
                 mask.0.contains(&true)
             }
             #[inline(always)]
+            fn bits(mask: Self::Mask) -> u32 {
+                mask.0.iter().rev().fold(0, |bits, &yes| bits << 1 | u32::from(yes))
+            }
+            #[inline(always)]
             unsafe fn load_transposed(rows: [*const $scalar; $lanes]) -> [Self; $lanes] {
                 let mut columns = [Self::zero(); $lanes];
                 for (lane, row) in rows.into_iter().enumerate() {

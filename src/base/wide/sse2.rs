@@ -131,6 +131,12 @@ macro_rules! register {
                 unsafe { x86::$movemask(x86::$or(mask.0[0], mask.0[1])) != 0 }
             }
             #[inline(always)]
+            fn bits(mask: Self::Mask) -> u32 {
+                // SAFETY: SSE2 is part of x86-64.
+                let [low, high] = mask.0.map(|half| unsafe { x86::$movemask(half) as u32 });
+                low | high << ($lanes / 2)
+            }
+            #[inline(always)]
             unsafe fn load_transposed(rows: [*const $scalar; $lanes]) -> [Self; $lanes] {
                 // SAFETY: the caller promises that the rows are good for reading.
                 unsafe { Self::load_columns(rows) }

@@ -133,10 +133,11 @@ fn registers_agree_with_the_formulas_bit_for_bit() {
 struct AnyBelow(Lane, Real);
 
 impl Kernel for AnyBelow {
-    type Output = bool;
+    type Output = (bool, u32);
     #[inline(always)]
-    fn run<W: Wide>(self) -> bool {
-        W::any(W::load(&self.0).lt(W::splat(self.1)))
+    fn run<W: Wide>(self) -> (bool, u32) {
+        let mask = W::load(&self.0).lt(W::splat(self.1));
+        (W::any(mask), W::bits(mask))
     }
 }
 
@@ -145,11 +146,14 @@ fn any_finds_a_yes_in_each_lane() {
     for lane in 0..LANES {
         let mut numbers = Lane::splat(2.0);
         numbers.0[lane] = 1.0;
-        for (registers, found) in run_on_all(|| AnyBelow(numbers, 1.5)) {
-            assert!(found, "{registers} does not see lane {lane}");
+        for (registers, (found, bits)) in run_on_all(|| AnyBelow(numbers, 1.5)) {
+            assert!(found && bits == 1 << lane, "{registers} does not see lane {lane}");
         }
-        for (registers, found) in run_on_all(|| AnyBelow(numbers, 1.0)) {
-            assert!(!found, "{registers} sees what is not there");
+        for (registers, (found, bits)) in run_on_all(|| AnyBelow(numbers, 1.0)) {
+            assert!(!found && bits == 0, "{registers} sees what is not there");
+        }
+        for (registers, (_, bits)) in run_on_all(|| AnyBelow(numbers, 3.0)) {
+            assert_eq!(bits, (1 << LANES) - 1, "{registers}");
         }
     }
 }

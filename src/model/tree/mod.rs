@@ -16,13 +16,15 @@ pub(crate) use enlarge::BoxMargin;
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 
-use crate::dim::math::Vector;
+use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::dim::math::{Real, Vector};
 use crate::model::collider::ColliderHandle;
 use parry::bounding_volume::{Aabb, BoundingVolume};
-use parry::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
 
 /// Below this number of boxes the order of insertion does not matter.
-const REBUILD_MIN: u32 = 64;
+const REBUILD_MIN: usize = 64;
+/// A tree is rebuilt when its boxes have been put elsewhere this often, on average.
+const REBUILD_WEAR: usize = 8;
 
 /// The enlarged boxes of all colliders.
 #[derive(Clone, Debug, Default)]
@@ -70,9 +72,8 @@ impl BroadPhaseBvh {
             proxy.clearance = clearance(&needed, &proxy.fat_aabb);
             return false;
         }
-        // A stale entry may stand at the slot if its former tenant was removed: look in both trees.
-        self.fixed.boxes.remove(slot);
-        self.movable.boxes.remove(slot);
+        // A stale entry may stand at the slot if its former tenant was removed: look in the other tree, too.
+        self.tree_mut(kind.other()).boxes.remove(slot);
         proxy.fat_aabb = margin.enlarged(&needed, kind);
         proxy.clearance = clearance(&needed, &proxy.fat_aabb);
         proxy.tree = Some(kind);
@@ -130,7 +131,7 @@ impl BroadPhaseBvh {
     }
 
     /// The boxes of one kind of colliders, by slot.
-    pub(crate) fn boxes(&self, kind: TreeKind) -> &Bvh {
+    pub(crate) fn boxes(&self, kind: TreeKind) -> &BoxTree {
         match kind {
             TreeKind::Fixed => &self.fixed.boxes,
             TreeKind::Movable => &self.movable.boxes,
@@ -139,8 +140,7 @@ impl BroadPhaseBvh {
 
     /// Slots of the colliders of one kind whose enlarged boxes overlap a box.
     pub(crate) fn overlapping(&self, kind: TreeKind, aabb: &Aabb) -> impl Iterator<Item = u32> {
-        let query = BvhNode::leaf(*aabb, 0);
-        self.boxes(kind).leaves(move |node| node.intersects(&query))
+        self.boxes(kind).leaves(BoxProbe(*aabb), Real::MAX)
     }
 
     /// Puts the trees in good order after many colliders came in, at a cost that these colliders
@@ -162,29 +162,30 @@ impl BroadPhaseBvh {
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Tree {
-    pub boxes: Bvh,
+    pub boxes: BoxTree,
     /// Number of boxes when the tree was last built as a whole.
-    built: u32,
+    built: usize,
 }
 
 impl Tree {
     /// Gives a slot its box, whether or not it had one.
     pub fn insert(&mut self, aabb: Aabb, slot: u32) {
-        self.boxes.insert(aabb, slot);
+        self.boxes.insert(&aabb, slot);
     }
 
-    /// Rebuilds the tree if half of its boxes are new.
+    /// Rebuilds the tree if half of its boxes are new, or all have been put elsewhere many times.
     pub fn tidy(&mut self) {
-        let count = self.boxes.leaf_count();
-        if count >= REBUILD_MIN && count / 2 > self.built {
-            self.boxes.rebuild(&mut BvhWorkspace::default(), BvhBuildStrategy::Binned);
+        let count = self.boxes.len();
+        let is_worn = self.boxes.wear() > REBUILD_WEAR * count;
+        if count >= REBUILD_MIN && (count / 2 > self.built || is_worn) {
+            self.boxes.rebuild();
             self.built = count;
         }
     }
 }
 
 /// How far a box may grow on all sides before it leaves another that contains it.
-fn clearance(inner: &Aabb, outer: &Aabb) -> crate::dim::math::Real {
+fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
     let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
     gaps.min_element().max(0.0)
 }

@@ -13,6 +13,16 @@ pub(crate) enum TreeKind {
     Movable,
 }
 
+impl TreeKind {
+    /// The kind that a collider of this kind is not.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Fixed => Self::Movable,
+            Self::Movable => Self::Fixed,
+        }
+    }
+}
+
 /// A collider's place in the trees, kept inside the collider.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]

@@ -76,10 +76,10 @@ fn a_collider_stands_in_one_tree() {
     let (margin, tight) = (at_rest(0.01), cube(Vector::ZERO));
     for kind in [TreeKind::Movable, TreeKind::Fixed, TreeKind::Movable] {
         assert!(tree.place(handle(0), &mut proxy, kind, &tight, &margin));
-        let counts = [TreeKind::Fixed, TreeKind::Movable].map(|kind| tree.boxes(kind).leaf_count());
+        let counts = [TreeKind::Fixed, TreeKind::Movable].map(|kind| tree.boxes(kind).len());
         assert_eq!(
             counts,
-            [u32::from(kind == TreeKind::Fixed), u32::from(kind == TreeKind::Movable)]
+            [usize::from(kind == TreeKind::Fixed), usize::from(kind == TreeKind::Movable)]
         );
     }
     assert!(tree.remove(0, &mut proxy) && !tree.remove(0, &mut proxy));

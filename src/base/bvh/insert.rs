@@ -1,0 +1,230 @@
+//! One box comes, goes or changes.
+//!
+//! A box goes down to where it adds least to the boxes on its way, and into a node that has no nodes below it. A
+//! node that is full becomes two, and its parent has one child more; so new levels begin at the root alone, as in a
+//! B-tree (and the R-tree: Guttman, "R-Trees: A Dynamic Index Structure for Spatial Searching", 1984), and no order of
+//! insertions makes the tree deep.
+
+use super::node::{Child, Entry, Node, Place, Target};
+use super::{BoxTree, measure};
+use crate::base::wide::LANES;
+use core::cmp::Ordering;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::math::{DIM, Real};
+
+/// How much the growth of a box counts against its size, when a new box looks for its place: what the box holds
+/// already will be looked at in vain as often as it grows, what is new as often as it is large.
+const WEIGHT_OF_GROWTH: Real = 4.0;
+
+/// The children of a full node, and one more.
+type Overfull = [Entry; LANES + 1];
+
+impl BoxTree {
+    /// Gives a slot its box, whether or not it had one.
+    pub fn insert(&mut self, aabb: &Aabb, slot: u32) {
+        if let Some(place) = self.place(slot) {
+            if self.stays_within_its_node(place, aabb) {
+                self.nodes[place.node()].set_box(place.lane(), aabb);
+                return self.tighten(place.node());
+            }
+            self.detach(place);
+            self.len -= 1;
+        }
+        if self.nodes.is_empty() {
+            self.nodes.push(Node::empty(None));
+        }
+        if slot as usize >= self.places.len() {
+            self.places.resize(slot as usize + 1, None);
+        }
+        let node = self.descend(aabb);
+        self.add(node, Entry { aabb: *aabb, child: Child::of_slot(slot) });
+        self.len += 1;
+        self.wear += 1;
+    }
+
+    /// Takes the box of a slot out, if it has one.
+    pub fn remove(&mut self, slot: u32) {
+        if let Some(place) = self.place(slot) {
+            self.places[slot as usize] = None;
+            self.detach(place);
+            self.len -= 1;
+        }
+    }
+
+    fn stays_within_its_node(&self, place: Place, aabb: &Aabb) -> bool {
+        let parent = self.nodes[place.node()].parent;
+        parent.is_none_or(|up| self.nodes[up.node()].lane_box(up.lane()).contains(aabb))
+    }
+
+    /// The node that a box should go into. The boxes on the way there grow.
+    fn descend(&mut self, aabb: &Aabb) -> usize {
+        let mut at = 0;
+        while let Some((lane, below)) = self.cheapest(at, aabb) {
+            let merged = self.nodes[at].lane_box(lane).merged(aabb);
+            self.nodes[at].set_box(lane, &merged);
+            at = below;
+        }
+        at
+    }
+
+    /// The child that a box should go down to, and its lane; `None` where all children are leaves.
+    fn cheapest(&self, at: usize, aabb: &Aabb) -> Option<(usize, usize)> {
+        let node = &self.nodes[at];
+        let mut best: Option<(Real, usize, usize)> = None;
+        for lane in 0..node.len() {
+            let Target::Node(below) = node.children[lane].target() else { continue };
+            let lane_box = node.lane_box(lane);
+            let merged = measure(&lane_box.merged(aabb));
+            let cost = merged + WEIGHT_OF_GROWTH * (merged - measure(&lane_box));
+            if best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, lane, below));
+            }
+        }
+        best.map(|(_, lane, below)| (lane, below))
+    }
+
+    /// Adds a child to a node whose box contains it.
+    fn add(&mut self, mut node: usize, mut entry: Entry) {
+        while self.nodes[node].len() == LANES {
+            let (mut all, kept) = self.overfull(node, entry);
+            let first = divide(&mut all);
+            let Some(parent) = kept else {
+                let [left, right] = [&all[..first], &all[first..]].map(|half| self.new_node(half));
+                self.fill(0, &[left, right]);
+                return;
+            };
+            self.fill(node, &all[..first]);
+            let around = self.nodes[node].around();
+            self.nodes[parent.node()].set_box(parent.lane(), &around);
+            entry = self.new_node(&all[first..]);
+            node = parent.node();
+        }
+        let lane = self.nodes[node].len();
+        self.nodes[node].count += 1;
+        self.put(Place::new(node, lane), &entry);
+    }
+
+    fn overfull(&self, node: usize, entry: Entry) -> (Overfull, Option<Place>) {
+        let full = &self.nodes[node];
+        let all = core::array::from_fn(|lane| if lane < LANES { full.entry(lane) } else { entry });
+        (all, full.parent)
+    }
+
+    /// A node with these children, to be put somewhere.
+    fn new_node(&mut self, entries: &[Entry]) -> Entry {
+        let node = match self.free.pop() {
+            Some(node) => node as usize,
+            None => {
+                self.nodes.push(Node::empty(None));
+                self.nodes.len() - 1
+            }
+        };
+        self.fill(node, entries);
+        Entry { aabb: self.nodes[node].around(), child: Child::of_node(node) }
+    }
+
+    /// Gives a node these children and no others.
+    fn fill(&mut self, node: usize, entries: &[Entry]) {
+        self.nodes[node].count = entries.len() as u32;
+        for (lane, entry) in entries.iter().enumerate() {
+            self.put(Place::new(node, lane), entry);
+        }
+    }
+
+    /// Puts a child into a lane, and tells it.
+    pub(super) fn put(&mut self, place: Place, entry: &Entry) {
+        self.nodes[place.node()].set_entry(place.lane(), entry);
+        match entry.child.target() {
+            Target::Node(node) => self.nodes[node].parent = Some(place),
+            Target::Slot(slot) => self.places[slot as usize] = Some(place),
+        }
+    }
+
+    /// Takes a child out of its lane. Nodes that have no child left go, and those with a single one give it to their
+    /// parent.
+    fn detach(&mut self, place: Place) {
+        let (node, lane) = (place.node(), place.lane());
+        let last = self.nodes[node].len() - 1;
+        if lane != last {
+            let moved = self.nodes[node].entry(last);
+            self.put(place, &moved);
+        }
+        self.nodes[node].count -= 1;
+        match (last, self.nodes[node].parent) {
+            (0, Some(parent)) => {
+                self.free.push(node as u32);
+                self.detach(parent);
+            }
+            (1, Some(parent)) => {
+                let only = self.nodes[node].entry(0);
+                self.free.push(node as u32);
+                self.put(parent, &only);
+                self.tighten(parent.node());
+            }
+            (1, None) => self.lower_the_root(),
+            _ => self.tighten(node),
+        }
+    }
+
+    /// A root whose only child is a node takes that node's place.
+    fn lower_the_root(&mut self) {
+        if let Target::Node(below) = self.nodes[0].children[0].target() {
+            let entries: [Entry; LANES] =
+                core::array::from_fn(|lane| self.nodes[below].entry(lane));
+            let count = self.nodes[below].len();
+            self.free.push(below as u32);
+            self.fill(0, &entries[..count]);
+        }
+    }
+
+    /// Fits the boxes around a node, from it to the root.
+    fn tighten(&mut self, mut node: usize) {
+        while let Some(parent) = self.nodes[node].parent {
+            let around = self.nodes[node].around();
+            if self.nodes[parent.node()].lane_box(parent.lane()) == around {
+                return;
+            }
+            self.nodes[parent.node()].set_box(parent.lane(), &around);
+            node = parent.node();
+        }
+    }
+}
+
+/// Sorts the children of an overfull node so that it is best divided before the one whose number is the answer.
+///
+/// Tries all axes and all cuts that leave two on each side: the sum of the measures times the numbers decides
+/// (the surface area heuristic: Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", 1987).
+fn divide(all: &mut Overfull) -> usize {
+    let mut best = (Real::INFINITY, 0, 2);
+    for axis in 0..DIM {
+        sort(all, axis);
+        for (first, cost) in costs(all).into_iter().enumerate().take(all.len() - 1).skip(2) {
+            if cost < best.0 {
+                best = (cost, axis, first);
+            }
+        }
+    }
+    let (_, axis, first) = best;
+    sort(all, axis);
+    first
+}
+
+fn sort(all: &mut Overfull, axis: usize) {
+    let middle = |entry: &Entry| entry.aabb.mins[axis] + entry.aabb.maxs[axis];
+    all.sort_by(|a, b| middle(a).partial_cmp(&middle(b)).unwrap_or(Ordering::Equal));
+}
+
+/// What it costs to cut before each child.
+fn costs(all: &Overfull) -> [Real; LANES + 1] {
+    let (mut costs, mut around) = ([0.0; LANES + 1], all[0].aabb);
+    for first in 1..all.len() {
+        costs[first] = first as Real * measure(&around);
+        around.merge(&all[first].aabb);
+    }
+    around = all[LANES].aabb;
+    for first in (1..all.len()).rev() {
+        around.merge(&all[first].aabb);
+        costs[first] += (all.len() - first) as Real * measure(&around);
+    }
+    costs
+}

@@ -1,0 +1,64 @@
+//! All that a probe comes by, one at a time.
+
+use super::BoxTree;
+use super::node::{Child, Node, Target};
+use super::probe::Probe;
+use super::stack::Stack;
+use crate::base::wide::{Kernel, LANES, Simd, Wide};
+use parry::math::Real;
+
+/// The slots whose boxes a probe finds, in no particular order.
+pub struct Leaves<'a, P> {
+    nodes: &'a [Node],
+    probe: P,
+    reach: Real,
+    simd: Simd,
+    stack: Stack<Child>,
+}
+
+impl BoxTree {
+    /// The slots whose boxes the probe finds within `reach`, in no particular order.
+    pub fn leaves<P: Probe>(&self, probe: P, reach: Real) -> Leaves<'_, P> {
+        let mut stack = Stack::new(Child::NONE);
+        if self.len > 0 {
+            stack.push(Child::of_node(0));
+        }
+        Leaves { nodes: &self.nodes, probe, reach, simd: Simd::detect(), stack }
+    }
+}
+
+impl<P: Probe> Iterator for Leaves<'_, P> {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        loop {
+            let node = match self.stack.pop()?.target() {
+                Target::Slot(slot) => return Some(slot),
+                Target::Node(node) => &self.nodes[node],
+            };
+            let look = Look { node, probe: &self.probe, reach: self.reach };
+            let mut bits = self.simd.run(look) & node.taken();
+            while bits != 0 {
+                self.stack.push(node.children[bits.trailing_zeros() as usize % LANES]);
+                bits &= bits - 1;
+            }
+        }
+    }
+}
+
+/// One bit for each child that the probe finds.
+struct Look<'a, P> {
+    node: &'a Node,
+    probe: &'a P,
+    reach: Real,
+}
+
+impl<P: Probe> Kernel for Look<'_, P> {
+    type Output = u32;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> u32 {
+        let (_, mask) = self.probe.look::<W>(&self.node.planes, self.reach);
+        W::bits(mask)
+    }
+}

@@ -1,0 +1,87 @@
+//! # Bvh — a tree of boxes with as many children per node as a register has lanes
+//!
+//! Numbered boxes come, go and change; which of them does a ray, a point, a box come by? A node holds the boxes of
+//! its children plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them
+//! (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
+//! among many small ones stands near the root.
+//!
+//! | file | what |
+//! |---|---|
+//! | `node.rs` | a node |
+//! | `insert.rs` | one box comes, goes or changes: the tree grows at its root, as a B-tree does |
+//! | `build.rs` | the whole tree at once, from the surface area heuristic |
+//! | `probe.rs` | what is looked for: tests of all boxes of a node |
+//! | `nearest.rs` | the search for the nearest, near children first |
+//! | `leaves.rs` | all that a probe comes by |
+//!
+//! The shape of the tree follows from the history of calls, and from nothing else. What is found does not
+//! depend on it; the order may.
+
+mod build;
+mod insert;
+mod leaves;
+mod nearest;
+mod node;
+mod probe;
+mod stack;
+#[cfg(test)]
+mod tests;
+
+pub use nearest::nearest;
+pub use probe::{BoxProbe, PointProbe, Probe, SlabProbe};
+
+use node::{Node, Place};
+use parry::bounding_volume::Aabb;
+
+/// Numbered boxes, in a tree.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct BoxTree {
+    /// The root comes first. Nodes that are free stand in `free`.
+    nodes: Vec<Node>,
+    free: Vec<u32>,
+    /// Where the box of each slot is.
+    places: Vec<Option<Place>>,
+    len: usize,
+    /// Boxes that came since the tree was built as a whole, or were put elsewhere.
+    wear: usize,
+}
+
+impl BoxTree {
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Is there no box?
+    #[cfg(test)]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// How many boxes came, or were put elsewhere, since the tree was built as a whole.
+    pub fn wear(&self) -> usize {
+        self.wear
+    }
+
+    /// The box of a slot.
+    #[cfg(test)]
+    pub fn get(&self, slot: u32) -> Option<Aabb> {
+        let place = self.place(slot)?;
+        Some(self.nodes[place.node()].lane_box(place.lane()))
+    }
+
+    fn place(&self, slot: u32) -> Option<Place> {
+        self.places.get(slot as usize).copied().flatten()
+    }
+}
+
+/// What the chance of a random line to meet a box is proportional to: half the surface, or half the outline.
+fn measure(aabb: &Aabb) -> parry::math::Real {
+    let extents = aabb.extents();
+    if parry::math::DIM == 2 {
+        return extents.element_sum();
+    }
+    let dims = parry::math::DIM;
+    (0..dims).map(|axis| extents[axis] * extents[(axis + 1) % dims]).sum()
+}

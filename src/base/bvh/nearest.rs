@@ -1,0 +1,86 @@
+//! The search for the nearest, near children first.
+
+use super::BoxTree;
+use super::node::{Child, Node, Target};
+use super::probe::Probe;
+use super::stack::Stack;
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
+use parry::math::Real;
+
+/// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is known.
+///
+/// `visit` says how far away the rest may be to matter from then on: what is *as* far away still does.
+pub fn nearest<P: Probe>(
+    tree: &BoxTree,
+    probe: &P,
+    reach: Real,
+    visit: impl FnMut(u32) -> Real,
+) -> Real {
+    if tree.len == 0 {
+        return reach;
+    }
+    Simd::detect().run(Search { nodes: &tree.nodes, probe, reach, visit })
+}
+
+struct Search<'a, P, V> {
+    nodes: &'a [Node],
+    probe: &'a P,
+    reach: Real,
+    visit: V,
+}
+
+impl<P: Probe, V: FnMut(u32) -> Real> Kernel for Search<'_, P, V> {
+    /// How far away the rest may be in the end.
+    type Output = Real;
+
+    #[inline(always)]
+    fn run<W: Wide>(mut self) -> Real {
+        let mut stack = Stack::new((0.0, Child::NONE));
+        let mut at = 0;
+        loop {
+            let node = &self.nodes[at];
+            let (distances, mask) = self.probe.look::<W>(&node.planes, self.reach);
+            let mut lanes = Lane::ZERO;
+            distances.store(&mut lanes);
+            push_sorted(&mut stack, node, &lanes, W::bits(mask) & node.taken());
+            at = loop {
+                let Some((distance, child)) = stack.pop() else { return self.reach };
+                // Something nearer may have been found since.
+                if distance > self.reach {
+                    continue;
+                }
+                match child.target() {
+                    Target::Node(below) => break below,
+                    Target::Slot(slot) => self.reach = (self.visit)(slot),
+                }
+            };
+        }
+    }
+}
+
+/// Puts the children that matter on the stack, the nearest on top. Of equally near ones the first lane comes first.
+#[inline(always)]
+fn push_sorted(stack: &mut Stack<(Real, Child)>, node: &Node, distances: &Lane, mut bits: u32) {
+    if bits & bits.wrapping_sub(1) == 0 {
+        // None, or a single one, as it is most often.
+        if bits != 0 {
+            let lane = bits.trailing_zeros() as usize % LANES;
+            stack.push((distances.0[lane], node.children[lane]));
+        }
+        return;
+    }
+    let (mut sorted, mut count) = ([(0.0, Child::NONE); LANES], 0);
+    while bits != 0 {
+        let lane = bits.trailing_zeros() as usize % LANES;
+        bits &= bits - 1;
+        let distance = distances.0[lane];
+        let mut at = count;
+        while at > 0 && sorted[at - 1].0 > distance {
+            sorted[at] = sorted[at - 1];
+            at -= 1;
+        }
+        sorted[at] = (distance, node.children[lane]);
+        count += 1;
+    }
+    sorted[..count].iter().rev().for_each(|&entry| stack.push(entry));
+}

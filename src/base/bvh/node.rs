@@ -1,0 +1,134 @@
+//! A node: the boxes of its children, a child per lane.
+
+use crate::base::wide::{LANES, Lane};
+use parry::bounding_volume::Aabb;
+use parry::math::{DIM, Vector};
+
+/// Lower bounds of all children per axis, then upper bounds per axis.
+pub type Planes = [Lane; 2 * DIM];
+
+/// What a lane leads to: another node, or the slot of a box.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Child(u32);
+
+/// What it leads to, to be matched.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    Node(usize),
+    Slot(u32),
+}
+
+impl Child {
+    const LEAF: u32 = 1 << 31;
+    /// Stands where nothing is; nobody looks at it.
+    pub const NONE: Self = Self(u32::MAX);
+
+    pub fn of_slot(slot: u32) -> Self {
+        debug_assert!(slot < Self::LEAF, "more colliders than memory holds");
+        Self(slot | Self::LEAF)
+    }
+
+    pub fn of_node(node: usize) -> Self {
+        Self(node as u32)
+    }
+
+    #[inline(always)]
+    pub fn target(self) -> Target {
+        if self.0 & Self::LEAF == 0 {
+            Target::Node(self.0 as usize)
+        } else {
+            Target::Slot(self.0 & !Self::LEAF)
+        }
+    }
+}
+
+/// A lane of a node.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Place(u32);
+
+impl Place {
+    pub fn new(node: usize, lane: usize) -> Self {
+        Self((node * LANES + lane) as u32)
+    }
+
+    pub fn node(self) -> usize {
+        self.0 as usize / LANES
+    }
+
+    pub fn lane(self) -> usize {
+        self.0 as usize % LANES
+    }
+}
+
+/// A child and its box.
+#[derive(Copy, Clone, Debug)]
+pub struct Entry {
+    pub aabb: Aabb,
+    pub child: Child,
+}
+
+/// Up to [`LANES`] children and their boxes. Children stand in the first lanes.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Node {
+    pub planes: Planes,
+    pub children: [Child; LANES],
+    /// Where the node is a child; `None` for the root.
+    pub parent: Option<Place>,
+    pub count: u32,
+}
+
+impl Node {
+    pub fn empty(parent: Option<Place>) -> Self {
+        Self { planes: [Lane::ZERO; 2 * DIM], children: [Child::NONE; LANES], parent, count: 0 }
+    }
+
+    /// One bit for each child.
+    #[inline(always)]
+    pub fn taken(&self) -> u32 {
+        (1 << self.count) - 1
+    }
+
+    pub fn len(&self) -> usize {
+        self.count as usize
+    }
+
+    pub fn lane_box(&self, lane: usize) -> Aabb {
+        let (mut mins, mut maxs) = (Vector::ZERO, Vector::ZERO);
+        for axis in 0..DIM {
+            mins[axis] = self.planes[axis].0[lane];
+            maxs[axis] = self.planes[DIM + axis].0[lane];
+        }
+        Aabb::new(mins, maxs)
+    }
+
+    pub fn set_box(&mut self, lane: usize, aabb: &Aabb) {
+        for axis in 0..DIM {
+            self.planes[axis].0[lane] = aabb.mins[axis];
+            self.planes[DIM + axis].0[lane] = aabb.maxs[axis];
+        }
+    }
+
+    pub fn entry(&self, lane: usize) -> Entry {
+        Entry { aabb: self.lane_box(lane), child: self.children[lane] }
+    }
+
+    pub fn set_entry(&mut self, lane: usize, entry: &Entry) {
+        self.set_box(lane, &entry.aabb);
+        self.children[lane] = entry.child;
+    }
+
+    /// The box around all children.
+    pub fn around(&self) -> Aabb {
+        let mut around = Aabb::new_invalid();
+        for axis in 0..DIM {
+            for lane in 0..self.len() {
+                around.mins[axis] = around.mins[axis].min(self.planes[axis].0[lane]);
+                around.maxs[axis] = around.maxs[axis].max(self.planes[DIM + axis].0[lane]);
+            }
+        }
+        around
+    }
+}

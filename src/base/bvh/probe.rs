@@ -1,0 +1,115 @@
+//! What is looked for, as the boxes of a node see it.
+//!
+//! No test misses a box that it should find: where a rounding error could decide, it decides for the box.
+
+use super::node::Planes;
+use crate::base::wide::Wide;
+use parry::bounding_volume::Aabb;
+use parry::math::{DIM, Real, Vector};
+
+/// Tests all boxes of a node at once.
+pub trait Probe: Copy {
+    /// How near anything in each box can be, and which boxes have anything within `reach`.
+    ///
+    /// Must be `#[inline(always)]`, see [`Kernel`](crate::base::wide::Kernel).
+    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
+}
+
+/// A box, for what overlaps it. Touching counts. It knows no distances: everything is as near as can be.
+#[derive(Copy, Clone, Debug)]
+pub struct BoxProbe(pub Aabb);
+
+impl Probe for BoxProbe {
+    #[inline(always)]
+    fn look<W: Wide>(&self, planes: &Planes, _reach: Real) -> (W, W::Mask) {
+        let mut mask = W::zero().le(W::zero());
+        for axis in 0..DIM {
+            let (mins, maxs) = (W::load(&planes[axis]), W::load(&planes[DIM + axis]));
+            mask = mask & mins.le(W::splat(self.0.maxs[axis]));
+            mask = mask & W::splat(self.0.mins[axis]).le(maxs);
+        }
+        (W::splat(Real::MIN), mask)
+    }
+}
+
+/// A point, for what is near it.
+#[derive(Copy, Clone, Debug)]
+pub struct PointProbe(pub Vector);
+
+impl Probe for PointProbe {
+    #[inline(always)]
+    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+        let mut squared = W::zero();
+        for axis in 0..DIM {
+            let (mins, maxs) = (W::load(&planes[axis]), W::load(&planes[DIM + axis]));
+            let place = W::splat(self.0[axis]);
+            let outside = (mins - place).max(place - maxs).max(W::zero());
+            squared = squared + outside * outside;
+        }
+        // What is as far away as the box is must not be farther by rounding.
+        let distance = squared.sqrt() * W::splat(1.0 - 4.0 * Real::EPSILON);
+        (distance, distance.le(W::splat(reach)))
+    }
+}
+
+/// A ray, or a box that moves along one: when does it come by?
+///
+/// A box in motion is a ray from its middle for boxes that are larger by its half extents, or, which is one addition less,
+/// two rays: from its front for the planes where it enters, and from its back for those where it leaves.
+#[derive(Copy, Clone, Debug)]
+pub struct SlabProbe {
+    front: Vector,
+    back: Vector,
+    inv_dir: Vector,
+    /// Which of a node's planes are met first, per axis, and which last.
+    near: [usize; DIM],
+    far: [usize; DIM],
+}
+
+impl SlabProbe {
+    /// A box around `origin` (or, of no size, a point), that moves along `dir` for ever.
+    pub fn new(origin: Vector, dir: Vector, half_extents: Vector) -> Self {
+        let (mut front, mut back, mut inv_dir) = (origin, origin, dir);
+        let (mut near, mut far) = ([0; DIM], [0; DIM]);
+        for axis in 0..DIM {
+            // A direction of no length along an axis takes for ever, and yet not infinitely long: zero times that
+            // is to be zero.
+            let length = dir[axis];
+            inv_dir[axis] = if length.abs() > 1.0 / Real::MAX { 1.0 / length } else { Real::MAX };
+            let forth = inv_dir[axis] > 0.0;
+            (near[axis], far[axis]) = if forth { (axis, DIM + axis) } else { (DIM + axis, axis) };
+            let half = if forth { half_extents[axis] } else { -half_extents[axis] };
+            front[axis] += half;
+            back[axis] -= half;
+        }
+        Self { front, back, inv_dir, near, far }
+    }
+
+    /// When it has left a box: zero if it never enters.
+    pub fn exit(&self, aabb: &Aabb) -> Real {
+        let mut end = Real::INFINITY;
+        for axis in 0..DIM {
+            let bounds = if self.inv_dir[axis] > 0.0 { &aabb.maxs } else { &aabb.mins };
+            end = end.min((bounds[axis] - self.back[axis]) * self.inv_dir[axis]);
+        }
+        (end * (1.0 + 4.0 * Real::EPSILON)).max(0.0)
+    }
+}
+
+impl Probe for SlabProbe {
+    /// The end is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray along a face is not
+    /// to miss the box.
+    #[inline(always)]
+    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+        let (mut start, mut end) = (W::zero(), W::splat(Real::INFINITY));
+        for axis in 0..DIM {
+            let inv_dir = W::splat(self.inv_dir[axis]);
+            let (near, far) = (W::load(&planes[self.near[axis]]), W::load(&planes[self.far[axis]]));
+            // Should a number not be one, the other is taken: `max` and `min` give their second argument then.
+            start = ((near - W::splat(self.front[axis])) * inv_dir).max(start);
+            end = ((far - W::splat(self.back[axis])) * inv_dir).min(end);
+        }
+        let end = end * W::splat(1.0 + 4.0 * Real::EPSILON);
+        (start, start.le(end) & start.le(W::splat(reach)))
+    }
+}

@@ -1,0 +1,62 @@
+//! What is still to be looked at.
+
+/// Entries that fit without asking for memory: for all trees but those that an adversary grew.
+const ROOM: usize = 64;
+
+/// Last in, first out. Without allocation while it is short.
+pub struct Stack<T> {
+    first: [T; ROOM],
+    len: usize,
+    rest: Vec<T>,
+}
+
+impl<T: Copy> Stack<T> {
+    /// Empty. `filler` is what stands where nothing is.
+    #[inline(always)]
+    pub fn new(filler: T) -> Self {
+        Self { first: [filler; ROOM], len: 0, rest: Vec::new() }
+    }
+
+    #[inline(always)]
+    pub fn push(&mut self, entry: T) {
+        match self.first.get_mut(self.len) {
+            Some(place) => {
+                *place = entry;
+                self.len += 1;
+            }
+            None => self.rest.push(entry),
+        }
+    }
+
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<T> {
+        if self.len < ROOM || self.rest.is_empty() {
+            self.len = self.len.checked_sub(1)?;
+            return Some(self.first[self.len]);
+        }
+        self.rest.pop()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ROOM, Stack};
+
+    #[test]
+    fn what_came_last_goes_first_beyond_the_room_too() {
+        let (mut stack, mut plain) = (Stack::new(0), Vec::new());
+        for round in 0..5 {
+            for entry in 0..(ROOM / 2 + 3 * round) {
+                stack.push(entry);
+                plain.push(entry);
+            }
+            for _ in 0..ROOM / 4 {
+                assert_eq!(stack.pop(), plain.pop());
+            }
+        }
+        while let Some(entry) = plain.pop() {
+            assert_eq!(stack.pop(), Some(entry));
+        }
+        assert_eq!(stack.pop(), None);
+    }
+}
