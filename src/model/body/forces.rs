@@ -129,3 +129,48 @@ impl RigidBody {
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
     }
 }
+
+/// Forces for one step alone.
+#[allow(dead_code, reason = "those who push drive in 3D only")]
+impl RigidBody {
+    /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque on
+    /// its centre of mass. Pushes add up. Nothing wakes.
+    ///
+    /// Unlike an impulse before the step, which is there before gravity has begun to pull, a push that
+    /// balances gravity leaves no velocity behind and moves nothing.
+    pub(crate) fn push(&mut self, force: Vector, torque: AngVector) {
+        let (old_force, old_torque) = self.push;
+        let (new_force, new_torque) = (old_force + force, old_torque + torque);
+        if !self.is_dynamic() || !new_force.is_finite() || !ang_is_finite(new_torque) {
+            return;
+        }
+        self.push = (new_force, new_torque);
+        self.pushed = true;
+    }
+
+    /// The force and torque of the pushes that wait for the next step.
+    pub(crate) fn pending_push(&self) -> (Vector, AngVector) {
+        self.push
+    }
+
+    /// Are there pushes that wait for the next step?
+    pub(crate) fn is_pushed(&self) -> bool {
+        self.pushed
+    }
+
+    /// Takes back the pushes that wait for the next step.
+    pub(crate) fn drop_push(&mut self) {
+        self.push = (Vector::ZERO, ANG_ZERO);
+        self.pushed = false;
+    }
+
+    /// All forces and torques of one step but gravity. The pushes are used up.
+    pub(crate) fn take_forces(&mut self) -> (Vector, AngVector) {
+        if !self.pushed {
+            return (self.force, self.torque);
+        }
+        let (force, torque) = self.push;
+        self.drop_push();
+        (self.force + force, self.torque + torque)
+    }
+}

@@ -57,6 +57,8 @@ pub struct RigidBody {
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
+    /// Is there anything in [`Self::push`]?
+    pub(super) pushed: bool,
     pub(crate) mprops: RigidBodyMassProps,
     // From here on: cold.
     /// Where a position-based kinematic body will be after the next step. Means nothing for others:
@@ -65,6 +67,8 @@ pub struct RigidBody {
     pub(crate) soft_ccd_prediction: Real,
     pub(crate) additional_solver_iterations: usize,
     pub(crate) colliders: Vec<ColliderHandle>,
+    /// Force and torque on the centre of mass in the next step alone.
+    pub(super) push: (Vector, AngVector),
     /// Whatever the user wants to find again. The engine never reads it.
     pub user_data: u128,
 }
@@ -102,11 +106,13 @@ impl RigidBody {
             enabled: true,
             ccd_enabled: false,
             gyroscopic_forces_enabled: true,
+            pushed: false,
             mprops: RigidBodyMassProps::default(),
             next_pose: Pose::IDENTITY,
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,
             colliders: Vec::new(),
+            push: (Vector::ZERO, ANG_ZERO),
             user_data: 0,
         }
     }

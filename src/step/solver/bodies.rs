@@ -234,7 +234,8 @@ impl Motion {
         gyroscope: None,
     };
 
-    fn of(body: &RigidBody, gravity: Vector, substep: Real) -> Self {
+    fn of(body: &mut RigidBody, gravity: Vector, substep: Real) -> Self {
+        let (force, torque) = body.take_forces();
         let mprops = &body.mprops;
         // Gravity accelerates whatever can move, with or without mass.
         let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
@@ -246,8 +247,8 @@ impl Motion {
         };
         Self {
             rotation: body.pose.rotation,
-            linear_acceleration: gravity * body.gravity_scale * free + body.force * mprops.inv_mass,
-            angular_acceleration: mul_inertia(&mprops.inv_inertia, body.torque),
+            linear_acceleration: gravity * body.gravity_scale * free + force * mprops.inv_mass,
+            angular_acceleration: mul_inertia(&mprops.inv_inertia, torque),
             linear_damping: body.linear_damping,
             angular_damping: body.angular_damping,
             bears_weight: gravity * body.gravity_scale != Vector::ZERO,
