@@ -10,6 +10,8 @@ pub mod hostile;
 mod tumbling;
 #[path = "physics/turntable.rs"]
 mod turntable;
+#[path = "vehicle/mod.rs"]
+mod vehicle;
 
 /// What tables are headed with.
 pub const NAME: &str = "3D";

@@ -11,6 +11,7 @@ pub mod mask;
 pub mod mass;
 pub mod math;
 pub mod shapes;
+pub mod vehicle;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;
 mod surface;

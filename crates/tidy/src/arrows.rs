@@ -37,8 +37,9 @@ enum Room<'a> {
 const NOTES: [&str; 1] = ["notes"];
 
 /// Files that may use globs, and why.
-const GLOBS: [(&str, &str); 2] = [
+const GLOBS: [(&str, &str); 3] = [
     ("src/api/prelude.rs", "gathers all public names"),
+    ("src/api/control.rs", "gathers the names of vehicles, which are in 3D only"),
     ("src/api/geometry.rs", "gathers the shapes' names, which differ by dimension"),
 ];
 
@@ -50,6 +51,7 @@ impl<'a> Room<'a> {
             ["base", ..] => Self::Base,
             ["dim" | "dim2" | "dim3", "contact", ..] => Self::DimContact,
             ["dim" | "dim2" | "dim3", "surface", ..] => Self::DimSurface,
+            ["dim" | "dim2" | "dim3", "vehicle", ..] => Self::Controllers,
             ["dim" | "dim2" | "dim3", ..] => Self::Dim,
             ["model", ..] => Self::Model,
             ["collide", ..] => Self::Collide,
@@ -224,6 +226,8 @@ mod tests {
         assert_eq!(complaints("src/model/a.rs", "fn f() { crate::dynamics::g() }"), 1);
         assert_eq!(complaints("src/dim3/contact/a.rs", "use crate::model::params::Softness;"), 0);
         assert_eq!(complaints("src/dim3/math.rs", "use crate::model::params::Softness;"), 1);
+        assert_eq!(complaints("src/dim3/vehicle/a.rs", "use crate::query::QueryView;"), 0);
+        assert_eq!(complaints("src/dim3/vehicle/a.rs", "use crate::step::step;"), 1);
     }
 
     #[test]

@@ -9,9 +9,11 @@ const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 /// Where threads may be asked for.
 const PARALLEL: &str = "src/base/tasks.rs";
 
-/// Files that stand in one of `dim2/` and `dim3/` only, and why.
-const SINGLES: [(&str, &str); 1] =
-    [("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges")];
+/// Files, and folders but for their `mod.rs`, that stand in one of `dim2/` and `dim3/` only, and why.
+const SINGLES: [(&str, &str); 2] = [
+    ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges"),
+    ("src/dim3/vehicle/", "cars drive on surfaces; in 2D they are bodies on wheels"),
+];
 
 /// Complains of `cfg`s in the wrong place and of twins that differ.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
@@ -86,17 +88,27 @@ fn check_dimensions(sources: &[Source], complaints: &mut Vec<Complaint>) {
     let exists = |path: &str| sources.iter().any(|source| source.path == path);
     for source in sources {
         let Some(twin) = twin(&source.path) else { continue };
-        let single = SINGLES.iter().any(|(path, _)| *path == source.path);
-        if !single && !exists(&twin) {
+        if !SINGLES.iter().any(|(path, _)| covers(path, &source.path)) && !exists(&twin) {
             let what = format!("has no twin {twin}, and is not listed as single");
             complaints.push(Complaint::new(&source.path, 1, what));
         }
     }
     for (path, _) in SINGLES {
-        let has_twin = twin(path).is_some_and(|twin| exists(&twin));
-        if !sources.is_empty() && (!exists(path) || has_twin) {
+        let mut covered = sources.iter().filter(|source| covers(path, &source.path)).peekable();
+        let has_none = covered.peek().is_none();
+        let has_twin = covered.any(|source| twin(&source.path).is_some_and(|twin| exists(&twin)));
+        if !sources.is_empty() && (has_none || has_twin) {
             complaints.push(Complaint::new(path, 1, "is listed as single but is not"));
         }
+    }
+}
+
+/// Does an entry of [`SINGLES`] stand for a file?
+fn covers(entry: &str, path: &str) -> bool {
+    match path.strip_prefix(entry) {
+        Some("") => true,
+        Some(rest) => entry.ends_with('/') && rest != "mod.rs",
+        None => false,
     }
 }
 
@@ -156,7 +168,7 @@ mod tests {
 
     #[test]
     fn dimensions_have_the_same_files() {
-        let singles = [("src/dim3/collide/cuboid_faces.rs", "")];
+        let singles = [("src/dim3/collide/cuboid_faces.rs", ""), ("src/dim3/vehicle/a.rs", "")];
         assert!(of(check_dimensions, &singles).is_empty());
         let mut files = singles.to_vec();
         files.push(("src/dim3/gyro.rs", ""));
@@ -165,5 +177,8 @@ mod tests {
         assert!(of(check_dimensions, &files).is_empty());
         files.push(("src/dim2/collide/cuboid_faces.rs", ""));
         assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/collide/cuboid_faces.rs");
+        files.pop();
+        files.push(("src/dim3/vehicle/mod.rs", ""));
+        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/vehicle/mod.rs");
     }
 }

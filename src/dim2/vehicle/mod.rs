@@ -1,0 +1,1 @@
+//! Vehicles drive in 3D only.

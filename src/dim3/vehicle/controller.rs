@@ -1,0 +1,332 @@
+//! The vehicle: its wheels, and what one update does.
+
+use super::contact::{Mover, Vehicle, WheelContact};
+use super::ground::{Give, Grounds};
+use super::memory::{Memory, linvel_after_forces};
+use super::place::{velocities_ahead, with_ground_alone};
+use super::rest::{Seen, is_disturbed, is_under_way};
+use super::solve::{on_chassis, on_ground, solve};
+use super::wheel::{Wheel, WheelTuning};
+use crate::controllers::QueryPipelineMut;
+use crate::dim::math::{Real, Vector, mul_inertia};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::ColliderSet;
+
+/// A vehicle: a dynamic body on wheels that are rays.
+///
+/// Once a step, before or after it, [`Self::update_vehicle`] looks for the ground below each wheel and lets
+/// suspension, engine, brakes and tyres push the chassis through the next step, and the ground the other way.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut world = PhysicsWorld::new();
+/// world.insert_collider(ColliderBuilder::cuboid(50.0, 0.1, 50.0).translation(-0.1 * Vector::Y), None);
+/// let body = RigidBodyBuilder::dynamic().translation(Vector::Y);
+/// let (chassis, _) = world.insert(body, ColliderBuilder::cuboid(2.0, 0.3, 0.9).mass(1000.0));
+///
+/// let mut car = DynamicRayCastVehicleController::new(chassis);
+/// let tuning = WheelTuning { suspension_stiffness: 40.0, friction_slip: 1.0, ..Default::default() };
+/// for (x, z) in [(1.3, -0.8), (1.3, 0.8), (-1.3, -0.8), (-1.3, 0.8)] {
+///     let wheel = car.add_wheel(Vector::new(x, -0.2, z), -Vector::Y, Vector::Z, 0.4, 0.3, &tuning);
+///     wheel.engine_force = 500.0; // newtons at each wheel: 1000 kg gain 2 m/s every second
+/// }
+///
+/// let dt = world.integration_parameters.dt;
+/// for _ in 0..60 {
+///     car.update_vehicle(dt, world.query_pipeline_mut(QueryFilter::default()));
+///     world.step();
+/// }
+/// assert!((world.bodies[chassis].linvel().x - 2.0).abs() < 0.1);
+/// ```
+///
+/// # Frames and units
+///
+/// Which way a wheel rolls follows from its axle: up × axle is forward. The fields of [`Wheel`] say
+/// what they mean; forces are forces at the ground, not torques.
+///
+/// # What an update keeps to
+///
+/// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any rate.
+/// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its load. No brake
+///   stops a car on ice.
+/// * Brakes hold a standing car, on a slope as well, as long as they and the tyres can; it does not creep.
+/// * Rays see neither the chassis nor sensors, whatever the filter says.
+/// * The ground is pushed as the chassis is, with opposite impulses. Wheels go with ground that moves.
+/// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground none sleeps.
+///
+/// # What it does not do
+///
+/// The wheels are lines: they sink into steps between their middle and their rim. Tyres do not heat, wear
+/// or pull themselves straight. If the chassis is not dynamic, its wheels find the ground and turn, and nothing pushes.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct DynamicRayCastVehicleController {
+    wheels: Vec<Wheel>,
+    /// How fast the chassis moved at the last update (length/s), negative if against its forward axis.
+    pub current_vehicle_speed: Real,
+    /// The chassis.
+    pub chassis: RigidBodyHandle,
+    /// Which axis of the chassis points up: 0, 1 or 2 for x, y or z. 1 by default.
+    pub index_up_axis: usize,
+    /// Which axis of the chassis points forward. 0 by default. Only for the sign of
+    /// [`Self::current_vehicle_speed`].
+    pub index_forward_axis: usize,
+    memory: Memory,
+    gives: Vec<Give>,
+    seen: Vec<Seen>,
+    is_reported: bool,
+}
+
+impl DynamicRayCastVehicleController {
+    /// A vehicle on this chassis, without wheels.
+    pub fn new(chassis: RigidBodyHandle) -> Self {
+        Self {
+            wheels: Vec::new(),
+            current_vehicle_speed: 0.0,
+            chassis,
+            index_up_axis: 1,
+            index_forward_axis: 0,
+            memory: Memory::default(),
+            gives: Vec::new(),
+            seen: Vec::new(),
+            is_reported: false,
+        }
+    }
+
+    /// Adds a wheel and returns it.
+    ///
+    /// Its suspension hangs at `chassis_connection_cs`, points along `direction_cs` (down), and holds the wheel
+    /// at `suspension_rest_length` when nothing presses; its axle without steering is `axle_cs`, all in the frame of
+    /// the chassis. See [`Wheel`], whose fields have these names, for what happens to values that cannot be.
+    pub fn add_wheel(
+        &mut self,
+        chassis_connection_cs: Vector,
+        direction_cs: Vector,
+        axle_cs: Vector,
+        suspension_rest_length: Real,
+        radius: Real,
+        tuning: &WheelTuning,
+    ) -> &mut Wheel {
+        let index = self.wheels.len();
+        self.wheels.push(Wheel {
+            chassis_connection_point_cs: chassis_connection_cs,
+            direction_cs,
+            axle_cs,
+            suspension_rest_length,
+            radius,
+            ..Wheel::tuned(tuning)
+        });
+        &mut self.wheels[index]
+    }
+
+    /// The wheels, in the order in which they were added.
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.wheels
+    }
+
+    /// The wheels, to be driven and changed.
+    pub fn wheels_mut(&mut self) -> &mut [Wheel] {
+        &mut self.wheels
+    }
+
+    /// Lets the wheels act on the chassis and the ground during the next step, which is to take `dt` seconds.
+    ///
+    /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once for each step.
+    /// With a `dt` of 0 the wheels are placed, and nothing else happens. If there is no chassis, or it is disabled, or `dt`
+    /// is negative or no number, or an axis is none of the three, nothing happens; of all but the disabled one `log`
+    /// gets a warning, once.
+    pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
+        let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
+        if !chassis.is_enabled() {
+            return self.memory.skip();
+        }
+        let forward = chassis.rotation() * Vector::AXES[self.index_forward_axis];
+        let speed = chassis.linvel().length();
+        let backwards = forward.dot(chassis.linvel()) < 0.0;
+        self.current_vehicle_speed = if backwards { -speed } else { speed };
+
+        self.place_wheels(dt, &queries);
+        let QueryPipelineMut { bodies, colliders, .. } = queries;
+        if dt > 0.0 && self.is_awake(bodies, colliders) {
+            self.drive(dt, bodies, colliders);
+        }
+    }
+
+    /// The chassis, if there is one and all else makes sense. Tells the log if not.
+    fn checked_chassis<'a>(&mut self, dt: Real, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
+        let axis = self.index_up_axis.max(self.index_forward_axis);
+        let chassis = bodies.get(self.chassis);
+        let problem = if !(dt >= 0.0 && dt.is_finite()) {
+            Some(format!("its time step cannot be {dt}"))
+        } else if axis >= Vector::AXES.len() {
+            Some(format!("there is no axis {axis}"))
+        } else if chassis.is_none() {
+            Some(format!("{:?} finds no chassis", self.chassis))
+        } else {
+            None
+        };
+        if let Some(problem) = &problem
+            && !self.is_reported
+        {
+            log::warn!("a vehicle stands still: {problem}");
+        }
+        self.is_reported = problem.is_some();
+        chassis.filter(|_| problem.is_none())
+    }
+
+    fn place_wheels(&mut self, dt: Real, queries: &QueryPipelineMut<'_>) {
+        let Some(chassis) = queries.bodies.get(self.chassis) else { return };
+        let view = queries.as_ref();
+        let wheels = &mut self.wheels;
+        with_ground_alone(view.filter, self.chassis, |filter| {
+            let view = view.with_filter(filter);
+            wheels.iter_mut().for_each(|wheel| wheel.place(chassis, dt, &view));
+        });
+    }
+
+    /// Is the chassis awake, or is there a reason to wake it?
+    fn is_awake(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> bool {
+        let Some(chassis) = bodies.get(self.chassis) else { return false };
+        let is_asleep = chassis.is_sleeping();
+        let wants_to_wake = match is_asleep {
+            true => is_disturbed(&self.wheels, &self.seen, bodies, colliders),
+            false => is_under_way(&self.wheels, chassis),
+        };
+        let chassis = bodies.get_mut(self.chassis);
+        if let Some(chassis) = chassis {
+            if is_asleep {
+                // It fell asleep before they acted.
+                chassis.drop_push();
+                self.memory.skip();
+            }
+            if wants_to_wake {
+                chassis.wake_up(true);
+            }
+        }
+        !is_asleep || wants_to_wake
+    }
+
+    /// Pushes, and turns the wheels.
+    fn drive(&mut self, dt: Real, bodies: &mut RigidBodySet, colliders: &ColliderSet) {
+        let Some(chassis) = bodies.get(self.chassis) else { return };
+        let stepped = !chassis.is_pushed();
+        let acceleration = self.memory.observe(chassis);
+        if stepped {
+            Give::observe(&mut self.gives, bodies);
+        }
+        let vehicle = Vehicle {
+            up: chassis.rotation() * Vector::AXES[self.index_up_axis],
+            mass: chassis.mass_properties().mass(),
+            dt,
+        };
+        let mut mover = mover_of_chassis(chassis, acceleration, dt);
+        let (mut contacts, mut grounds) = self.contacts(&mut mover, &vehicle, bodies, colliders);
+        solve(&mut contacts, &mut mover, &mut grounds);
+        if !contacts.iter().all(WheelContact::is_finite) {
+            log::error!("the forces on the wheels of a vehicle left the range of numbers");
+            contacts.clear();
+        }
+        self.turn_wheels(&contacts, &mover, &grounds, &vehicle);
+        self.push(&contacts, &grounds, bodies, dt);
+    }
+
+    /// The wheels on the ground, ready to be solved, and what they stand on.
+    fn contacts(
+        &self,
+        chassis: &mut Mover,
+        vehicle: &Vehicle,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) -> (Vec<WheelContact>, Grounds) {
+        let mut grounds = Grounds::default();
+        let mut contacts = Vec::with_capacity(self.wheels.len());
+        for (index, wheel) in self.wheels.iter().enumerate() {
+            let Some(below) = wheel.below else { continue };
+            let ground =
+                grounds.index_of(below.collider, bodies, colliders, &self.gives, vehicle.dt);
+            let movers = [&*chassis, &grounds.all[ground].mover];
+            contacts.extend(WheelContact::new((index, wheel), &below, ground, movers, vehicle));
+        }
+        for contact in &mut contacts {
+            let ground = &mut grounds.all[contact.ground].mover;
+            contact.warm_start(self.wheels[contact.wheel].last_impulses, chassis, ground);
+        }
+        (contacts, grounds)
+    }
+
+    fn turn_wheels(
+        &mut self,
+        contacts: &[WheelContact],
+        chassis: &Mover,
+        grounds: &Grounds,
+        vehicle: &Vehicle,
+    ) {
+        let mut contacts = contacts.iter().peekable();
+        for (index, wheel) in self.wheels.iter_mut().enumerate() {
+            wheel.last_impulses = [0.0; 3];
+            match contacts.next_if(|contact| contact.wheel == index) {
+                Some(contact) => {
+                    contact.report(wheel);
+                    let movers = [chassis, &grounds.all[contact.ground].mover];
+                    contact.turn(wheel, movers, vehicle.mass, vehicle.dt);
+                }
+                None if wheel.is_usable() => wheel.turn_in_air(vehicle.mass, vehicle.dt),
+                None => {}
+            }
+        }
+        self.seen.clear();
+        self.seen.extend(self.wheels.iter().map(Seen::of));
+    }
+
+    /// Hands the impulses over to the bodies, as forces for the next step.
+    fn push(
+        &mut self,
+        contacts: &[WheelContact],
+        grounds: &Grounds,
+        bodies: &mut RigidBodySet,
+        dt: Real,
+    ) {
+        let Some(chassis) = bodies.get_mut(self.chassis) else { return };
+        if !chassis.is_dynamic() {
+            return;
+        }
+        let (impulse, moment) = on_chassis(contacts);
+        chassis.push(impulse / dt, moment / dt);
+        self.memory.expect(chassis, dt);
+        for (index, ground) in grounds.dynamic() {
+            let Some(body) = ground.handle.and_then(|handle| bodies.get_mut(handle)) else {
+                continue;
+            };
+            if body.is_sleeping() {
+                body.drop_push();
+            }
+            body.wake_up(true);
+            let (impulse, moment) = on_ground(contacts, index);
+            body.push(impulse / dt, moment / dt);
+        }
+        Give::expect(&mut self.gives, grounds, bodies, dt);
+    }
+}
+
+/// The chassis as it will be at the end of the step if no wheel pushes.
+fn mover_of_chassis(chassis: &RigidBody, acceleration: Vector, dt: Real) -> Mover {
+    let mprops = chassis.mass_properties();
+    let (inv_mass, inv_inertia) =
+        (mprops.effective_inv_mass(), *mprops.effective_world_inv_inertia());
+    let (old_linvel, old_angvel) = velocities_ahead(chassis, dt);
+    let (mut linvel, mut angvel) = (old_linvel, old_angvel);
+    if chassis.is_dynamic() {
+        let torque = chassis.user_torque() + chassis.pending_push().1;
+        linvel = linvel_after_forces(chassis, dt) + acceleration * dt;
+        angvel += mul_inertia(&inv_inertia, torque) * dt;
+    }
+    Mover {
+        center: mprops.world_com(),
+        inv_mass,
+        inv_inertia,
+        old_linvel,
+        old_angvel,
+        linvel,
+        angvel,
+    }
+}

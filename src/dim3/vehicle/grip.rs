@@ -1,0 +1,103 @@
+//! The grip of a tyre: drive, brake and hold to the side, out of one circle of friction.
+//!
+//! Friction at a wheel that is pressed down with N pushes with no more than µ N in all (Coulomb; for tyres the "friction
+//! circle", Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Which way depends on what the wheel does. It has no mass, so its
+//! torques are in balance: what the ground does along the direction of rolling is what engine and brake do. In impulses,
+//! with E that of the engine and B the most that the brake holds against:
+//!
+//! * *It stands still, or is locked* while the ground takes less of the brake than it can hold: |f − E| ≤ B. Then the tyre is a
+//!   block on the ground: it sticks if the impulse that stops it is within the circle, and otherwise slides with µ N
+//!   against its velocity.
+//! * *It rolls* otherwise, with f = E ± B. What the circle leaves is for the side: √((µ N)² − f²).
+//! * *It spins* if E alone is more than the circle, and has no hold to the side at all.
+
+use crate::dim::math::Real;
+
+/// What engine and brake want of the ground in one update, as impulses.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Drive {
+    /// What the engine pushes with.
+    pub engine: Real,
+    /// The most that the brake holds against.
+    pub brake: Real,
+}
+
+/// What the ground gives.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) struct Grip {
+    /// The impulse along the direction of rolling.
+    pub forward: Real,
+    /// The impulse along the axle.
+    pub side: Real,
+    /// Is it at the limit?
+    pub is_sliding: bool,
+}
+
+impl Drive {
+    /// What the ground gives if `forward` and `side` are what would stop the tyre, and `limit` is µ N.
+    pub fn grip(&self, forward: Real, side: Real, limit: Real) -> Grip {
+        let Self { engine, brake } = *self;
+        let wanted = forward.clamp(engine - brake, engine + brake);
+        let length = (wanted * wanted + side * side).sqrt();
+        if length <= limit {
+            return Grip { forward: wanted, side, is_sliding: false };
+        }
+        // As a block: against the slip, whose direction is that of what would stop it.
+        let stop = (forward * forward + side * side).sqrt();
+        let as_block = if stop > limit { forward * (limit / stop) } else { forward };
+        let forward = as_block.clamp(engine - brake, engine + brake).clamp(-limit, limit);
+        let rest = (limit * limit - forward * forward).max(0.0).sqrt();
+        Grip { forward, side: side.clamp(-rest, rest), is_sliding: true }
+    }
+
+    /// What is left of the engine's impulse behind the brake, and what the ground gives.
+    pub fn surplus(&self, forward: Real) -> Real {
+        let left = (self.engine.abs() - self.brake - forward.abs()).max(0.0);
+        if self.engine < 0.0 { -left } else { left }
+    }
+
+    /// Does the brake hold the wheel fast, given what the ground gives?
+    pub fn is_locked(&self, forward: Real) -> bool {
+        (forward - self.engine).abs() < self.brake
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Drive, Grip};
+
+    #[test]
+    fn within_the_circle_all_is_given() {
+        let drive = Drive { engine: 2.0, brake: 0.0 };
+        let grip = drive.grip(-50.0, 3.0, 4.0);
+        assert_eq!(grip, Grip { forward: 2.0, side: 3.0, is_sliding: false });
+    }
+
+    #[test]
+    fn a_brake_takes_no_more_than_it_needs_and_holds_no_more_than_it_can() {
+        let drive = Drive { engine: 0.0, brake: 5.0 };
+        assert_eq!(drive.grip(-3.0, 0.0, 10.0).forward, -3.0);
+        assert_eq!(drive.grip(-8.0, 0.0, 10.0).forward, -5.0);
+        assert!(drive.is_locked(-3.0) && !drive.is_locked(-5.0));
+    }
+
+    #[test]
+    fn a_locked_wheel_slides_against_its_velocity() {
+        let drive = Drive { engine: 0.0, brake: 100.0 };
+        let grip = drive.grip(-30.0, 40.0, 5.0);
+        assert_eq!(grip, Grip { forward: -3.0, side: 4.0, is_sliding: true });
+        assert!(drive.is_locked(grip.forward));
+    }
+
+    #[test]
+    fn the_side_gets_what_is_left() {
+        let rolling = Drive { engine: 3.0, brake: 0.0 }.grip(0.0, 40.0, 5.0);
+        assert_eq!(rolling, Grip { forward: 3.0, side: 4.0, is_sliding: true });
+        let spinning = Drive { engine: 9.0, brake: 0.0 }.grip(0.0, 40.0, 5.0);
+        assert_eq!(spinning, Grip { forward: 5.0, side: 0.0, is_sliding: true });
+        let in_the_air = Drive { engine: 9.0, brake: 1.0 }.grip(1.0, 1.0, 0.0);
+        assert_eq!(in_the_air, Grip { forward: 0.0, side: 0.0, is_sliding: true });
+        let straight = Drive { engine: 9.0, brake: 0.0 }.grip(0.0, 0.0, 5.0);
+        assert_eq!(straight, Grip { forward: 5.0, side: 0.0, is_sliding: true });
+    }
+}

@@ -1,0 +1,154 @@
+//! What the wheels stand on, and how much it gives way.
+//!
+//! A dynamic body below a wheel moves when the wheel pushes, if it is free to: a plank in space does, the same plank lying
+//! on the floor does not, because the floor pushes back within the same step. A solver that knows nothing of the floor would
+//! take the plank for something that flees from the wheel, and let the car sink. So we look: per world axis, which share of
+//! the velocity that our pushes should have given it did it take on? That share of its inverse mass (`D^½ M⁻¹ D^½` for the
+//! inertia) is what the rows count with.
+
+use super::contact::Mover;
+use super::place::velocities_ahead;
+use crate::dim::math::{AngularInertia, Real, Vector, mul_inertia, zero_inertia};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+
+/// A body that wheels stand on, or none: colliders without a body never move.
+#[derive(Clone, Debug)]
+pub(super) struct Ground {
+    pub handle: Option<RigidBodyHandle>,
+    pub is_dynamic: bool,
+    pub mover: Mover,
+}
+
+/// How much a dynamic body gives way.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Give {
+    handle: RigidBodyHandle,
+    /// Shares, linear and angular.
+    shares: [Vector; 2],
+    /// The velocities at the last update, and by how much pushes should have changed them.
+    old: [Vector; 2],
+    expected: [Vector; 2],
+}
+
+/// Everything the wheels stand on in one update, and what is remembered of it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Grounds {
+    pub all: Vec<Ground>,
+}
+
+impl Grounds {
+    /// The index of what a collider belongs to.
+    pub fn index_of(
+        &mut self,
+        collider: ColliderHandle,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        gives: &[Give],
+        dt: Real,
+    ) -> usize {
+        let handle = colliders.get(collider).and_then(|collider| collider.parent());
+        let body = handle.and_then(|handle| bodies.get(handle));
+        let handle = handle.filter(|_| body.is_some());
+        if let Some(index) = self.all.iter().position(|ground| ground.handle == handle) {
+            return index;
+        }
+        let give = gives.iter().find(|give| Some(give.handle) == handle);
+        let mover = body.map_or_else(Mover::fixed, |body| mover_of(body, give, dt));
+        let is_dynamic = body.is_some_and(RigidBody::is_dynamic);
+        self.all.push(Ground { handle, is_dynamic, mover });
+        self.all.len() - 1
+    }
+}
+
+fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
+    let (linvel, angvel) = velocities_ahead(body, dt);
+    let mprops = body.mass_properties();
+    let mut mover = Mover {
+        center: mprops.world_com(),
+        inv_mass: mprops.effective_inv_mass(),
+        inv_inertia: *mprops.effective_world_inv_inertia(),
+        old_linvel: linvel,
+        old_angvel: angvel,
+        linvel,
+        angvel,
+    };
+    if let Some(give) = give {
+        mover.inv_mass *= give.shares[0];
+        mover.inv_inertia = scaled(&mover.inv_inertia, give.shares[1]);
+    }
+    // What other vehicles do to it in this step.
+    let (force, torque) = body.pending_push();
+    mover.linvel += mover.inv_mass * force * dt;
+    mover.angvel += mul_inertia(&mover.inv_inertia, torque) * dt;
+    mover
+}
+
+/// `D^½ A D^½`.
+fn scaled(inertia: &AngularInertia, shares: Vector) -> AngularInertia {
+    let root = Vector::new(shares.x.sqrt(), shares.y.sqrt(), shares.z.sqrt());
+    let mut result = zero_inertia();
+    result.m11 = inertia.m11 * shares.x;
+    result.m22 = inertia.m22 * shares.y;
+    result.m33 = inertia.m33 * shares.z;
+    result.m12 = inertia.m12 * (root.x * root.y);
+    result.m13 = inertia.m13 * (root.x * root.z);
+    result.m23 = inertia.m23 * (root.y * root.z);
+    result
+}
+
+impl Give {
+    /// Looks how bodies took the pushes of the last update. Forgets those that are gone.
+    pub fn observe(gives: &mut Vec<Self>, bodies: &RigidBodySet) {
+        gives.retain_mut(|give| {
+            let Some(body) = bodies.get(give.handle) else { return false };
+            for (i, now) in [body.linvel(), body.angvel()].into_iter().enumerate() {
+                let (changed, expected) = (now - give.old[i], give.expected[i]);
+                for axis in 0..3 {
+                    let share = &mut give.shares[i][axis];
+                    *share = next_share(*share, changed[axis], expected[axis]);
+                }
+            }
+            true
+        });
+    }
+
+    /// Notes what the waiting pushes should do to the bodies below the wheels.
+    pub fn expect(gives: &mut Vec<Self>, grounds: &Grounds, bodies: &RigidBodySet, dt: Real) {
+        let known = core::mem::take(gives);
+        for ground in grounds.all.iter().filter(|ground| ground.is_dynamic) {
+            let Some(handle) = ground.handle else { continue };
+            let Some(body) = bodies.get(handle) else { continue };
+            let shares = known.iter().find(|give| give.handle == handle);
+            let (force, torque) = body.pending_push();
+            let mprops = body.mass_properties();
+            let by_torque = mul_inertia(mprops.effective_world_inv_inertia(), torque);
+            gives.push(Self {
+                handle,
+                shares: shares.map_or([Vector::ONE; 2], |give| give.shares),
+                old: [body.linvel(), body.angvel()],
+                expected: [mprops.effective_inv_mass() * force * dt, by_torque * dt],
+            });
+        }
+    }
+}
+
+/// Half of what was thought, and half of what is seen now: a body that bounces does not make the share jump.
+fn next_share(share: Real, changed: Real, expected: Real) -> Real {
+    let seen = changed / expected;
+    if expected != 0.0 && seen.is_finite() { 0.5 * (share + seen.clamp(0.0, 1.0)) } else { share }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::next_share;
+
+    #[test]
+    fn a_share_follows_what_is_seen() {
+        assert_eq!(next_share(1.0, 0.0, -2.0), 0.5);
+        assert_eq!(next_share(0.5, -2.0, -2.0), 0.75);
+        assert_eq!(next_share(0.5, 8.0, 2.0), 0.75);
+        assert_eq!(next_share(0.3, 1.0, 0.0), 0.3);
+    }
+}

@@ -1,0 +1,81 @@
+//! What pulls at the chassis that is none of the vehicle's doing: gravity, a trailer, a wall.
+//!
+//! Nobody tells a controller about gravity. But it knows what velocity the chassis should have by now, had only its own
+//! pushes and the user's forces acted: what is missing came from elsewhere, and will most likely come again (a
+//! "disturbance observer": Kouhei Ohnishi, "A new servo method in mechatronics", 1987). Blows come once, so an acceleration counts as far as the last two
+//! updates agree on it (per axis, the smaller one; nothing if the signs differ).
+
+use crate::dim::math::{Real, Vector};
+use crate::model::body::RigidBody;
+
+/// What a vehicle remembers of its chassis from update to update.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Memory {
+    /// The velocity that the chassis should have after the step, and how long that takes.
+    expected: Option<(Vector, Real)>,
+    /// What was missing last time (length/s²).
+    last: Vector,
+    /// What was missing the last two times.
+    steady: Vector,
+}
+
+impl Memory {
+    /// Compares the chassis with what was expected. Returns the acceleration that does not come from forces on
+    /// the body (length/s²).
+    pub fn observe(&mut self, chassis: &RigidBody) -> Vector {
+        // While pushes wait there was no step, and there is nothing new to see.
+        if chassis.is_pushed() {
+            return self.steady;
+        }
+        if let Some((linvel, dt)) = self.expected.take() {
+            let missing = (chassis.linvel() - linvel) / dt;
+            if missing.is_finite() {
+                self.steady = agreement(missing, self.last);
+                self.last = missing;
+            }
+        }
+        self.steady
+    }
+
+    /// Expects what forces and pushes do to the chassis within `dt` seconds.
+    pub fn expect(&mut self, chassis: &RigidBody, dt: Real) {
+        self.expected = Some((linvel_after_forces(chassis, dt), dt));
+    }
+
+    /// Expects nothing: what was expected will not come, or not be seen.
+    pub fn skip(&mut self) {
+        self.expected = None;
+    }
+}
+
+/// The velocity of the centre of mass after `dt` seconds of nothing but the forces on the body.
+pub(super) fn linvel_after_forces(body: &RigidBody, dt: Real) -> Vector {
+    let force = body.user_force() + body.pending_push().0;
+    body.linvel() + force * body.mass_properties().effective_inv_mass() * dt
+}
+
+/// Per axis what both agree on.
+fn agreement(a: Vector, b: Vector) -> Vector {
+    let agree = |a: Real, b: Real| match a * b > 0.0 {
+        true if a.abs() < b.abs() => a,
+        true => b,
+        false => 0.0,
+    };
+    Vector::new(agree(a.x, b.x), agree(a.y, b.y), agree(a.z, b.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::agreement;
+    use crate::dim::math::Vector;
+
+    #[test]
+    fn only_what_comes_twice_counts() {
+        let gravity = Vector::new(0.0, -9.81, 0.0);
+        let blow = Vector::new(600.0, -9.0, 0.0);
+        assert_eq!(agreement(gravity, gravity), gravity);
+        assert_eq!(agreement(gravity, blow), Vector::new(0.0, -9.0, 0.0));
+        assert_eq!(agreement(gravity, -gravity), Vector::ZERO);
+    }
+}

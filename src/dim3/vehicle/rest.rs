@@ -1,0 +1,75 @@
+//! Vehicles that sleep, and what wakes them.
+//!
+//! A ray is no contact: the step does not know what a vehicle stands on, and that a pedal was touched it does not know either.
+//! So a vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
+
+use super::wheel::Wheel;
+use crate::dim::math::Real;
+use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+
+/// Share of the speed below which a body may sleep, below which a vehicle may. It is to coast until it stands.
+const CALM: Real = 0.05;
+/// Share of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
+const SAME_PLACE: Real = 1.0e-3;
+
+/// A wheel as it was when the vehicle was awake.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Seen {
+    brake: Real,
+    steering: Real,
+    ground: Option<ColliderHandle>,
+    length: Real,
+}
+
+impl Seen {
+    pub fn of(wheel: &Wheel) -> Self {
+        let info = wheel.raycast_info();
+        Self {
+            brake: wheel.brake,
+            steering: wheel.steering,
+            ground: info.ground_object,
+            length: info.suspension_length,
+        }
+    }
+
+    /// Is the wheel, but for rounding, as it was?
+    fn is_still(&self, wheel: &Wheel) -> bool {
+        let now = Self::of(wheel);
+        let moved = (now.length - self.length).abs();
+        Self { length: self.length, ..now } == *self && moved <= SAME_PLACE * wheel.radius
+    }
+}
+
+/// Is there a reason to wake a sleeping vehicle?
+pub(super) fn is_disturbed(
+    wheels: &[Wheel],
+    seen: &[Seen],
+    bodies: &RigidBodySet,
+    colliders: &ColliderSet,
+) -> bool {
+    if wheels.len() != seen.len() {
+        return true;
+    }
+    wheels.iter().zip(seen).filter(|(wheel, _)| wheel.is_usable()).any(|(wheel, seen)| {
+        let ground = wheel.raycast_info.ground_object.and_then(|handle| colliders.get(handle));
+        let body = ground.and_then(|ground| bodies.get(ground.parent()?));
+        let is_restless = |body: &RigidBody| {
+            body.is_moving()
+                || body.next_position() != body.position()
+                || (body.is_dynamic() && !body.is_sleeping())
+        };
+        wheel.engine_force != 0.0 || !seen.is_still(wheel) || body.is_some_and(is_restless)
+    })
+}
+
+/// Is a vehicle that is awake under way, though perhaps so slowly that a body might sleep?
+pub(super) fn is_under_way(wheels: &[Wheel], chassis: &RigidBody) -> bool {
+    let activation = chassis.activation();
+    let calm = CALM * activation.normalized_linear_threshold.max(0.0);
+    let slow = CALM * activation.angular_threshold.max(0.0);
+    chassis.linvel().length_squared() > calm * calm
+        || chassis.angvel().length_squared() > slow * slow
+        || wheels.iter().any(|wheel| wheel.is_usable() && wheel.engine_force != 0.0)
+}

@@ -1,0 +1,105 @@
+//! Solves all rows of all wheels together: projected Gauss–Seidel iteration, as contacts are solved elsewhere, but to the end,
+//! because there are so few.
+
+use super::contact::{Mover, WheelContact};
+use super::ground::{Ground, Grounds};
+use super::wheel::Wheel;
+use crate::dim::math::{Real, Vector};
+
+/// The most visits of each row. Springs yield and couple weakly; what takes its time is a car held fast by all
+/// wheels, whose rows say the same thing several times over.
+const VISITS: usize = 50;
+/// When no row changes its velocity by more than this share of what the first visits changed, all are solved.
+const SETTLED: Real = 8.0 * Real::EPSILON;
+
+/// Finds the impulses of all wheels.
+pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds: &mut Grounds) {
+    let mut first = 0.0;
+    for visit in 0..VISITS {
+        let mut change: Real = 0.0;
+        for contact in contacts.iter_mut() {
+            let ground = &mut grounds.all[contact.ground].mover;
+            change = change.max(contact.press(chassis, ground));
+        }
+        for contact in contacts.iter_mut() {
+            let ground = &mut grounds.all[contact.ground].mover;
+            change = change.max(contact.hold(chassis, ground));
+        }
+        if visit == 0 {
+            first = change;
+        } else if change <= SETTLED * first {
+            break;
+        }
+    }
+}
+
+impl WheelContact {
+    /// Begins with the impulses of the last update, which are nearly right.
+    pub fn warm_start(&mut self, impulses: [Real; 3], chassis: &mut Mover, ground: &mut Mover) {
+        let rows = [&mut self.normal, &mut self.forward, &mut self.side];
+        for (row, impulse) in rows.into_iter().zip(impulses) {
+            if row.inv_mass > 0.0 {
+                row.set_impulse(impulse, chassis, ground);
+            }
+        }
+    }
+
+    /// Lets the suspension press. Returns by how much it changed its velocity.
+    fn press(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
+        let row = &mut self.normal;
+        let (old, inv_mass) = (row.impulse, row.inv_mass);
+        let impulse = self.spring.solve(old, row.velocity(chassis, ground), inv_mass);
+        row.set_impulse(impulse, chassis, ground);
+        (impulse - old).abs() * inv_mass
+    }
+
+    /// Lets the tyre hold. Returns by how much it changed its velocities.
+    fn hold(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
+        let limit = self.friction * self.normal.impulse;
+        let forward = self.forward.impulse_for(0.0, chassis, ground);
+        let side = self.side.impulse_for(self.side_target, chassis, ground);
+        let grip = self.drive.grip(forward, side, limit);
+        let change = (grip.forward - self.forward.impulse).abs() * self.forward.inv_mass
+            + (grip.side - self.side.impulse).abs() * self.side.inv_mass;
+        self.forward.set_impulse(grip.forward, chassis, ground);
+        self.side.set_impulse(grip.side, chassis, ground);
+        self.is_sliding = grip.is_sliding;
+        change
+    }
+
+    /// Are all impulses numbers?
+    pub fn is_finite(&self) -> bool {
+        self.rows().iter().all(|row| row.impulse.is_finite())
+    }
+
+    /// Tells the wheel what became of it.
+    pub fn report(&self, wheel: &mut Wheel) {
+        wheel.wheel_suspension_force = self.normal.impulse * self.spring.force_of_impulse;
+        wheel.forward_impulse = self.forward.impulse;
+        wheel.side_impulse = self.side.impulse;
+        wheel.is_sliding = self.is_sliding;
+        wheel.last_impulses = self.rows().map(|row| row.impulse);
+    }
+}
+
+/// The impulse and its moment about the centre of mass that all wheels together bring to the chassis.
+pub(super) fn on_chassis(contacts: &[WheelContact]) -> (Vector, Vector) {
+    sum(contacts.iter().flat_map(|contact| contact.rows().map(|row| row.wrench(0))))
+}
+
+/// The same for what they stand on.
+pub(super) fn on_ground(contacts: &[WheelContact], index: usize) -> (Vector, Vector) {
+    let those = contacts.iter().filter(|contact| contact.ground == index);
+    sum(those.flat_map(|contact| contact.rows().map(|row| row.wrench(1))))
+}
+
+fn sum(wrenches: impl Iterator<Item = (Vector, Vector)>) -> (Vector, Vector) {
+    wrenches.fold((Vector::ZERO, Vector::ZERO), |sum, part| (sum.0 + part.0, sum.1 + part.1))
+}
+
+impl Grounds {
+    /// Those that can be pushed.
+    pub fn dynamic(&self) -> impl Iterator<Item = (usize, &Ground)> {
+        self.all.iter().enumerate().filter(|(_, ground)| ground.is_dynamic)
+    }
+}

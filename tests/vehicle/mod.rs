@@ -1,0 +1,10 @@
+//! Does a vehicle do what the physics of cars says?
+//!
+//! As in `tests/physics/`, each test states a formula and how far from it an update of a given length may be, and prints
+//! what came out.
+
+mod stage;
+
+mod parking;
+mod rolling;
+mod suspension;
