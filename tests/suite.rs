@@ -7,6 +7,6 @@
 mod determinism;
 mod api;
 mod ghosts;
-mod hostile;
+pub mod hostile;
 pub mod physics;
 mod queries;

@@ -5,10 +5,10 @@
 //! finite, what is refused is named in an error or in the log, and bodies that have nothing to do with
 //! it must not notice: they end bit for bit where they would have ended.
 
-mod listener;
+pub mod listener;
 mod random;
 mod scene;
-mod values;
+pub mod values;
 mod witness;
 mod world;
 

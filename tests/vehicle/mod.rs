@@ -5,6 +5,10 @@
 
 mod stage;
 
+mod grip;
+mod ground;
+mod hostile;
 mod parking;
 mod rolling;
+mod sleeping;
 mod suspension;

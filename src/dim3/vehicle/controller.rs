@@ -7,6 +7,7 @@ use super::place::{velocities_ahead, with_ground_alone};
 use super::rest::{Seen, is_disturbed, is_under_way};
 use super::solve::{on_chassis, on_ground, solve};
 use super::wheel::{Wheel, WheelTuning};
+use crate::base::measure::is_margin;
 use crate::controllers::QueryPipelineMut;
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -133,7 +134,7 @@ impl DynamicRayCastVehicleController {
     ///
     /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once for each step.
     /// With a `dt` of 0 the wheels are placed, and nothing else happens. If there is no chassis, or it is disabled, or `dt`
-    /// is negative or no number, or an axis is none of the three, nothing happens; of all but the disabled one `log`
+    /// is negative, no number or more than 10¹⁵, or an axis is none of the three, nothing happens; of all but the disabled one `log`
     /// gets a warning, once.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
@@ -156,7 +157,7 @@ impl DynamicRayCastVehicleController {
     fn checked_chassis<'a>(&mut self, dt: Real, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
         let axis = self.index_up_axis.max(self.index_forward_axis);
         let chassis = bodies.get(self.chassis);
-        let problem = if !(dt >= 0.0 && dt.is_finite()) {
+        let problem = if !is_margin(dt) {
             Some(format!("its time step cannot be {dt}"))
         } else if axis >= Vector::AXES.len() {
             Some(format!("there is no axis {axis}"))
