@@ -242,8 +242,7 @@ impl Search<'_> {
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
-        seams.clear();
-        find_seams(&facets, patches.list().len(), points, pair.flush, seams);
+        find_seams(&facets, patches.list().len(), &points, pair.flush, seams);
         for seam in &*seams {
             self.turn(side, seam);
         }
@@ -258,18 +257,14 @@ impl Search<'_> {
             0 => (pair.pos12.rotation.inverse() * patch.normal, pair.pos12.inverse()),
             _ => (-patch.normal, pair.pos12),
         };
-        Facet {
-            obstacle: Obstacle { parts: self.parts[side], id: patch.parts[side], pose },
-            on: patch.parts[1 - side],
-            normal,
-            place: deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point)),
-            dist: patch.dist,
-        }
+        let obstacle = Obstacle { parts: self.parts[side], id: patch.parts[side], pose };
+        let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
+        Facet::new(obstacle, patch.parts[1 - side], normal, place, patch.dist)
     }
 
     /// Computes a patch anew along the normal with which its obstacle may still carry the body.
     fn turn(&mut self, side: usize, seam: &Seam) {
-        let Seam { index, along } = *seam;
+        let Seam { index, along, .. } = *seam;
         let direction = if side == 0 { self.pair.pos12.rotation * along } else { -along };
         let [id1, id2] = self.patches.list()[index].parts;
         let [parts1, parts2] = self.parts;

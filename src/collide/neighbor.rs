@@ -57,7 +57,7 @@ impl<'a> Neighbor<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
         let obstacle = Obstacle { parts: Parts::of(self.shape), id, pose };
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet { obstacle, on, normal, place, dist }
+        Facet::new(obstacle, on, normal, place, dist)
     }
 }
 
@@ -69,6 +69,6 @@ pub(crate) fn seams_among(neighbors: &[Neighbor<'_>], flush: Real) -> Vec<usize>
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {
         neighbors[index].points.iter().for_each(|point| f(*point));
     };
-    find_seams(&facets, facets.len(), points, flush, &mut seams);
+    find_seams(&facets, facets.len(), &points, flush, &mut seams);
     seams.iter().map(|seam: &Seam| seam.index).collect()
 }

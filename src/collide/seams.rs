@@ -34,12 +34,18 @@ use crate::dim::collide::Polytope;
 use crate::dim::math::{Pose, Real, Vector};
 use smallvec::SmallVec;
 
-/// A contact normal with at least this cosine to that of a face (0.8 degrees) is the face's.
-const FACE: Real = 0.9999;
+/// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
+const FACE: Real = 0.9998;
+/// The plane of a contact is that of the obstacle's face if their normals differ by no more than this
+/// squared length (0.17 degrees): bodies that lie on a face are level to about that.
+const LEVEL: Real = 9.0e-6;
 /// How far a hidden seam's other side rises above the contact plane, at least, as a share of the tolerance.
 const RISE: Real = 0.05;
-/// Normals with at least this cosine to each other (0.08 degrees) are the same.
-const SAME: Real = 0.999_999;
+/// Normals whose difference has at most this squared length (0.06 degrees) are the same.
+const SAME: Real = 1.0e-6;
+/// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
+/// and more.
+const PARALLEL: Real = 1.0e-10;
 
 /// A convex part of a shape, somewhere.
 #[derive(Copy, Clone)]
@@ -81,51 +87,86 @@ impl Obstacle<'_> {
         near == Some(true)
     }
 
-    /// Is a direction the normal of a face, or of a surface without edges?
-    fn has_face(&self, normal: Vector) -> bool {
+    /// The normal of the face that looks along a direction, if they agree.
+    fn face(&self, normal: Vector) -> Face {
         let face = self.with(|part, pose| {
             let local = pose.rotation.inverse() * normal;
             let (polytope, _) = Polytope::of(part.shape)?;
-            Some(polytope.face_toward(local).is_some_and(|face| face.normal.dot(local) > FACE))
+            let face = polytope.face_toward(local).filter(|face| face.normal.dot(local) > FACE);
+            Some(face.map_or(Face::Edge, |face| Face::Flat(pose.rotation * face.normal)))
         });
-        face != Some(false)
+        face.unwrap_or(Face::Round)
     }
+}
+
+/// What of an obstacle looks along a direction.
+#[derive(Copy, Clone, PartialEq)]
+enum Face {
+    /// A face of this normal.
+    Flat(Vector),
+    /// An edge or a corner between faces.
+    Edge,
+    /// A surface without faces.
+    Round,
 }
 
 /// A contact of a convex part with an obstacle, in a frame that is common to all contacts of the part.
 #[derive(Copy, Clone)]
 pub(super) struct Facet<'a> {
-    pub obstacle: Obstacle<'a>,
+    obstacle: Obstacle<'a>,
     /// Which part of its shape the body meets the obstacle with.
-    pub on: u32,
+    on: u32,
     /// Unit normal, from the obstacle to the body.
-    pub normal: Vector,
+    normal: Vector,
+    /// The same, or that of the obstacle's face if the contact is with a face: a plane that reaches
+    /// over other obstacles must not be tilted by how the body stands.
+    plane: Vector,
     /// The deepest point, on the obstacle.
-    pub place: Vector,
+    place: Vector,
     /// Distance there.
-    pub dist: Real,
+    dist: Real,
+}
+
+impl<'a> Facet<'a> {
+    pub fn new(obstacle: Obstacle<'a>, on: u32, normal: Vector, place: Vector, dist: Real) -> Self {
+        let plane = match obstacle.face(normal) {
+            Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
+            _ => normal,
+        };
+        Self { obstacle, on, normal, plane, place, dist }
+    }
 }
 
 impl Facet<'_> {
     /// Does `self` meet the same part of the body in another direction?
     fn is_other(&self, facet: &Self) -> bool {
-        self.on == facet.on && self.normal.dot(facet.normal) < SAME
+        self.on == facet.on && self.plane.distance_squared(facet.plane) > SAME
     }
 
     /// First rule: is the obstacle of `self` behind the plane of `other`?
     pub fn is_behind(&self, other: &Facet<'_>, tolerance: Real) -> bool {
-        let limit = other.normal.dot(other.place) + tolerance;
+        let limit = other.plane.dot(other.place) + tolerance;
         // The place is part of the obstacle, and most often tells.
-        other.normal.dot(self.place) <= limit
-            && self.obstacle.height(other.normal).is_some_and(|height| height <= limit)
+        other.plane.dot(self.place) <= limit
+            && self.obstacle.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one of the points of `self`: does the obstacle of `other` hide it?
-    pub fn is_hidden_at(&self, point: Vector, other: &Facet<'_>, tolerance: Real) -> bool {
+    /// Second rule, for one of the points of `self`: is it on the plane of `other`, and does an obstacle
+    /// that is part of that plane hide it?
+    fn is_hidden_at<'b>(
+        &self,
+        point: Vector,
+        other: &Facet<'_>,
+        mut in_plane: impl Iterator<Item = &'b Facet<'b>>,
+        tolerance: Real,
+    ) -> bool {
         let level = self.normal.dot(point) + RISE * tolerance;
         other.dist <= self.dist + tolerance
-            && other.obstacle.contains(point, tolerance)
-            && other.obstacle.height(self.normal).is_none_or(|height| height > level)
+            && other.plane.dot(point - other.place).abs() <= tolerance
+            && in_plane.any(|facet| {
+                facet.obstacle.contains(point, tolerance)
+                    && facet.obstacle.height(self.normal).is_none_or(|height| height > level)
+            })
     }
 }
 
@@ -134,54 +175,99 @@ impl Facet<'_> {
 pub(super) struct Seam {
     /// Its number.
     pub index: usize,
-    /// The normal along which its obstacle may still carry the body.
+    /// The number of the contact that explains it.
+    explained_by: usize,
+    /// The normal along which its obstacle may still carry the body: that of the contact.
     pub along: Vector,
 }
 
-/// Finds the seams among the first `own` facets; the others are known to be contacts. `points` gives
-/// the points of a facet, on its obstacle.
+/// Calls its second argument with each point of a facet, on the facet's obstacle.
+pub(super) type Points<'a> = dyn Fn(usize, &mut dyn FnMut(Vector)) + 'a;
+
+/// Finds the seams among the first `own` facets; the others are known to be contacts.
 ///
 /// The deepest contacts are judged first, and what was found to be a seam explains no other away: so
 /// at least one contact stays.
 pub(super) fn find_seams(
     facets: &[Facet<'_>],
     own: usize,
-    points: impl Fn(usize, &mut dyn FnMut(Vector)),
+    points: &Points<'_>,
     tolerance: Real,
     seams: &mut Vec<Seam>,
 ) {
+    seams.clear();
     let planes = distinct_planes(facets, tolerance);
     if planes.len() < 2 {
         return;
     }
     let mut order: SmallVec<[usize; 32]> = (0..own).collect();
     order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
-    let is_contact = |index: usize, seams: &[Seam]| seams.iter().all(|seam| seam.index != index);
+    let search = Search { facets, planes, points, tolerance, seams };
     for index in order {
-        let facet = &facets[index];
-        let explains = |other: &usize| facets[*other].is_other(facet) && is_contact(*other, seams);
-        let front = planes.iter().copied().filter(explains).find(|&other| {
-            let other = &facets[other];
+        let found = search.in_front_of(index).or_else(|| search.hiding(index));
+        if let Some(explained_by) = found {
+            let along = facets[explained_by].plane;
+            search.seams.push(Seam { index, explained_by, along });
+        }
+    }
+}
+
+/// The search for seams.
+struct Search<'a> {
+    facets: &'a [Facet<'a>],
+    /// Numbers of facets with different planes.
+    planes: SmallVec<[usize; 8]>,
+    points: &'a Points<'a>,
+    tolerance: Real,
+    /// What was found so far.
+    seams: &'a mut Vec<Seam>,
+}
+
+impl Search<'_> {
+    /// The contacts that may explain a facet.
+    fn others(&self, index: usize) -> impl Iterator<Item = usize> {
+        let is_contact = |other: usize| self.seams.iter().all(|seam| seam.index != other);
+        let is_other = move |other: usize| self.facets[other].is_other(&self.facets[index]);
+        self.planes.iter().copied().filter(move |&other| is_other(other) && is_contact(other))
+    }
+
+    /// A contact that a facet is behind of.
+    fn in_front_of(&self, index: usize) -> Option<usize> {
+        let (facet, tolerance) = (&self.facets[index], self.tolerance);
+        self.others(index).find(|&other| {
+            let other = &self.facets[other];
             facet.is_behind(other, tolerance)
                 && !(facet.dist < other.dist && other.is_behind(facet, tolerance))
-        });
-        let found = front.or_else(|| {
-            if facet.obstacle.has_face(facet.normal) {
-                return None;
-            }
-            let mut hidden_by = None;
-            let mut is_hidden = true;
-            points(index, &mut |point| {
-                let hides = |&other: &usize| facet.is_hidden_at(point, &facets[other], tolerance);
-                let other = (0..facets.len()).filter(explains).find(hides);
-                is_hidden &= other.is_some();
-                hidden_by = hidden_by.or(other);
-            });
-            hidden_by.filter(|_| is_hidden)
-        });
-        if let Some(other) = found {
-            seams.push(Seam { index, along: facets[other].normal });
+        })
+    }
+
+    /// A contact whose obstacles hide all points of a facet. They may be different ones; then any.
+    fn hiding(&self, index: usize) -> Option<usize> {
+        let facet = &self.facets[index];
+        if facet.obstacle.face(facet.normal) != Face::Edge {
+            return None;
         }
+        let mut found = None;
+        let mut are_all_hidden = true;
+        (self.points)(index, &mut |point| {
+            let hides = |&other: &usize| {
+                let in_plane = self.explained_by(other);
+                facet.is_hidden_at(point, &self.facets[other], in_plane, self.tolerance)
+            };
+            let hiding = self.others(index).find(hides);
+            are_all_hidden &= hiding.is_some();
+            found = found.or(hiding);
+        });
+        found.filter(|_| are_all_hidden)
+    }
+
+    /// A contact, those in its plane, and the seams that it explains.
+    fn explained_by(&self, index: usize) -> impl Iterator<Item = &Facet<'_>> {
+        let contact = &self.facets[index];
+        let same = move |facet: &&Facet<'_>| facet.on == contact.on && !facet.is_other(contact);
+        let seams = self.seams.iter().filter(move |seam| seam.explained_by == index);
+        let seams = seams.map(|seam| &self.facets[seam.index]);
+        self.facets.iter().filter(same).chain(seams)
     }
 }
 
@@ -191,8 +277,9 @@ fn distinct_planes(facets: &[Facet<'_>], tolerance: Real) -> SmallVec<[usize; 8]
     for (index, facet) in facets.iter().enumerate() {
         let same = planes.iter_mut().find(|plane| {
             let plane = &facets[**plane];
-            let offset = plane.normal.dot(facet.place - plane.place);
-            plane.on == facet.on && !plane.is_other(facet) && offset.abs() < tolerance
+            let offset = plane.plane.dot(facet.place - plane.place);
+            let is_parallel = plane.plane.distance_squared(facet.plane) < PARALLEL;
+            plane.on == facet.on && is_parallel && offset.abs() < tolerance
         });
         match same {
             Some(plane) if facet.dist < facets[*plane].dist => *plane = index,
@@ -200,5 +287,7 @@ fn distinct_planes(facets: &[Facet<'_>], tolerance: Real) -> SmallVec<[usize; 8]
             None => planes.push(index),
         }
     }
+    // What is deepest is least likely to be a seam itself, so it explains first.
+    planes.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
     planes
 }

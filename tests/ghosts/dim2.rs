@@ -106,7 +106,7 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
         ("slab", 0.1, straight, ColliderBuilder::cuboid(0.5, 0.1)),
         ("ball", 0.5, straight, ColliderBuilder::ball(0.5)),
         ("small ball", 0.1, straight, ColliderBuilder::ball(0.1)),
-        ("capsule", 0.5, straight, ColliderBuilder::capsule_y(0.2, 0.3)),
+        ("upright capsule", 0.5, straight, ColliderBuilder::capsule_y(0.2, 0.3)),
         ("lying capsule", 0.3, lying, ColliderBuilder::capsule_y(0.3, 0.3)),
         ("hull", 0.25, straight, ColliderBuilder::convex_hull(&wedge).unwrap()),
         ("round box", 0.5, straight, ColliderBuilder::round_cuboid(0.4, 0.4, 0.1)),
@@ -115,3 +115,13 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
 
 /// A way to the side: there is none.
 pub const ASIDE: Vector = Vector::ZERO;
+
+/// A ground in the shape of a V, of this slope on both sides of x = 0, of pieces of 0.25 m.
+pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
+    let vertex = |i: i32| {
+        let x = 0.25 * (i - 20) as Real;
+        Vector::new(x, slope * x.abs())
+    };
+    let ground = ColliderBuilder::polyline((0..=40).map(vertex).collect(), None);
+    world.insert_collider(ground.friction(0.0), None);
+}

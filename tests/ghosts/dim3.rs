@@ -148,7 +148,7 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
         ("slab", 0.1, straight, slab),
         ("ball", 0.5, straight, ColliderBuilder::ball(0.5)),
         ("small ball", 0.1, straight, ColliderBuilder::ball(0.1)),
-        ("capsule", 0.5, straight, ColliderBuilder::capsule_y(0.2, 0.3)),
+        ("upright capsule", 0.5, straight, ColliderBuilder::capsule_y(0.2, 0.3)),
         ("lying capsule", 0.3, lying, ColliderBuilder::capsule_y(0.3, 0.3)),
         ("cylinder", 0.5, straight, ColliderBuilder::cylinder(0.5, 0.5)),
         ("hull", 0.5, turned(0.2), ColliderBuilder::convex_hull(&six).unwrap()),
@@ -158,3 +158,15 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
 
 /// A way to the side, off the seams.
 pub const ASIDE: Vector = Vector::new(0.0, 0.0, 0.27);
+
+/// A ground in the shape of a V along z, of this slope on both sides of x = 0, of strips of 0.25 m.
+pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
+    let vertex = |i: i32, z: Real| {
+        let x = 0.25 * (i - 20) as Real;
+        Vector::new(x, slope * x.abs(), z)
+    };
+    let vertices = (0..=40).flat_map(|i| [vertex(i, -TO_THE_SIDE), vertex(i, TO_THE_SIDE)]);
+    let strip = |i: u32| [[2 * i, 2 * i + 1, 2 * i + 3], [2 * i, 2 * i + 3, 2 * i + 2]];
+    let ground = ColliderBuilder::trimesh(vertices.collect(), (0..40).flat_map(strip).collect());
+    world.insert_collider(ground.unwrap().friction(0.0), None);
+}

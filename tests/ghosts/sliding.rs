@@ -32,9 +32,12 @@ fn bodies_glide() {
         for (name, height, pose, collider) in sliders() {
             let mut world = world(60);
             lay(&mut world, Pose::IDENTITY, 0.0);
-            let body = RigidBodyBuilder::dynamic()
+            let mut body = RigidBodyBuilder::dynamic()
                 .pose(Pose::from_translation(vec(-1.5, height) + ASIDE) * pose)
                 .linvel(vec(SPEED, 0.0));
+            if name.contains("upright") {
+                body = body.lock_rotations(); // on its tip it would fall over
+            }
             let (body, _) = world.insert(body, collider.friction(0.0));
             let [mut heights, mut speeds, mut turns, mut asides] =
                 [Range::new(), Range::new(), Range::new(), Range::new()];
@@ -59,8 +62,9 @@ fn bodies_glide() {
             ]);
             table.require(heights.0[1] < 1.0, "hops");
             table.require(heights.0[0] > -5.0, "sinks");
-            table.check("the lowest speed", speeds.0[0], SPEED, 1.0e-3 * SPEED);
-            table.check("the highest speed", speeds.0[1], SPEED, 1.0e-3 * SPEED);
+            // On each new tile the body tilts by some thousandths, and is pushed along its own bottom.
+            table.check("the lowest speed", speeds.0[0], SPEED, 2.0e-3 * SPEED);
+            table.check("the highest speed", speeds.0[1], SPEED, 2.0e-3 * SPEED);
         }
     }
 }
