@@ -24,6 +24,7 @@ pages! {
     contacts_and_events: "../../../docs/guide/contacts-and-events.md",
     hooks: "../../../docs/guide/hooks.md",
     queries: "../../../docs/guide/queries.md",
+    vehicles: "../../../docs/guide/vehicles.md",
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",

@@ -24,6 +24,7 @@ pub mod body_types;
 pub mod sleeping;
 pub mod trimesh;
 pub mod heightfield;
+pub mod vehicle;
 pub mod voxels;
 pub mod heavy_on_light;
 pub mod card_house;
@@ -41,7 +42,7 @@ pub mod large_world;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 37] = [
+pub const SCENES: [SceneInfo; 38] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -66,6 +67,7 @@ pub const SCENES: [SceneInfo; 37] = [
     sleeping::INFO,
     trimesh::INFO,
     heightfield::INFO,
+    vehicle::INFO,
     voxels::INFO,
     heavy_on_light::INFO,
     card_house::INFO,

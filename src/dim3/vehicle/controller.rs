@@ -22,7 +22,7 @@ use crate::model::collider::ColliderSet;
 /// # use rapier3d::prelude::*;
 /// let mut world = PhysicsWorld::new();
 /// world.insert_collider(ColliderBuilder::cuboid(50.0, 0.1, 50.0).translation(-0.1 * Vector::Y), None);
-/// let body = RigidBodyBuilder::dynamic().translation(Vector::Y);
+/// let body = RigidBodyBuilder::dynamic().translation(0.84 * Vector::Y);
 /// let (chassis, _) = world.insert(body, ColliderBuilder::cuboid(2.0, 0.3, 0.9).mass(1000.0));
 ///
 /// let mut car = DynamicRayCastVehicleController::new(chassis);
