@@ -17,6 +17,8 @@ use smallvec::SmallVec;
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 /// Normals with at least this cosine to each other (1.1 degrees) become one manifold.
 const SAME_WAY: Real = 0.9998;
+/// Points closer to each other than this share of the manifold's size are one.
+const SAME_PLACE: Real = 1.0e-3;
 
 /// The contacts of two convex parts.
 #[derive(Clone, Debug)]
@@ -131,6 +133,8 @@ impl Patches {
                     self.gathered.extend(points.iter().map(|point| patch.named(point, parts)));
                 }
             }
+            reduce(&mut self.gathered, normal);
+            drop_doubles(&mut self.gathered);
             push_manifold(&mut self.gathered, normal, parts, pos12, out);
         }
     }
@@ -140,6 +144,24 @@ impl Patches {
         let unmerged = (0..self.list.len()).filter(|&index| !self.merged[index]);
         unmerged.min_by(|a, b| depth(a).total_cmp(&depth(b)))
     }
+}
+
+/// Leaves one of the points that are the same: parts that meet at a corner all have a point there.
+fn drop_doubles(points: &mut Vec<RawPoint>) {
+    let Some(first) = points.first().map(|point| point.local_p2) else { return };
+    let apart = |point: &RawPoint| point.local_p2.distance_squared(first);
+    let spread = points.iter().map(apart).fold(0.0, Real::max);
+    let rounding = Real::EPSILON * Real::EPSILON * 1.0e2 * first.length_squared();
+    let limit = SAME_PLACE * SAME_PLACE * spread + rounding;
+    let mut kept = 0;
+    for index in 0..points.len() {
+        let place = points[index].local_p2;
+        if points[..kept].iter().all(|other| other.local_p2.distance_squared(place) > limit) {
+            points.swap(kept, index);
+            kept += 1;
+        }
+    }
+    points.truncate(kept);
 }
 
 /// The normal, if it is one.

@@ -86,10 +86,10 @@ fn another_side_inherits_nothing() {
 }
 
 #[test]
-fn parts_of_meshes_are_told_apart() {
+fn contacts_with_meshes_keep_their_impulses() {
     let mut random = Random(8);
-    let mut recognised_all = 0;
-    for round in 0..40 {
+    let (mut recognised_all, mut all) = (0, 0);
+    for _ in 0..40 {
         let mesh = samples::shape(samples::MESH, &mut random, 2.0);
         let mut scene = Scene::new(mesh, samples::cuboid(Vector::splat(0.8)));
         let [mesh, cube] = &scene.shapes;
@@ -99,8 +99,8 @@ fn parts_of_meshes_are_told_apart() {
         scene.place(Pose::from_translation(Vector::splat(1.0e-4)) * pose);
         let count: usize = scene.found.iter().map(|manifold| manifold.contacts().len()).sum();
         let recognised = recognised(&scene.found);
-        assert!(recognised + 1 >= count, "round {round}: {recognised} of {count}");
-        recognised_all += recognised;
+        (recognised_all, all) = (recognised_all + recognised, all + count);
     }
-    assert!(recognised_all > 40, "only {recognised_all} contacts");
+    // Where faces meet in a valley, another of them may carry the box a moment later.
+    assert!(all >= 30 && recognised_all * 10 >= all * 9, "{recognised_all} of {all}");
 }
