@@ -135,3 +135,83 @@ fn stiff_springs() {
         }
     }
 }
+
+/// A suspension presses no harder than it may, and gives way no farther; it never pulls.
+#[test]
+fn limits() {
+    let columns =
+        ["rate", "limit (N)", "travel (m)", "largest force (N)", "shortest (m)", "height (m)"];
+    let mut table = Table::new("a car dropped by 0.3 m", &columns);
+    for rate in RATES {
+        // Four times 2000 N do not carry 1000 kg: it comes to lie on its own collider.
+        for (limit, travel) in [(1.0e5, 5.0), (2000.0, 5.0), (1.0e5, 0.1)] {
+            let mut road = Road::level(rate, 1.0);
+            road.wheels(|wheel| {
+                wheel.max_suspension_force = limit;
+                wheel.max_suspension_travel = travel;
+            });
+            let chassis = road.car.chassis;
+            road.world.bodies[chassis].set_translation(Vector::Y * (HEIGHT + 0.3), true);
+            let (mut force, mut length): (Real, Real) = (0.0, 1.0);
+            for _ in 0..5 * rate {
+                road.step();
+                for wheel in road.car.wheels() {
+                    assert!(wheel.wheel_suspension_force >= 0.0, "it pulls");
+                    force = force.max(wheel.wheel_suspension_force);
+                    length = length.min(wheel.raycast_info().suspension_length);
+                }
+            }
+            let height = road.chassis().translation().y;
+            table.row([
+                rate.to_string(),
+                format!("{limit:e}"),
+                travel.to_string(),
+                format!("{force:.1}"),
+                format!("{length:.4}"),
+                format!("{height:.4}"),
+            ]);
+            table.require(force <= limit * (1.0 + 1.0e-5), "it presses too hard");
+            table.require(length >= 0.4 - travel - 1.0e-6, "it gives way too far");
+            let formula = if limit < 250.0 * G { 0.3 } else { HEIGHT };
+            table.check("the height", height, formula, 1.0e-2);
+        }
+    }
+}
+
+/// The numbers of a well-known example of the API: a toy of 22 kg that is all default but for the springs.
+#[test]
+fn a_toy_of_defaults() {
+    for rate in RATES {
+        let mut world = crate::suite::physics::stage::world(rate);
+        world.insert_collider(ColliderBuilder::cuboid(50.0, 0.1, 50.0), None);
+        let (width, height) = (0.3, 0.15);
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y).can_sleep(false);
+        let shape = ColliderBuilder::cuboid(2.0 * width, height, width).density(100.0);
+        let (chassis, _) = world.insert(body, shape);
+        let tuning = WheelTuning {
+            suspension_stiffness: 100.0,
+            suspension_damping: 10.0,
+            ..WheelTuning::default()
+        };
+        let mut car = DynamicRayCastVehicleController::new(chassis);
+        for (x, z) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let place = Vector::new(1.5 * width * x, -height, width * z);
+            car.add_wheel(place, -Vector::Y, Vector::Z, height, 0.25 * height, &tuning);
+        }
+        let mut road = Road { world, car };
+        road.run(2.0);
+        let rest = road.chassis().translation().y;
+        for wheel in &mut road.car.wheels_mut()[..2] {
+            (wheel.engine_force, wheel.steering) = (30.0, 0.2);
+        }
+        road.run(2.0);
+        let (speed, top) = (road.car.current_vehicle_speed, road.chassis().translation().y);
+        println!("{rate}: rests at {rest}, drives at {speed}");
+        // With the default µ of 10.5 it takes any curve, leaning out of it a little.
+        assert!((top - rest).abs() < 0.03, "{rate}: {rest} at rest, {top} driving");
+        assert!((3.0..5.8).contains(&speed), "{speed}");
+        road.wheels(|wheel| (wheel.engine_force, wheel.brake) = (0.0, 1.0));
+        road.run(3.0);
+        assert!(road.chassis().linvel().length() < 1.0e-3, "{}", road.chassis().linvel());
+    }
+}
