@@ -11,6 +11,7 @@ pub(crate) mod hash;
 pub(crate) mod measure;
 pub mod tasks;
 pub mod timer;
+pub mod walk;
 pub mod wide;
 #[cfg(test)]
 pub mod random;

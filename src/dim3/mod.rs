@@ -5,6 +5,8 @@
 
 pub mod collide;
 pub mod axes;
+pub mod facets;
+pub mod field;
 pub mod hull;
 pub mod names;
 pub mod mask;

@@ -11,6 +11,7 @@
 //! pose that is not finite, a direction of no length, a time that is not a number.
 
 mod filter;
+mod hits;
 mod nearest;
 mod owned;
 mod points;

@@ -1,6 +1,7 @@
 //! Trees of its own: for whoever asks between steps, or never steps at all.
 
 use super::filter::{QueryFilter, Traits};
+use super::hits::Dispatcher;
 use super::view::QueryView;
 use crate::base::bvh::BoxProbe;
 use crate::dim::math::{Pose, Real, Vector};
@@ -9,8 +10,7 @@ use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{BoxMargin, Tree, shape_box};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::query::{
-    DefaultQueryDispatcher, NonlinearRigidMotion, PointProjection, Ray, RayIntersection,
-    ShapeCastHit, ShapeCastOptions,
+    NonlinearRigidMotion, PointProjection, Ray, RayIntersection, ShapeCastHit, ShapeCastOptions,
 };
 use parry::shape::{FeatureId, Shape};
 
@@ -67,7 +67,14 @@ impl QueryPipeline {
     pub fn update(&mut self, colliders: &ColliderSet) {
         let (changed, end) = colliders.changed_since(self.read);
         match changed {
-            Some(slots) => slots.iter().for_each(|&slot| self.refresh(slot, colliders)),
+            Some([]) => {}
+            Some(slots) => {
+                // Who changed often since the last update stands in the journal as often.
+                let mut slots = slots.to_vec();
+                slots.sort_unstable();
+                slots.dedup();
+                slots.iter().for_each(|&slot| self.refresh(slot, colliders));
+            }
             None => self.rebuild(colliders),
         }
         self.read = end;
@@ -87,18 +94,25 @@ impl QueryPipeline {
         if slot as usize >= self.entries.len() {
             self.entries.resize(slot as usize + 1, None);
         }
-        self.fixed.boxes.remove(slot);
-        self.movable.boxes.remove(slot);
         let placed = colliders
             .at_slot(slot)
             .filter(|(_, collider)| collider.is_enabled())
             .and_then(|(handle, collider)| Some((handle, collider, whereabouts(collider)?)));
-        self.entries[slot as usize] = placed.map(|(handle, collider, aabb)| {
-            let is_fixed = matches!(collider.parent_type, None | Some(RigidBodyType::Fixed));
-            let tree = if is_fixed { &mut self.fixed } else { &mut self.movable };
-            tree.insert(aabb, slot);
-            Entry { handle, traits: Traits::of(collider) }
-        });
+        let Some((handle, collider, aabb)) = placed else {
+            self.entries[slot as usize] = None;
+            self.fixed.boxes.remove(slot);
+            self.movable.boxes.remove(slot);
+            return;
+        };
+        let is_fixed = matches!(collider.parent_type, None | Some(RigidBodyType::Fixed));
+        let (tree, other) = if is_fixed {
+            (&mut self.fixed, &mut self.movable)
+        } else {
+            (&mut self.movable, &mut self.fixed)
+        };
+        other.boxes.remove(slot);
+        tree.insert(aabb, slot);
+        self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }
 
     /// The colliders as a view, which has more ways to ask. `colliders` must be the set of the last
@@ -109,7 +123,7 @@ impl QueryPipeline {
         filter: QueryFilter<'a>,
     ) -> QueryView<'a> {
         let trees = [&self.fixed.boxes, &self.movable.boxes];
-        QueryView::new(trees, &DefaultQueryDispatcher, colliders, filter)
+        QueryView::new(trees, &Dispatcher, colliders, filter)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Rays: what do they hit?
 
 use super::filter::QueryFilter;
+use super::hits::{intersection, time_of_impact};
 use super::view::QueryView;
 use crate::base::bvh::SlabProbe;
 use crate::base::tasks::Tasks;
@@ -35,7 +36,7 @@ impl<'a> QueryView<'a> {
         solid: bool,
     ) -> Option<(ColliderHandle, Real)> {
         self.first_hit(ray, max_time_of_impact, |collider, limit| {
-            let time = time_of_impact(collider, ray, limit, solid)?;
+            let time = time_of_impact(collider.shape(), collider.position(), ray, limit, solid)?;
             Some((time, time))
         })
     }
@@ -49,7 +50,7 @@ impl<'a> QueryView<'a> {
         solid: bool,
     ) -> Option<(ColliderHandle, RayIntersection)> {
         self.first_hit(ray, max_time_of_impact, |collider, limit| {
-            let hit = intersection(collider, ray, limit, solid)?;
+            let hit = intersection(collider.shape(), collider.position(), ray, limit, solid)?;
             Some((hit.time_of_impact, hit))
         })
     }
@@ -74,7 +75,8 @@ impl<'a> QueryView<'a> {
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider, RayIntersection)> {
         sound_limit(&ray, max_time_of_impact).into_iter().flat_map(move |limit| {
             self.candidates(slabs(&ray), limit).filter_map(move |(handle, collider)| {
-                Some((handle, collider, intersection(collider, &ray, limit, solid)?))
+                let (shape, pose) = (collider.shape(), collider.position());
+                Some((handle, collider, intersection(shape, pose, &ray, limit, solid)?))
             })
         })
     }
@@ -104,22 +106,4 @@ impl<'a> QueryView<'a> {
         });
         answers
     }
-}
-
-fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> Option<Real> {
-    if solid {
-        return collider.shape().cast_ray(collider.position(), ray, limit, solid);
-    }
-    // parry's answer without a normal is wrong for hollow boxes whose wall is beyond the limit: it is the
-    // limit, where nothing is.
-    intersection(collider, ray, limit, solid).map(|hit| hit.time_of_impact)
-}
-
-fn intersection(
-    collider: &Collider,
-    ray: &Ray,
-    limit: Real,
-    solid: bool,
-) -> Option<RayIntersection> {
-    collider.shape().cast_ray_and_get_normal(collider.position(), ray, limit, solid)
 }

@@ -1,8 +1,10 @@
 //! A hundred thousand questions, each asked twice: of the trees, and of every collider in turn.
+//!
+//! Points and casts are compared to the last bit. parry's rays are other formulas than ours for some shapes, so times are
+//! compared to within its tolerance; that no tree changes a bit of them is a test in `src/query/hits/tests.rs`.
 
 use crate::dim::{about_z, assortment, vec};
 use crate::suite::physics::stage::{Dice, world};
-use rapier::parry::query::{DefaultQueryDispatcher, QueryDispatcher};
 use rapier::prelude::*;
 
 const COLLIDERS: usize = 2000;
@@ -115,13 +117,42 @@ fn filters<'a>(index: usize) -> QueryFilter<'a> {
     }
 }
 
-/// Hollow shapes are asked for the normal, too: without it, parry takes the limit for the wall of a box.
+/// What parry says, asked so that it is right: from nearby, because its rays lose digits on their way; with a direction of
+/// unit length, which its way out of hollow shapes expects; and hollow shapes for the normal, too, because without it the limit
+/// is taken for the wall of a box.
 fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> Option<Real> {
-    let (shape, pose) = (collider.shape(), collider.position());
-    if solid {
-        return shape.cast_ray(pose, ray, limit, true);
+    let (shape, pose, length) = (collider.shape(), collider.position(), ray.dir.length());
+    let unit = ray.dir / length;
+    let around = shape.compute_bounding_sphere(pose);
+    let start = ((around.center - ray.origin).dot(unit) - 2.0 * around.radius).max(0.0);
+    let near = Ray::new(ray.origin + unit * start, unit);
+    let limit = limit * length - start;
+    let time = if limit < 0.0 {
+        None
+    } else if solid {
+        shape.cast_ray(pose, &near, limit, true)
+    } else {
+        shape.cast_ray_and_get_normal(pose, &near, limit, false).map(|hit| hit.time_of_impact)
+    };
+    time.map(|time| (time + start) / length)
+}
+
+/// Are two first hits the same but for rounding? Then each shape is hit at about the time of the other.
+fn agree(
+    [found, expected]: [Option<(ColliderHandle, Real)>; 2],
+    (ray, limit): (&Ray, Real),
+    time_of: impl Fn(ColliderHandle) -> Option<Real>,
+) -> bool {
+    // parry's search for the first point of a hull ends when it is this close, relative to the size of numbers (here up to 40).
+    let tolerance = 2.0e-3 / ray.dir.length();
+    match (found, expected) {
+        (None, None) => true,
+        (Some((handle, time)), Some((_, nearest))) => {
+            (time - nearest).abs() <= tolerance
+                && time_of(handle).is_some_and(|time| time - nearest <= tolerance)
+        }
+        (Some((_, time)), None) | (None, Some((_, time))) => time >= limit - tolerance,
     }
-    shape.cast_ray_and_get_normal(pose, ray, limit, false).map(|hit| hit.time_of_impact)
 }
 
 fn compare_rays(view: QueryView<'_>, dice: &mut Dice) -> usize {
@@ -134,7 +165,11 @@ fn compare_rays(view: QueryView<'_>, dice: &mut Dice) -> usize {
             Some((time_of_impact(collider, &ray, limit, solid)?, ()))
         });
         let found = view.with_filter(filter).cast_ray(&ray, limit, solid);
-        assert_eq!(found, expected, "{ray:?} up to {limit}, {filter:?}");
+        let time_of = |handle| time_of_impact(&colliders[handle], &ray, limit + 1.0, solid);
+        assert!(
+            agree([found, expected], (&ray, limit), time_of),
+            "{found:?} but {expected:?}: {ray:?} up to {limit}, {filter:?}"
+        );
         let with_normal = view.with_filter(filter).cast_ray_and_get_normal(&ray, limit, solid);
         assert_eq!(with_normal.is_some(), found.is_some());
         hits += usize::from(found.is_some());
@@ -196,8 +231,7 @@ fn compare_casts(view: QueryView<'_>, dice: &mut Dice) -> usize {
             let pose12 = pose.inv_mul(collider.position());
             let velocity12 = pose.rotation.inverse() * -velocity;
             let other = collider.shape();
-            let hit =
-                DefaultQueryDispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
+            let hit = view.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
             hit.ok().flatten().map(|hit| (hit.time_of_impact, ()))
         });
         let found = view.with_filter(filter).cast_shape(&pose, velocity, shape, options);
@@ -258,8 +292,13 @@ fn answers_follow_moving_bodies() {
                     let time = collider.shape().cast_ray(collider.position(), &ray, 40.0, true)?;
                     Some((time, ()))
                 });
-                assert_eq!(own.cast_ray(&ray, 40.0, true), expected);
-                assert_eq!(shared.cast_ray(&ray, 40.0, true), expected);
+                let found = own.cast_ray(&ray, 40.0, true);
+                let time_of = |handle| time_of_impact(&world.colliders[handle], &ray, 40.0, true);
+                assert!(
+                    agree([found, expected], (&ray, 40.0), time_of),
+                    "{found:?} but {expected:?}"
+                );
+                assert_eq!(shared.cast_ray(&ray, 40.0, true), found);
             }
         }
     }

@@ -32,10 +32,8 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     for &index in &options.scenes {
         let scene = &scenes[index];
         let template = (scene.build)();
-        let mut turns: Vec<(Kind, Vec<Turn>)> = Vec::new();
-        for &kind in &options.engines {
-            turns.push((kind, Vec::new()));
-        }
+        let mut turns: Vec<(Kind, Vec<Turn>)> =
+            options.engines.iter().map(|&kind| (kind, Vec::new())).collect();
         let label = format!("{}, {COUNT} rays and balls", scene.title());
         let mut progress = Progress::new(&label, label.len(), options.rounds * turns.len());
         let engines = start(&*template, &options.engines);

@@ -3,7 +3,6 @@
 use super::pair::{ContactPair, IntersectionPair};
 use super::store::PairStore;
 use crate::model::collider::ColliderHandle;
-use parry::query::{DefaultQueryDispatcher, QueryDispatcher};
 
 /// All contact and intersection pairs, kept from step to step.
 ///
@@ -22,11 +21,6 @@ impl NarrowPhase {
     /// Knows no pair.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// How pairs of shapes are computed that queries ask about.
-    pub fn query_dispatcher(&self) -> &dyn QueryDispatcher {
-        &DefaultQueryDispatcher
     }
 
     /// Do the colliders in these two slots have a pair of either kind?

@@ -4,13 +4,15 @@
 //! contact recycling and clustering, friction in the relax pass only. Geometry, mathematics and the
 //! numbers of the collision groups are the same types as ours, so shapes are shared.
 
+#[path = "common.rs"]
+mod common;
+
 use super::ours::prelude as ours;
-use super::overlap::deepest_overlap;
-use super::peer::parry::query::ShapeCastOptions;
-use super::peer::prelude::*;
+use super::peer as engine;
 use super::template::{DT, SUBSTEPS, Template};
-use super::vector_of;
 use crate::engine::{Engine, Probes, Stats};
+use common::{count_hits, note_bodies};
+use engine::prelude::*;
 
 /// A world in Rapier.
 pub struct Rapier<'t> {
@@ -48,26 +50,7 @@ impl Engine for Rapier<'_> {
     }
 
     fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
-        let PhysicsWorld { broad_phase, narrow_phase, bodies, colliders, .. } = &self.world;
-        let dispatcher = narrow_phase.query_dispatcher();
-        let all = QueryFilter::default();
-        let queries = broad_phase.as_query_pipeline(dispatcher, bodies, colliders, all);
-        let ball = radius.map(Ball::new);
-        let options = ShapeCastOptions::with_max_time_of_impact(probes.reach);
-        let hits =
-            probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
-                let (origin, direction) = (vector_of(origin), vector_of(direction));
-                match &ball {
-                    None => {
-                        queries.cast_ray(&Ray::new(origin, direction), probes.reach, true).is_some()
-                    }
-                    Some(ball) => {
-                        let start = Pose::from_translation(origin);
-                        queries.cast_shape(&start, direction, ball, options).is_some()
-                    }
-                }
-            });
-        Some(hits.count())
+        Some(count_hits(&self.world, probes, radius))
     }
 
     fn stats(&self) -> Stats {
@@ -79,10 +62,7 @@ impl Engine for Rapier<'_> {
         }
         let bodies: Vec<&RigidBody> =
             self.bodies.iter().map(|&handle| &self.world.bodies[handle]).collect();
-        let moving = bodies.iter().filter(|body| body.is_dynamic());
-        stats.kinetic_energy = moving.map(|body| f64::from(body.kinetic_energy())).sum();
-        let poses: Vec<Pose> = bodies.iter().map(|body| *body.position()).collect();
-        stats.overlap = deepest_overlap(self.template, &poses);
+        note_bodies(self.template, &bodies, &mut stats);
         stats
     }
 }

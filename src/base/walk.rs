@@ -1,0 +1,59 @@
+//! From cell to cell along a ray (Amanatides, Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987).
+
+use parry::math::Real;
+
+/// The way of a ray along one axis, from cell to cell.
+#[derive(Debug)]
+pub struct Walk {
+    origin: Real,
+    inv_dir: Real,
+    /// Length of all cells (length units).
+    size: Real,
+    /// Number of cells.
+    pub count: usize,
+    /// The cell in which it is.
+    pub cell: usize,
+    /// When the ray leaves the cell (units of its direction).
+    pub leaves: Real,
+}
+
+impl Walk {
+    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the origin.
+    pub fn new(origin: Real, dir: Real, start: Real, size: Real, count: usize) -> Self {
+        let share = (origin + dir * start) / size + 0.5;
+        // Casts cut off at both ends.
+        let cell = ((share * count as Real) as usize).min(count - 1);
+        let inv_dir = if dir == 0.0 { 0.0 } else { 1.0 / dir };
+        let mut walk = Self { origin, inv_dir, size, count, cell, leaves: 0.0 };
+        walk.leaves = walk.leaving();
+        walk
+    }
+
+    fn leaving(&self) -> Real {
+        if self.inv_dir == 0.0 {
+            return Real::INFINITY;
+        }
+        let wall = self.cell + usize::from(self.inv_dir > 0.0);
+        ((wall as Real / self.count as Real - 0.5) * self.size - self.origin) * self.inv_dir
+    }
+
+    /// Goes on to the next cell, if there is one.
+    pub fn advance(&mut self) -> bool {
+        let next = if self.inv_dir > 0.0 { self.cell + 1 } else { self.cell.wrapping_sub(1) };
+        let is_inside = next < self.count;
+        if is_inside {
+            self.cell = next;
+            self.leaves = self.leaving();
+        }
+        is_inside
+    }
+}
+
+/// The least and the greatest of some numbers.
+pub fn range(numbers: &[Real]) -> [Real; 2] {
+    let (mut low, mut high) = (Real::INFINITY, Real::NEG_INFINITY);
+    for &number in numbers {
+        (low, high) = (low.min(number), high.max(number));
+    }
+    [low, high]
+}

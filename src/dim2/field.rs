@@ -1,0 +1,51 @@
+//! Rays and height fields.
+//!
+//! The ray goes from cell to cell, and looks at a segment only where it comes down to the heights of its ends.
+
+use super::math::Real;
+use crate::base::walk::{Walk, range};
+use parry::query::{Ray, RayCast, RayIntersection};
+use parry::shape::HeightField;
+
+/// Where a ray meets a height field, in the field's frame.
+pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
+    let (start, end) = field.local_aabb().clip_ray_parameters(ray)?;
+    let (mut start, end) = (start.max(0.0), end.min(limit));
+    let scale = field.scale();
+    let mut walk = Walk::new(ray.origin.x, ray.dir.x, start, scale.x.abs(), field.num_cells());
+    loop {
+        // A scale below zero turns the order of the cells around.
+        let cell = if scale.x < 0.0 { walk.count - 1 - walk.cell } else { walk.cell };
+        if may_meet(field, cell, ray, [start, walk.leaves.min(end)])
+            && let Some(hit) = ray_on_cell(field, cell, ray, limit)
+        {
+            return Some(hit);
+        }
+        start = walk.leaves;
+        if start > end || !walk.advance() {
+            return None;
+        }
+    }
+}
+
+/// Can the ray meet the segment of a cell between two times? Not if it stays above both ends, or below.
+fn may_meet(field: &HeightField, cell: usize, ray: &Ray, times: [Real; 2]) -> bool {
+    let ends = [cell, cell + 1].map(|at| field.heights()[at] * field.scale().y);
+    let [low, high] = range(&ends);
+    let [bottom, top] = range(&times.map(|time| ray.origin.y + ray.dir.y * time));
+    // Rounding must not decide: neither of the ray, nor of when it enters and leaves.
+    let size = low.abs().max(high.abs()).max(bottom.abs()).max(top.abs());
+    let margin = 16.0 * Real::EPSILON * (size + (ray.dir * times[1]).abs().max_element());
+    bottom - margin <= high && low <= top + margin
+}
+
+fn ray_on_cell(
+    field: &HeightField,
+    cell: usize,
+    ray: &Ray,
+    limit: Real,
+) -> Option<RayIntersection> {
+    let mut hit = field.segment_at(cell)?.cast_local_ray_and_get_normal(ray, limit, true)?;
+    hit.subshape = cell as u32;
+    Some(hit)
+}

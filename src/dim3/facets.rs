@@ -1,0 +1,137 @@
+//! Convex shapes with flat faces, as a moving point meets them: planes, and the edges between them.
+
+use super::math::{Real, Vector};
+use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
+
+/// How far corners may be out of the plane of their face, as a share of the size of the hull: what the rounding of
+/// coordinates and of a normal made of them comes to.
+const FLATNESS: Real = 256.0 * Real::EPSILON;
+
+/// A hull, or a triangle, which is a hull of no thickness.
+#[derive(Copy, Clone)]
+pub enum Facets<'a> {
+    /// A convex hull.
+    Hull(&'a ConvexPolyhedron),
+    /// A triangle and its unit normal.
+    Triangle(&'a Triangle, Vector),
+}
+
+/// A face: what is inside has a product with the normal of at most `offset`.
+#[derive(Copy, Clone)]
+pub struct Facet {
+    /// Unit outward normal.
+    pub normal: Vector,
+    /// How far (length units) the face is from the origin along the normal.
+    pub offset: Real,
+}
+
+impl<'a> Facets<'a> {
+    /// The facets of a shape, and how thick (length units) the layer around them is. `None` if it has none, or they are
+    /// not flat.
+    pub fn of(shape: TypedShape<'a>) -> Option<(Self, Real)> {
+        Some(match shape {
+            TypedShape::ConvexPolyhedron(hull) if has_flat_faces(hull) => (Self::Hull(hull), 0.0),
+            TypedShape::RoundConvexPolyhedron(round) if has_flat_faces(&round.inner_shape) => {
+                (Self::Hull(&round.inner_shape), round.border_radius)
+            }
+            TypedShape::Triangle(triangle) => (Self::Triangle(triangle, triangle.normal()?), 0.0),
+            TypedShape::RoundTriangle(round) => {
+                let triangle = &round.inner_shape;
+                (Self::Triangle(triangle, triangle.normal()?), round.border_radius)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Has it no inside, so that a layer around it is all there is of it?
+    pub fn is_flat(&self) -> bool {
+        matches!(self, Self::Triangle(..))
+    }
+
+    /// Number of faces.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Hull(hull) => hull.faces().len(),
+            Self::Triangle(..) => 2,
+        }
+    }
+
+    /// A face by its number.
+    #[inline]
+    pub fn facet(&self, index: usize) -> Facet {
+        let (normal, point) = match self {
+            Self::Hull(hull) => {
+                let face = &hull.faces()[index];
+                let vertex = hull.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
+                (face.normal, hull.points()[vertex as usize])
+            }
+            Self::Triangle(triangle, normal) => {
+                (if index == 0 { *normal } else { -*normal }, triangle.a)
+            }
+        };
+        Facet { normal, offset: normal.dot(point) }
+    }
+
+    /// Is a point right above a face, or below it?
+    pub fn is_over(&self, index: usize, point: Vector) -> bool {
+        match self {
+            Self::Hull(hull) => {
+                let face = &hull.faces()[index];
+                let first = face.first_vertex_or_edge as usize;
+                let count = face.num_vertices_or_edges as usize;
+                let vertices = &hull.vertices_adj_to_face()[first..first + count];
+                let corner = |at: usize| hull.points()[vertices[at % count] as usize];
+                (0..count).all(|at| is_left(corner(at), corner(at + 1), face.normal, point))
+            }
+            Self::Triangle(Triangle { a, b, c }, normal) => {
+                let edges = [(*a, *b), (*b, *c), (*c, *a)];
+                edges.into_iter().all(|(from, to)| is_left(from, to, *normal, point))
+            }
+        }
+    }
+
+    /// Number of borders between faces.
+    pub fn border_count(&self) -> usize {
+        match self {
+            Self::Hull(hull) => hull.edges().len(),
+            Self::Triangle(..) => 3,
+        }
+    }
+
+    /// The ends of a border between faces: an edge.
+    pub fn border(&self, index: usize) -> [Vector; 2] {
+        match self {
+            Self::Hull(hull) => hull.edges()[index].vertices.map(|end| hull.points()[end as usize]),
+            Self::Triangle(triangle, _) => {
+                let points = [triangle.a, triangle.b, triangle.c];
+                [points[index], points[(index + 1) % 3]]
+            }
+        }
+    }
+}
+
+/// parry makes one face of triangles that are nearly in a plane, up to more than a degree. Are all faces flat but for
+/// rounding?
+fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
+    let points = hull.points();
+    // By Euler's formula: are all faces triangles?
+    if hull.faces().len() + 4 == 2 * points.len() {
+        return true;
+    }
+    hull.faces().iter().filter(|face| face.num_vertices_or_edges > 3).all(|face| {
+        let first = face.first_vertex_or_edge as usize;
+        let count = face.num_vertices_or_edges as usize;
+        let corners = &hull.vertices_adj_to_face()[first..first + count];
+        let origin = points[corners[0] as usize];
+        corners[1..].iter().all(|&corner| {
+            let along = points[corner as usize] - origin;
+            let size = along.abs().max_element() + origin.abs().max_element();
+            face.normal.dot(along).abs() <= FLATNESS * size
+        })
+    })
+}
+
+/// Is a point to the left of an edge, seen from where the normal points to?
+fn is_left(from: Vector, to: Vector, normal: Vector, point: Vector) -> bool {
+    normal.cross(to - from).dot(point - from) >= 0.0
+}

@@ -1,0 +1,129 @@
+//! Rays and height fields.
+//!
+//! The ray goes from cell to cell as seen from above, and looks at triangles only where it comes down to the heights of
+//! the cell's corners.
+
+use super::math::Real;
+use crate::base::walk::{Walk, range};
+use parry::query::{Ray, RayCast, RayIntersection};
+use parry::shape::HeightField;
+
+/// Where a ray meets a height field, in the field's frame.
+pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
+    let (start, end) = field.local_aabb().clip_ray_parameters(ray)?;
+    let (mut start, end) = (start.max(0.0), end.min(limit));
+    let size = field.scale().abs();
+    let (rows, columns) = field.num_cells_ij();
+    let mut walks = [
+        Walk::new(ray.origin.x, ray.dir.x, start, size.x, columns),
+        Walk::new(ray.origin.z, ray.dir.z, start, size.z, rows),
+    ];
+    // A scale below zero turns the order of the cells around.
+    let cell = |walk: &Walk, scale: Real| {
+        if scale < 0.0 { walk.count - 1 - walk.cell } else { walk.cell }
+    };
+    loop {
+        let (i, j) = (cell(&walks[1], field.scale().z), cell(&walks[0], field.scale().x));
+        let next = walks[0].leaves.min(walks[1].leaves);
+        if may_meet(field, (i, j), ray, [start, next.min(end)])
+            && let Some(hit) = ray_on_cell(field, (i, j), ray, limit)
+        {
+            return Some(hit);
+        }
+        let first = usize::from(walks[1].leaves < walks[0].leaves);
+        if next > end || !walks[first].advance() {
+            return None;
+        }
+        start = next;
+    }
+}
+
+/// Can the ray meet a triangle of the cell between two times? Not if it stays above all corners, or below.
+fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real; 2]) -> bool {
+    let heights = field.heights();
+    let corners = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];
+    let corners = corners.map(|at| heights[at] * field.scale().y);
+    let ends = times.map(|time| ray.origin.y + ray.dir.y * time);
+    let [low, high] = range(&corners);
+    let [bottom, top] = range(&ends);
+    // Rounding must not decide: neither of the ray, nor of when it enters and leaves.
+    let size = low.abs().max(high.abs()).max(bottom.abs()).max(top.abs());
+    let margin = 16.0 * Real::EPSILON * (size + (ray.dir * times[1]).abs().max_element());
+    bottom - margin <= high && low <= top + margin
+}
+
+fn ray_on_cell(
+    field: &HeightField,
+    (i, j): (usize, usize),
+    ray: &Ray,
+    limit: Real,
+) -> Option<RayIntersection> {
+    let (left, right) = field.triangles_at(i, j);
+    let hit = |triangle: Option<parry::shape::Triangle>, is_left| {
+        let mut hit = triangle?.cast_local_ray_and_get_normal(ray, limit, true)?;
+        // Left triangles are numbered first, column by column.
+        let (rows, columns) = field.num_cells_ij();
+        let first = if is_left { 0 } else { rows * columns };
+        hit.subshape = (first + j * rows + i) as u32;
+        Some(hit)
+    };
+    match (hit(left, true), hit(right, false)) {
+        (Some(left), Some(right)) => {
+            Some(if left.time_of_impact < right.time_of_impact { left } else { right })
+        }
+        (left, right) => left.or(right),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ray_on_field;
+    use crate::base::random::Random;
+    use crate::dim::math::{Real, Vector};
+    use parry::query::{Ray, RayCast};
+    use parry::shape::HeightField;
+    use parry::utils::Array2;
+
+    /// All triangles in turn find nothing nearer, and nothing where the walk finds nothing. Along borders between
+    /// triangles either of two answers is right, so times are compared, to the rounding of coordinates up to 30.
+    #[test]
+    fn a_walk_finds_what_a_look_at_all_triangles_finds() {
+        let mut random = Random(4);
+        let (mut hits, mut asked) = (0, 0);
+        for scale in [Vector::new(20.0, 2.0, 12.0), Vector::new(3.0, 30.0, 40.0)] {
+            let heights: Vec<_> = (0..9 * 14).map(|_| random.within(-1.0, 1.0)).collect();
+            let field = HeightField::new(Array2::new(9, 14, heights), scale);
+            let triangles: Vec<_> = field.triangles().collect();
+            for round in 0..4000 {
+                let mut point = |size: Real| {
+                    let mut point = Vector::ZERO;
+                    (0..3).for_each(|axis| {
+                        point[axis] = random.within(-1.0, 1.0) * size * scale[axis]
+                    });
+                    point
+                };
+                let (origin, target) = (point(1.0), point(0.5));
+                let mut ray = Ray::new(origin, target - origin);
+                if round % 5 == 0 {
+                    ray.dir[round % 3] = 0.0;
+                }
+                let limit = random.within(0.0, 3.0);
+                let found = ray_on_field(&field, &ray, limit).map(|hit| hit.time_of_impact);
+                let all = triangles
+                    .iter()
+                    .filter_map(|triangle| triangle.cast_local_ray(&ray, limit, true));
+                let nearest = all.min_by(Real::total_cmp);
+                asked += 1;
+                hits += usize::from(found.is_some());
+                let tolerance = 1.0e3 * Real::EPSILON;
+                let is_same = match (found, nearest) {
+                    (Some(found), Some(nearest)) => (found - nearest).abs() <= tolerance,
+                    (None, None) => true,
+                    _ => false,
+                };
+                assert!(is_same, "{found:?} but {nearest:?}: {ray:?} up to {limit}");
+            }
+        }
+        assert!(hits > asked / 5 && hits < asked - asked / 20, "{hits} of {asked}");
+    }
+}

@@ -1,0 +1,276 @@
+//! How pairs of shapes are computed, where nobody says otherwise.
+
+use super::rounded::{enter_capsule, nearest_on_segment};
+use super::{Meeting, Touch, cuboid, hull};
+use crate::dim::facets::Facets;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::contact::NarrowPhase;
+use parry::query::details::{
+    cast_shapes_composite_shape_shape, cast_shapes_heightfield_shape,
+    cast_shapes_shape_composite_shape, cast_shapes_shape_heightfield,
+};
+use parry::query::{
+    ClosestPoints, Contact, DefaultQueryDispatcher, NonlinearRigidMotion, QueryDispatcher,
+    ShapeCastHit, ShapeCastOptions, ShapeCastStatus, ShapeDistance, ShapeIntersection, Unsupported,
+};
+use parry::shape::{Ball, Shape, TypedShape};
+
+impl NarrowPhase {
+    /// How pairs of shapes are computed that queries ask about.
+    ///
+    /// As parry does it, but for casts of balls, which have formulas of their own.
+    pub fn query_dispatcher(&self) -> &dyn QueryDispatcher {
+        &Dispatcher
+    }
+}
+
+/// parry's dispatcher, with formulas for casts of balls, alone and within meshes, height fields and compounds.
+#[derive(Copy, Clone, Debug)]
+pub struct Dispatcher;
+
+impl QueryDispatcher for Dispatcher {
+    fn cast_shapes(
+        &self,
+        pose12: &Pose,
+        velocity12: Vector,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+        options: ShapeCastOptions,
+    ) -> Result<Option<ShapeCastHit>, Unsupported> {
+        let meeting = match (shape1.as_ball(), shape2.as_ball()) {
+            (_, Some(ball)) => ball_second(pose12, velocity12, shape1, ball, &options),
+            (Some(ball), None) => ball_first(pose12, velocity12, ball, shape2, &options),
+            (None, None) => Cast::Unclear,
+        };
+        match meeting {
+            Cast::Known(hit) => Ok(hit),
+            Cast::Unclear => self.cast_parts(pose12, velocity12, shape1, shape2, options),
+        }
+    }
+
+    fn intersection_test(
+        &self,
+        pose12: &Pose,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+    ) -> Result<ShapeIntersection, Unsupported> {
+        DefaultQueryDispatcher.intersection_test(pose12, shape1, shape2)
+    }
+
+    fn distance(
+        &self,
+        pose12: &Pose,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+    ) -> Result<ShapeDistance, Unsupported> {
+        DefaultQueryDispatcher.distance(pose12, shape1, shape2)
+    }
+
+    fn contact(
+        &self,
+        pose12: &Pose,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+        prediction: Real,
+    ) -> Result<Option<Contact>, Unsupported> {
+        DefaultQueryDispatcher.contact(pose12, shape1, shape2, prediction)
+    }
+
+    fn closest_points(
+        &self,
+        pose12: &Pose,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+        max_distance: Real,
+    ) -> Result<ClosestPoints, Unsupported> {
+        DefaultQueryDispatcher.closest_points(pose12, shape1, shape2, max_distance)
+    }
+
+    fn cast_shapes_nonlinear(
+        &self,
+        motion1: &NonlinearRigidMotion,
+        shape1: &dyn Shape,
+        motion2: &NonlinearRigidMotion,
+        shape2: &dyn Shape,
+        start_time: Real,
+        end_time: Real,
+        stop_at_penetration: bool,
+    ) -> Result<Option<ShapeCastHit>, Unsupported> {
+        DefaultQueryDispatcher.cast_shapes_nonlinear(
+            motion1,
+            shape1,
+            motion2,
+            shape2,
+            start_time,
+            end_time,
+            stop_at_penetration,
+        )
+    }
+}
+
+impl Dispatcher {
+    /// Casts with parry, which asks back here for the parts of shapes that have parts.
+    fn cast_parts(
+        &self,
+        pose12: &Pose,
+        velocity12: Vector,
+        shape1: &dyn Shape,
+        shape2: &dyn Shape,
+        options: ShapeCastOptions,
+    ) -> Result<Option<ShapeCastHit>, Unsupported> {
+        // A half-space asks for the support points of the other shape, and finds no parts.
+        let is_flat =
+            |shape: &dyn Shape| matches!(shape.as_typed_shape(), TypedShape::HalfSpace(_));
+        if !is_flat(shape1) && !is_flat(shape2) {
+            let (field1, field2) = (shape1.as_heightfield(), shape2.as_heightfield());
+            if let Some(field) = field1 {
+                return cast_shapes_heightfield_shape(
+                    self, pose12, velocity12, field, shape2, options,
+                );
+            }
+            if let Some(field) = field2 {
+                return cast_shapes_shape_heightfield(
+                    self, pose12, velocity12, shape1, field, options,
+                );
+            }
+            if let Some(parts) = shape1.as_composite_shape() {
+                let hit = cast_shapes_composite_shape_shape(
+                    self, pose12, velocity12, parts, shape2, options,
+                );
+                return Ok(hit);
+            }
+            if let Some(parts) = shape2.as_composite_shape() {
+                let hit = cast_shapes_shape_composite_shape(
+                    self, pose12, velocity12, shape1, parts, options,
+                );
+                return Ok(hit);
+            }
+        }
+        DefaultQueryDispatcher.cast_shapes(pose12, velocity12, shape1, shape2, options)
+    }
+}
+
+/// What the formulas know of a cast.
+enum Cast {
+    Known(Option<ShapeCastHit>),
+    Unclear,
+}
+
+/// A ball that moves, as the second shape sees it.
+fn ball_first(
+    pose12: &Pose,
+    velocity12: Vector,
+    ball: &Ball,
+    shape: &dyn Shape,
+    options: &ShapeCastOptions,
+) -> Cast {
+    let origin = pose12.inverse_transform_point(Vector::ZERO);
+    let dir = pose12.rotation.inverse() * -velocity12;
+    meet(origin, dir, ball, shape, options, |touch| {
+        let normal1 = pose12.rotation * -touch.normal;
+        hit(touch.time, [normal1, touch.normal], [normal1 * ball.radius, touch.core])
+    })
+}
+
+/// A ball that moves, as the first shape sees it.
+fn ball_second(
+    pose12: &Pose,
+    velocity12: Vector,
+    shape: &dyn Shape,
+    ball: &Ball,
+    options: &ShapeCastOptions,
+) -> Cast {
+    meet(pose12.translation, velocity12, ball, shape, options, |touch| {
+        let normal2 = pose12.rotation.inverse() * -touch.normal;
+        hit(touch.time, [touch.normal, normal2], [touch.core, normal2 * ball.radius])
+    })
+}
+
+fn hit(time: Real, normals: [Vector; 2], witnesses: [Vector; 2]) -> ShapeCastHit {
+    let status = if time == 0.0 {
+        ShapeCastStatus::PenetratingOrWithinTargetDist
+    } else {
+        ShapeCastStatus::Converged
+    };
+    ShapeCastHit {
+        time_of_impact: time,
+        witness1: witnesses[0],
+        witness2: witnesses[1],
+        normal1: normals[0],
+        normal2: normals[1],
+        status,
+        subshape1: 0,
+        subshape2: 0,
+    }
+}
+
+/// A ball that moves along `dir`, in the frame of the shape. The touch that `to_hit` gets has the point of the
+/// shape's surface for its core.
+fn meet(
+    origin: Vector,
+    dir: Vector,
+    ball: &Ball,
+    shape: &dyn Shape,
+    options: &ShapeCastOptions,
+    to_hit: impl FnOnce(Touch) -> ShapeCastHit,
+) -> Cast {
+    let (meeting, layer) = enter_layer(origin, dir, ball.radius + options.target_distance, shape);
+    match meeting {
+        Meeting::Never => Cast::Known(None),
+        Meeting::At(Touch { time, normal, core }) => {
+            // Who begins inside may be let go, but not deeper.
+            let goes_out = time == 0.0 && !options.stop_at_penetration && normal.dot(dir) >= 0.0;
+            if goes_out || time > options.max_time_of_impact {
+                return Cast::Known(None);
+            }
+            Cast::Known(Some(to_hit(Touch { time, normal, core: core + normal * layer })))
+        }
+        Meeting::Unclear => Cast::Unclear,
+    }
+}
+
+/// When a point comes within `distance` of a shape; and how much of the shape is a layer around the core.
+fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -> (Meeting, Real) {
+    // Where a velocity is too small or too large to be squared, it has no formula.
+    if !dir.length_squared().is_normal() || !origin.length_squared().is_finite() {
+        return (Meeting::Unclear, 0.0);
+    }
+    match shape.as_typed_shape() {
+        TypedShape::Ball(other) => {
+            (enter_round(origin, dir, [Vector::ZERO; 2], distance + other.radius), other.radius)
+        }
+        TypedShape::Capsule(capsule) => {
+            let ends = [capsule.segment.a, capsule.segment.b];
+            (enter_round(origin, dir, ends, distance + capsule.radius), capsule.radius)
+        }
+        TypedShape::Segment(segment) => {
+            (enter_round(origin, dir, [segment.a, segment.b], distance), 0.0)
+        }
+        TypedShape::Cuboid(cuboid) => {
+            (cuboid::enter_layer(cuboid.half_extents, origin, dir, distance), 0.0)
+        }
+        TypedShape::RoundCuboid(round) => {
+            let (half, layer) = (round.inner_shape.half_extents, round.border_radius);
+            (cuboid::enter_layer(half, origin, dir, distance + layer), layer)
+        }
+        other => match Facets::of(other) {
+            Some((facets, layer)) => {
+                (hull::enter_layer(&facets, origin, dir, distance + layer), layer)
+            }
+            None => (Meeting::Unclear, 0.0),
+        },
+    }
+}
+
+/// When a point meets the layer around a segment, or a point, which is a segment without length.
+fn enter_round(origin: Vector, dir: Vector, ends: [Vector; 2], radius: Real) -> Meeting {
+    match enter_capsule(origin, dir, ends, radius) {
+        None => Meeting::Never,
+        Some((time, core)) if time > 0.0 => Touch::around(origin + dir * time, core, time),
+        Some(_) => {
+            let core = nearest_on_segment(origin, ends);
+            let is_within = core.distance_squared(origin) <= radius * radius;
+            if is_within { Touch::around(origin, core, 0.0) } else { Meeting::Never }
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! What one ray, or one shape on its way, meets of one shape.
+//!
+//! The shapes that fill scenes have formulas of their own here: rays at balls, hulls and height fields, and balls that
+//! are sent at balls, boxes, capsules, triangles and hulls. A ball that moves is a point on its way to a shape with a layer
+//! around it. parry computes the rest.
+
+mod cuboid;
+mod dispatcher;
+mod hull;
+mod rays;
+mod rounded;
+#[cfg(test)]
+mod tests;
+
+pub(super) use dispatcher::Dispatcher;
+pub(super) use rays::{intersection, time_of_impact};
+
+use crate::dim::math::{Real, Vector};
+use rounded::enter_capsule;
+
+/// Whether a point on its way meets a layer around a shape.
+#[derive(Copy, Clone, Debug)]
+enum Meeting {
+    /// It does not.
+    Never,
+    /// It does, from outside or at once.
+    At(Touch),
+    /// It begins where no normal is the nearest, or there is no formula.
+    Unclear,
+}
+
+/// Where a point on its way enters a layer, in the frame of the shape.
+#[derive(Copy, Clone, Debug)]
+struct Touch {
+    /// When (units of the velocity): zero if it begins there.
+    time: Real,
+    /// The outward normal there.
+    normal: Vector,
+    /// The nearest point of what the layer is around.
+    core: Vector,
+}
+
+impl Touch {
+    /// A touch at a place that is nearest to a point of the core.
+    fn around(place: Vector, core: Vector, time: Real) -> Meeting {
+        match (place - core).try_normalize() {
+            Some(normal) => Meeting::At(Self { time, normal, core }),
+            None => Meeting::Unclear,
+        }
+    }
+
+    /// A touch of a point that begins where it is.
+    fn at_once(normal: Vector, core: Vector) -> Meeting {
+        Meeting::At(Self { time: 0.0, normal, core })
+    }
+}
+
+/// The first of the capsules around some segments that a point meets from outside of all.
+fn enter_first(
+    origin: Vector,
+    dir: Vector,
+    radius: Real,
+    segments: impl Iterator<Item = [Vector; 2]>,
+) -> Meeting {
+    let mut first: Option<(Real, Vector)> = None;
+    for ends in segments {
+        if let Some((time, core)) = enter_capsule(origin, dir, ends, radius)
+            && time >= 0.0
+            && first.is_none_or(|(earliest, _)| time < earliest)
+        {
+            first = Some((time, core));
+        }
+    }
+    first.map_or(Meeting::Never, |(time, core)| Touch::around(origin + dir * time, core, time))
+}

@@ -1,0 +1,126 @@
+//! Rays and single shapes.
+
+use super::hull::clip;
+use super::rounded::chord;
+use crate::dim::facets::Facets;
+use crate::dim::field::ray_on_field;
+use crate::dim::math::{Pose, Real, Vector};
+use parry::query::{Ray, RayCast, RayIntersection};
+use parry::shape::{Ball, FeatureId, Shape, TypedShape};
+
+/// When a ray hits a shape, no later than `limit`.
+pub fn time_of_impact(
+    shape: &dyn Shape,
+    pose: &Pose,
+    ray: &Ray,
+    limit: Real,
+    solid: bool,
+) -> Option<Real> {
+    let local = || ray.inverse_transform_by(pose);
+    match shape.as_typed_shape() {
+        TypedShape::Ball(ball) => ball_time(ball, pose, ray, limit, solid).map(|(time, _)| time),
+        TypedShape::Cuboid(cuboid) if solid => cuboid.cast_local_ray(&local(), limit, true),
+        TypedShape::Capsule(capsule) => capsule.cast_local_ray(&local(), limit, solid),
+        TypedShape::TriMesh(mesh) if solid => mesh.cast_local_ray(&local(), limit, true),
+        // Without a normal, parry's answer is wrong for hollow boxes whose wall is beyond the limit: it is the limit,
+        // where nothing is. Most shapes know no way without a normal anyway.
+        _ => intersection(shape, pose, ray, limit, solid).map(|hit| hit.time_of_impact),
+    }
+}
+
+/// When a ray hits a shape, no later than `limit`, and the normal and feature there.
+pub fn intersection(
+    shape: &dyn Shape,
+    pose: &Pose,
+    ray: &Ray,
+    limit: Real,
+    solid: bool,
+) -> Option<RayIntersection> {
+    let typed = shape.as_typed_shape();
+    if let TypedShape::Ball(ball) = typed {
+        return ball_hit(ball, pose, ray, limit, solid);
+    }
+    let local = ray.inverse_transform_by(pose);
+    let plain = || shape.cast_local_ray_and_get_normal(&local, limit, solid);
+    let hit = match typed {
+        TypedShape::Cuboid(_) | TypedShape::Capsule(_) => plain(),
+        TypedShape::HeightField(field) => ray_on_field(field, &local, limit),
+        _ => match Facets::of(typed) {
+            Some((facets, 0.0)) if !facets.is_flat() => hull_hit(&facets, &local, limit, solid),
+            _ if shape.as_support_map().is_some() => searched_hit(shape, &local, limit, solid),
+            _ => plain(),
+        },
+    };
+    hit.map(|hit| hit.transform_by(pose))
+}
+
+/// When a ray hits a ball, and whether it does so from within.
+fn ball_time(
+    ball: &Ball,
+    pose: &Pose,
+    ray: &Ray,
+    limit: Real,
+    solid: bool,
+) -> Option<(Real, bool)> {
+    let [enter, leave] = chord(pose.translation - ray.origin, ray.dir, ball.radius)?;
+    let is_inside = enter <= 0.0;
+    let time = match (is_inside, solid) {
+        (true, true) => 0.0,
+        (true, false) => leave,
+        (false, _) => enter,
+    };
+    (leave >= 0.0 && time <= limit).then_some((time, is_inside))
+}
+
+fn ball_hit(
+    ball: &Ball,
+    pose: &Pose,
+    ray: &Ray,
+    limit: Real,
+    solid: bool,
+) -> Option<RayIntersection> {
+    let (time, is_inside) = ball_time(ball, pose, ray, limit, solid)?;
+    let outward = (ray.point_at(time) - pose.translation).normalize_or_zero();
+    let normal = match (is_inside, solid) {
+        (true, true) => Vector::ZERO,
+        (true, false) => -outward,
+        (false, _) => outward,
+    };
+    Some(RayIntersection::new(time, normal, FeatureId::Face(0)))
+}
+
+/// A ray on a hull, in the frame of the hull.
+fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<RayIntersection> {
+    let span = clip(facets, ray.origin, ray.dir, 0.0)?;
+    let normal = |face| facets.facet(face).normal;
+    let (time, normal, face) = match (span.enter, span.leave) {
+        (_, (leave, _)) if leave < 0.0 => return None,
+        ((enter, face), _) if enter >= 0.0 => (enter, normal(face), face),
+        ((_, face), _) if solid => (0.0, Vector::ZERO, face),
+        (_, (leave, face)) => (leave, -normal(face), face),
+    };
+    let feature = FeatureId::Face(face as u32);
+    (time <= limit).then(|| RayIntersection::new(time, normal, feature))
+}
+
+/// A ray on a shape for which parry searches, in the frame of the shape.
+///
+/// The search loses digits on its way, and takes lengths for times where it looks for the way out of a hollow shape. So
+/// it begins near the shape, and with a direction of unit length.
+fn searched_hit(shape: &dyn Shape, ray: &Ray, limit: Real, solid: bool) -> Option<RayIntersection> {
+    let length = ray.dir.length();
+    if !length.is_normal() {
+        return shape.cast_local_ray_and_get_normal(ray, limit, solid);
+    }
+    let unit = ray.dir / length;
+    let around = shape.compute_local_bounding_sphere();
+    let start = ((around.center - ray.origin).dot(unit) - 2.0 * around.radius).max(0.0);
+    let rest = (limit * length).min(Real::MAX) - start;
+    if rest.is_nan() || rest < 0.0 {
+        return None;
+    }
+    let near = Ray::new(ray.origin + unit * start, unit);
+    let mut hit = shape.cast_local_ray_and_get_normal(&near, rest, solid)?;
+    hit.time_of_impact = (hit.time_of_impact + start) / length;
+    (hit.time_of_impact <= limit).then_some(hit)
+}
