@@ -4,6 +4,8 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim2.rs"]
 pub mod grounds;
+#[path = "characters/dim2.rs"]
+pub mod floors;
 #[path = "hostile/dim2.rs"]
 pub mod hostile;
 

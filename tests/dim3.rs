@@ -4,6 +4,8 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim3.rs"]
 pub mod grounds;
+#[path = "characters/dim3.rs"]
+pub mod floors;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
 #[path = "physics/tumbling.rs"]

@@ -1,5 +1,9 @@
-//! What moves bodies by asking the world: feedback controllers.
+//! What moves bodies by asking the world: characters and feedback controllers.
 
+pub use crate::controllers::character::{
+    CharacterAutostep, CharacterCollision, CharacterContacts, CharacterGround, CharacterHooks,
+    CharacterLength, CharacterSlopeSpeed, EffectiveCharacterMovement, KinematicCharacterController,
+};
 pub use crate::controllers::pid::{PdController, PdErrors, PidController};
 pub use crate::dim::mask::AxesMask;
 // A glob, because only one of the two dimensions has vehicles.

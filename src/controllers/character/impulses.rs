@@ -1,0 +1,99 @@
+//! Pushing what was met: the impulses of a character on dynamic bodies.
+//!
+//! Each collision is treated as a perfectly inelastic one of a point of the mass `m` at the character's velocity with the
+//! body, without friction. With the velocity of approach `v` along the unit normal `n` and the body's response
+//! `k = 1/mᵦ + (r × n)·I⁻¹(r × n)` to a unit impulse there, the impulse that makes both go on together is
+//!
+//! ```text
+//! j = v / (1/m + k)  <=  m v
+//! ```
+//!
+//! (see any text on rigid-body impact, e.g. D. Baraff's SIGGRAPH '97 notes, "Collision and contact", with restitution 0.)
+
+use super::movement::CharacterCollision;
+use super::settings::KinematicCharacterController;
+use crate::controllers::QueryPipelineMut;
+use crate::dim::math::{Real, Vector, ang_dot, mul_inertia, torque};
+use crate::model::body::RigidBody;
+use parry::shape::Shape;
+
+impl KinematicCharacterController {
+    /// Pushes the dynamic bodies that a character met on its way, as one of mass `character_mass` does whose velocity is what
+    /// was left of its wish, over `dt`.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// # let mut world = PhysicsWorld::new();
+    /// # world.gravity = Vector::ZERO;
+    /// # let start = RigidBodyBuilder::dynamic().translation(vector![0.9, 0.0, 0.0]);
+    /// # let (crate_handle, _) = world.insert(start, ColliderBuilder::cuboid(0.5, 0.5, 0.5));
+    /// # world.step();
+    /// # let (shape, pose) = (SharedShape::ball(0.3), Pose::IDENTITY);
+    /// # let (dt, wish) = (1.0 / 60.0, vector![0.1, 0.0, 0.0]);
+    /// let controller = KinematicCharacterController::default();
+    /// let mut collisions = Vec::new();
+    /// let queries = world.query_pipeline();
+    /// controller.move_shape(dt, &queries, &*shape, &pose, wish, |collision| collisions.push(collision));
+    /// let mut queries = world.query_pipeline_mut(QueryFilter::default());
+    /// controller.solve_character_collision_impulses(dt, &mut queries, &*shape, 80.0, &collisions);
+    /// assert!(world.bodies[crate_handle].linvel().x > 0.1);
+    /// ```
+    ///
+    /// No impulse is larger than `character_mass` times the velocity of approach, and nothing is pushed to be faster than the
+    /// character where they met: a light character does not shove a truck. Bodies that are pushed wake. Colliders that the
+    /// filter of the queries leaves out are not pushed. The shape is not asked: collisions know where they were.
+    ///
+    /// A mass or a `dt` that is not positive pushes nothing, with a warning in the log.
+    pub fn solve_character_collision_impulses<'a>(
+        &self,
+        dt: Real,
+        queries: &mut QueryPipelineMut<'_>,
+        _character_shape: &dyn Shape,
+        character_mass: Real,
+        collisions: impl IntoIterator<Item = &'a CharacterCollision>,
+    ) {
+        let is_positive = |value: Real| value > 0.0 && value.is_finite();
+        if !is_positive(dt) || !is_positive(character_mass) {
+            log::warn!("a character of mass {character_mass} pushes nothing within {dt} s");
+            return;
+        }
+        for collision in collisions {
+            push(collision, queries, dt, character_mass);
+        }
+    }
+}
+
+/// Pushes the body of one collision, if it can be pushed.
+fn push(collision: &CharacterCollision, queries: &mut QueryPipelineMut<'_>, dt: Real, mass: Real) {
+    let handle = collision.handle;
+    let collider = queries.colliders.get(handle).filter(|met| queries.filter.test(handle, met));
+    let velocity = collision.translation_remaining / dt;
+    let is_pushed = |body: &RigidBody| body.is_dynamic() && velocity.is_finite();
+    if let Some(parent) = collider.and_then(|collider| collider.parent())
+        && queries.bodies.get(parent).is_some_and(is_pushed)
+        && let Some(body) = queries.bodies.get_mut(parent)
+    {
+        let (normal, point) = (-collision.normal(), collision.point());
+        let impulse = inelastic_impulse(body, point, normal, velocity, mass);
+        body.apply_impulse_at_point(normal * impulse, point, impulse > 0.0);
+    }
+}
+
+/// The size of the impulse along `normal` (into the body) after which a point of this mass and velocity and the body do
+/// not approach each other any more.
+fn inelastic_impulse(
+    body: &RigidBody,
+    point: Vector,
+    normal: Vector,
+    velocity: Vector,
+    mass: Real,
+) -> Real {
+    let approach = (velocity - body.velocity_at_point(point)).dot(normal);
+    if approach <= 0.0 {
+        return 0.0;
+    }
+    let turn = torque(point - body.mprops.world_com, normal);
+    let response = normal.dot(body.mprops.inv_mass * normal)
+        + ang_dot(turn, mul_inertia(&body.mprops.inv_inertia, turn));
+    approach / (1.0 / mass + response)
+}

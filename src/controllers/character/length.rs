@@ -1,0 +1,42 @@
+//! Lengths that may depend on the size of the character.
+
+use crate::dim::math::Real;
+
+/// A length, as it is or as a share of the character's size.
+#[derive(Copy, Clone, PartialEq, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum CharacterLength {
+    /// A share of the character's height or width, whichever the setting is about. The height is the extent of the shape
+    /// along the up direction, the width its largest extent across.
+    Relative(Real),
+    /// A length (length units).
+    Absolute(Real),
+}
+
+impl CharacterLength {
+    /// The same length with its number changed by `f`, if it is [`Self::Absolute`].
+    #[must_use]
+    pub fn map_absolute(self, f: impl FnOnce(Real) -> Real) -> Self {
+        match self {
+            Self::Absolute(length) => Self::Absolute(f(length)),
+            Self::Relative(_) => self,
+        }
+    }
+
+    /// The same length with its number changed by `f`, if it is [`Self::Relative`].
+    #[must_use]
+    pub fn map_relative(self, f: impl FnOnce(Real) -> Real) -> Self {
+        match self {
+            Self::Relative(share) => Self::Relative(f(share)),
+            Self::Absolute(_) => self,
+        }
+    }
+
+    /// The length (length units) for a character of this size.
+    pub(super) fn of(self, size: Real) -> Real {
+        match self {
+            Self::Relative(share) => share * size,
+            Self::Absolute(length) => length,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! What a move comes to: the translation, the ground, and what was met.
+
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+use parry::query::ShapeCastHit;
+
+/// How far a character can really go.
+#[derive(Copy, Clone, PartialEq, Debug, Default)]
+pub struct EffectiveCharacterMovement {
+    /// The translation to apply, in world space. Exactly zero if there is nothing to do.
+    pub translation: Vector,
+    /// Does the character stand on something at the end? Never while its wish is upwards.
+    pub grounded: bool,
+    /// Did it slide down a slope that is too steep to stand on?
+    pub is_sliding_down_slope: bool,
+    /// What it stands on, if it is [`grounded`](Self::grounded).
+    pub ground: Option<CharacterGround>,
+}
+
+/// What a character stands on.
+#[derive(Copy, Clone, PartialEq, Debug)]
+pub struct CharacterGround {
+    /// The collider.
+    pub collider: ColliderHandle,
+    /// The unit normal there, in world space, from the ground to the character.
+    pub normal: Vector,
+    /// Where the character is on the ground, in world space: below the origin of its shape, in the plane that it
+    /// touches.
+    pub point: Vector,
+}
+
+impl CharacterGround {
+    fn body<'a>(&self, bodies: &'a RigidBodySet, colliders: &ColliderSet) -> Option<&'a RigidBody> {
+        bodies.get(colliders.get(self.collider)?.parent()?)
+    }
+
+    /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero for ground that has no body, or is gone.
+    ///
+    /// To be added to the velocity of somebody who jumps off. To ride, use [`Self::displacement`].
+    pub fn velocity(&self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Vector {
+        self.body(bodies, colliders).map_or(Vector::ZERO, |body| body.velocity_at_point(self.point))
+    }
+
+    /// How far the ground will carry the character in the next step, in world space: to be added to
+    /// [`EffectiveCharacterMovement::translation`].
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    ///
+    /// let mut world = PhysicsWorld::new();
+    /// let lift = RigidBodyBuilder::kinematic_velocity_based().linvel(vector![0.0, 3.0, 0.0]);
+    /// let (lift, _) = world.insert(lift, ColliderBuilder::cuboid(2.0, 0.5, 2.0));
+    /// let body = RigidBodyBuilder::kinematic_position_based().translation(vector![0.0, 1.5, 0.0]);
+    /// let (player, collider) = world.insert(body, ColliderBuilder::capsule_y(0.6, 0.3));
+    /// world.step();
+    ///
+    /// let controller = KinematicCharacterController::default();
+    /// let dt = world.integration_parameters.dt;
+    /// for _ in 0..60 {
+    ///     let movement = controller.move_shape(
+    ///         dt,
+    ///         &world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player)),
+    ///         world.colliders[collider].shape(),
+    ///         world.colliders[collider].position(),
+    ///         vector![0.0, -9.81, 0.0] * dt,
+    ///         |_| (),
+    ///     );
+    ///     let ride = |ground: CharacterGround| ground.displacement(&world.bodies, &world.colliders, dt);
+    ///     let ride = movement.ground.map_or(Vector::ZERO, ride);
+    ///     let next = world.bodies[player].translation() + movement.translation + ride;
+    ///     world.bodies[player].set_next_kinematic_translation(next);
+    ///     world.step();
+    /// }
+    /// let [feet, floor] = [(player, -0.9), (lift, 0.5)].map(|(body, y)| world.bodies[body].translation().y + y);
+    /// assert!((feet - floor - 0.018).abs() < 1.0e-3, "at the offset, still");
+    /// ```
+    ///
+    /// That is where [`Self::point`] goes with the body: for position-based kinematic bodies by their next position, so set that
+    /// first; for others by their velocity, turning included, so that a turntable does not throw off who stands on
+    /// it. What is in the way meanwhile is seen by the next move, which pushes the character back. Zero for ground that has no body,
+    /// or is gone, and for a `dt` that is not finite.
+    pub fn displacement(&self, bodies: &RigidBodySet, colliders: &ColliderSet, dt: Real) -> Vector {
+        let Some(body) = self.body(bodies, colliders) else { return Vector::ZERO };
+        let next = match body.body_type() {
+            RigidBodyType::KinematicPositionBased => *body.next_position(),
+            RigidBodyType::Fixed => return Vector::ZERO,
+            _ => body.predict_position_using_velocity(dt),
+        };
+        if next == *body.position() {
+            return Vector::ZERO;
+        }
+        next * (body.position().inverse() * self.point) - self.point
+    }
+}
+
+/// Something that a character met on its way.
+#[derive(Copy, Clone, Debug)]
+pub struct CharacterCollision {
+    /// The collider that was met.
+    pub handle: ColliderHandle,
+    /// Where the character was then.
+    pub character_pos: Pose,
+    /// How far it had come, in world space.
+    pub translation_applied: Vector,
+    /// What was left of its wish, in world space.
+    pub translation_remaining: Vector,
+    /// Where the two met: the first point and normal in the frame of the character's shape, the second in that of the
+    /// collider. Its time is 0: the character is there.
+    pub hit: ShapeCastHit,
+}
+
+impl CharacterCollision {
+    /// The unit normal in world space, from what was met to the character.
+    pub fn normal(&self) -> Vector {
+        self.character_pos.rotation * -self.hit.normal1
+    }
+
+    /// Where the character's surface met the other one, in world space.
+    pub fn point(&self) -> Vector {
+        self.character_pos * self.hit.witness1
+    }
+}

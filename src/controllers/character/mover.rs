@@ -1,0 +1,211 @@
+//! The move: recover, then look, solve and sweep until the wish is used up.
+
+use super::gait::Gait;
+use super::movement::{CharacterCollision, CharacterGround, EffectiveCharacterMovement};
+use super::obstacles::Obstacles;
+use super::planes::Plane;
+use super::sweep::Swept;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::ColliderHandle;
+
+/// How often a move may change its direction.
+const TURNS_MAX: usize = 8;
+/// Normals whose cosine is larger than this are the same.
+const SAME_NORMAL: Real = 0.999;
+
+/// A character on its way.
+pub(super) struct Mover<'a> {
+    pub gait: Gait,
+    pub obstacles: Obstacles<'a>,
+    pub start: Pose,
+    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero when nothing
+    /// happens, wherever the start is.
+    pub moved: Vector,
+    /// Around the present pose.
+    pub planes: Vec<Plane>,
+    /// A buffer.
+    pub scratch: Vec<Plane>,
+    /// What was reported.
+    met: Vec<(ColliderHandle, Vector)>,
+    events: &'a mut dyn FnMut(CharacterCollision),
+}
+
+impl<'a> Mover<'a> {
+    pub fn new(
+        gait: Gait,
+        obstacles: Obstacles<'a>,
+        start: Pose,
+        events: &'a mut dyn FnMut(CharacterCollision),
+    ) -> Self {
+        Self {
+            gait,
+            obstacles,
+            start,
+            moved: Vector::ZERO,
+            planes: Vec::new(),
+            scratch: Vec::new(),
+            met: Vec::new(),
+            events,
+        }
+    }
+
+    pub fn pose(&self) -> Pose {
+        Pose::from_parts(self.start.translation + self.moved, self.start.rotation)
+    }
+
+    /// Learns which planes are around.
+    pub fn look(&mut self, reach: Real) {
+        let pose = self.pose();
+        self.obstacles.planes(&pose, reach, &self.gait, &mut self.planes);
+    }
+
+    pub fn run(&mut self, wish: Vector) -> EffectiveCharacterMovement {
+        self.recover();
+        self.find_steps(wish);
+        let rises = wish.dot(self.gait.up) > self.gait.tolerance;
+        let stood = !rises && self.is_held();
+        let slides = self.go(wish, stood);
+        let floor = if rises { None } else { self.floor() };
+        EffectiveCharacterMovement {
+            translation: self.moved,
+            grounded: floor.is_some(),
+            is_sliding_down_slope: slides,
+            ground: floor.map(|floor| self.ground(floor)),
+        }
+    }
+
+    fn is_held(&self) -> bool {
+        self.planes.iter().any(|plane| plane.holds(&self.gait))
+    }
+
+    /// Goes where the wish leads. Leaves the planes around the place where it ends. Returns whether it slid down a slope.
+    fn go(&mut self, wish: Vector, stood: bool) -> bool {
+        let sticks = stood && self.gait.snap > 0.0;
+        let (mut left, mut slides, mut turned) = (wish, false, false);
+        for _ in 0..TURNS_MAX {
+            if stood && let Some(share) = self.step_up(left) {
+                left *= 1.0 - share;
+                turned = true;
+                self.look_for(left);
+                continue;
+            }
+            let way = self.gait.way(left, &self.planes, sticks);
+            slides |= way.slides;
+            self.report_planes(left);
+            if way.translation.length() <= self.gait.nothing() {
+                break;
+            }
+            let pose = self.pose();
+            let swept = self.sweep_from(&pose, way.translation);
+            self.moved += way.translation * swept.fraction;
+            turned |= swept.hit.is_some();
+            let Some(plane) = swept.hit else {
+                self.look_for(Vector::ZERO);
+                break;
+            };
+            left *= 1.0 - swept.fraction;
+            self.report(&plane, left);
+            self.look_for(left);
+            if swept.fraction * way.translation.length() <= self.gait.tolerance {
+                self.believe(plane);
+            }
+        }
+        if turned {
+            self.recover();
+            self.find_steps(Vector::ZERO);
+        }
+        if sticks && !self.is_held() {
+            self.snap();
+        }
+        slides
+    }
+
+    fn look_for(&mut self, wish: Vector) {
+        self.look(self.gait.reach());
+        self.find_steps(wish);
+    }
+
+    /// Takes a hit for a plane that is around. Where a sweep is stopped by something that is no plane at the place where it was
+    /// taken back to, the character would try the same way again and again.
+    fn believe(&mut self, plane: Plane) {
+        let is_known = |other: &Plane| {
+            other.collider == plane.collider && other.normal.dot(plane.normal) > SAME_NORMAL
+        };
+        if !self.planes.iter().any(is_known) {
+            self.planes.push(Plane { gap: self.gait.offset, ..plane });
+        }
+    }
+
+    /// Goes down to a floor that is not far below.
+    fn snap(&mut self) {
+        let (pose, down) = (self.pose(), -self.gait.up * self.gait.snap);
+        let swept = self.sweep_from(&pose, down);
+        if swept.hit.is_none() {
+            return;
+        }
+        let before = self.moved;
+        self.moved += down * swept.fraction;
+        self.look_for(Vector::ZERO);
+        if !self.is_held() {
+            self.moved = before;
+            self.look_for(Vector::ZERO);
+        }
+    }
+
+    /// Sweeps the shape from a pose.
+    pub fn sweep_from(&mut self, pose: &Pose, way: Vector) -> Swept {
+        // What is closer already than a sweep should stop at must not stop it before it begins.
+        let gaps = self.planes.iter().map(|plane| plane.gap - self.gait.tolerance);
+        let within = gaps.fold(self.gait.offset - 2.0 * self.gait.tolerance, Real::min).max(0.0);
+        self.obstacles.sweep(pose, way, within, &self.gait)
+    }
+
+    /// The most level thing that the character stands on.
+    fn floor(&self) -> Option<&Plane> {
+        let floors = self.planes.iter().filter(|plane| plane.holds(&self.gait));
+        floors.max_by(|a, b| a.rise.total_cmp(&b.rise))
+    }
+
+    /// What standing on a floor means for the user.
+    fn ground(&self, floor: &Plane) -> CharacterGround {
+        let origin = self.pose().translation;
+        let height = (origin - floor.points[0]).dot(floor.normal) / floor.rise;
+        CharacterGround {
+            collider: floor.collider,
+            normal: floor.normal,
+            point: origin - self.gait.up * height,
+        }
+    }
+
+    /// Tells of the planes that take something from the wish.
+    fn report_planes(&mut self, wish: Vector) {
+        for index in 0..self.planes.len() {
+            let plane = &self.planes[index];
+            let into = wish.dot(plane.normal);
+            if into < -self.gait.nothing() && into < plane.slack(&self.gait) {
+                let plane = plane.clone();
+                self.report(&plane, wish);
+            }
+        }
+    }
+
+    /// Tells of a collision, unless it was told already.
+    fn report(&mut self, plane: &Plane, left: Vector) {
+        let is_same = |&(handle, normal): &(_, Vector)| {
+            handle == plane.collider && normal.dot(plane.normal) > SAME_NORMAL
+        };
+        let Some(collider) = self.obstacles.queries.colliders.get(plane.collider) else { return };
+        if self.met.iter().any(is_same) {
+            return;
+        }
+        self.met.push((plane.collider, plane.normal));
+        let character_pos = self.pose();
+        (self.events)(CharacterCollision {
+            handle: plane.collider,
+            character_pos,
+            translation_applied: self.moved,
+            translation_remaining: left,
+            hit: plane.hit(&character_pos, collider.position()),
+        });
+    }
+}

@@ -1,0 +1,153 @@
+//! The controller's questions, as users ask them.
+
+use super::gait::Gait;
+use super::hooks::{Advisor, CharacterHooks};
+use super::movement::{CharacterCollision, EffectiveCharacterMovement};
+use super::mover::Mover;
+use super::obstacles::Obstacles;
+use super::settings::KinematicCharacterController;
+use crate::base::measure::is_point;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::check::checked_pose;
+use crate::query::QueryView;
+use parry::shape::Shape;
+
+impl KinematicCharacterController {
+    /// How far a shape gets that wants to move by `desired_translation` within `dt` seconds.
+    ///
+    /// * `queries`: the world, less what the character does not collide with. Exclude its own body:
+    ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never count.
+    /// * `character_shape`, `character_pos`: usually those of the character's collider.
+    /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character does not
+    ///   fall; an upward part is a jump.
+    /// * `events`: hears of everything that was in the way, once for each collider and direction; see
+    ///   [`Self::solve_character_collision_impulses`].
+    ///
+    /// Nothing is changed: the user applies the [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
+    /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
+    ///
+    /// Numbers that make no sense (a translation or pose that is not finite, a `dt` that is not positive, impossible
+    /// settings) give no movement, with a warning in the log.
+    pub fn move_shape(
+        &self,
+        dt: Real,
+        queries: &QueryView<'_>,
+        character_shape: &dyn Shape,
+        character_pos: &Pose,
+        desired_translation: Vector,
+        mut events: impl FnMut(CharacterCollision),
+    ) -> EffectiveCharacterMovement {
+        let Some(trip) = self.trip(dt, character_shape, character_pos, desired_translation) else {
+            return EffectiveCharacterMovement::default();
+        };
+        let obstacles = Obstacles::new(*queries, character_shape, None);
+        Mover::new(trip.gait, obstacles, trip.start, &mut events).run(desired_translation)
+    }
+
+    /// [`Self::move_shape`] for a character that is subject to the world's hooks.
+    ///
+    /// The hooks are asked as the narrow phase asks them, if the [`ActiveHooks`](crate::model::collider::ActiveHooks) of the
+    /// obstacle or of the character's collider say so: `filter_contact_pair` whether the two meet at all, and
+    /// `modify_solver_contact` about each manifold, of which an obstacle is then what the hook leaves: without points, or without
+    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES), the character
+    /// passes. The obstacle is always the first collider, the character the second. Solver groups
+    /// count where `modify_solver_contact` is asked.
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    ///
+    /// /// Everything with hooks is a platform that holds from above only.
+    /// struct OneWay;
+    ///
+    /// impl PhysicsHooks for OneWay {
+    ///     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
+    ///         context.update_as_oneway_platform(Vector::Y, 0.2);
+    ///     }
+    /// }
+    ///
+    /// let mut world = PhysicsWorld::new();
+    /// let platform = ColliderBuilder::cuboid(2.0, 0.1, 2.0)
+    ///     .translation(vector![0.0, 3.0, 0.0])
+    ///     .active_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS);
+    /// world.insert_collider(platform, None);
+    /// let body = RigidBodyBuilder::kinematic_position_based().translation(vector![0.0, 1.0, 0.0]);
+    /// let (player, character) = world.insert(body, ColliderBuilder::capsule_y(0.6, 0.3));
+    ///
+    /// let controller = KinematicCharacterController::default();
+    /// let dt = world.integration_parameters.dt;
+    /// let mut contacts = CharacterContacts::new(); // kept from call to call
+    /// let (mut velocity, mut grounded) = (10.0, false); // a jump
+    /// for _ in 0..120 {
+    ///     world.step();
+    ///     velocity = if grounded { 0.0 } else { velocity } - 9.81 * dt;
+    ///     let movement = controller.move_shape_with_hooks(
+    ///         dt,
+    ///         &world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player)),
+    ///         world.colliders[character].shape(),
+    ///         world.colliders[character].position(),
+    ///         Vector::Y * velocity * dt,
+    ///         CharacterHooks {
+    ///             hooks: &OneWay,
+    ///             bodies: &world.bodies,
+    ///             character,
+    ///             contacts: &mut contacts,
+    ///         },
+    ///         |_| (),
+    ///     );
+    ///     grounded = movement.grounded;
+    ///     let next = world.bodies[player].translation() + movement.translation;
+    ///     world.bodies[player].set_next_kinematic_translation(next);
+    /// }
+    /// world.step();
+    /// assert!(grounded, "it stands on the platform that it jumped through");
+    /// assert!((world.bodies[player].translation().y - 4.0).abs() < 0.03);
+    /// ```
+    #[expect(clippy::too_many_arguments, reason = "those of `move_shape`, and the hooks")]
+    pub fn move_shape_with_hooks(
+        &self,
+        dt: Real,
+        queries: &QueryView<'_>,
+        character_shape: &dyn Shape,
+        character_pos: &Pose,
+        desired_translation: Vector,
+        hooks: CharacterHooks<'_>,
+        mut events: impl FnMut(CharacterCollision),
+    ) -> EffectiveCharacterMovement {
+        let Some(trip) = self.trip(dt, character_shape, character_pos, desired_translation) else {
+            return EffectiveCharacterMovement::default();
+        };
+        let advisor = Advisor::new(hooks, queries.colliders);
+        let obstacles = Obstacles::new(*queries, character_shape, Some(advisor));
+        let mut mover = Mover::new(trip.gait, obstacles, trip.start, &mut events);
+        let movement = mover.run(desired_translation);
+        if let Some(advisor) = mover.obstacles.advisor {
+            advisor.finish();
+        }
+        movement
+    }
+
+    /// Checks everything; `None`, with a warning, if there can be no move.
+    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, wish: Vector) -> Option<Trip> {
+        if !(dt > 0.0 && dt.is_finite()) {
+            log::warn!("a character cannot move within {dt} s: it stays");
+            return None;
+        }
+        let Some(start) = checked_pose(*pose).filter(|_| is_point(wish)) else {
+            log::warn!("a character at {pose:?} cannot move by {wish:?}: it stays");
+            return None;
+        };
+        let gait = Gait::of(self, shape, &start);
+        if gait.is_none() {
+            log::warn!(
+                "a character cannot move with the settings {self:?}, or has no size: it stays"
+            );
+        }
+        Some(Trip { gait: gait?, start })
+    }
+}
+
+/// What a move begins with.
+struct Trip {
+    gait: Gait,
+    start: Pose,
+}

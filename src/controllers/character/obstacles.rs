@@ -1,0 +1,99 @@
+//! What is around the character: colliders that a query finds, as planes.
+
+use super::gait::Gait;
+use super::hooks::Advisor;
+use super::planes::Plane;
+use super::touch::Touch;
+use super::weld::weld;
+use crate::collide::{ManifoldScratch, ShapePair, compute_manifolds};
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::RigidBodyType;
+use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::contact::ContactManifold;
+use crate::query::{QueryFilter, QueryView};
+use parry::bounding_volume::BoundingVolume;
+use parry::query::Ray;
+use parry::shape::Shape;
+use smallvec::SmallVec;
+
+type Manifolds = SmallVec<[ContactManifold; 1]>;
+
+/// The world as a character sees it.
+pub(super) struct Obstacles<'a> {
+    pub queries: QueryView<'a>,
+    pub shape: &'a dyn Shape,
+    pub advisor: Option<Advisor<'a>>,
+    scratch: ManifoldScratch,
+    manifolds: Manifolds,
+}
+
+impl<'a> Obstacles<'a> {
+    pub fn new(queries: QueryView<'a>, shape: &'a dyn Shape, advisor: Option<Advisor<'a>>) -> Self {
+        let (scratch, manifolds) = (ManifoldScratch::default(), Manifolds::new());
+        Self { queries, shape, advisor, scratch, manifolds }
+    }
+
+    /// Can the character collide with this collider, as far as that does not depend on where they touch?
+    pub fn may_meet(&self, handle: ColliderHandle, collider: &Collider) -> bool {
+        let lets_meet = |advisor: &Advisor<'_>| advisor.lets_meet(handle, collider);
+        !collider.is_sensor() && self.advisor.as_ref().is_none_or(lets_meet)
+    }
+
+    /// All planes within `reach` of the shape, welded.
+    pub fn planes(&mut self, pose: &Pose, reach: Real, gait: &Gait, out: &mut Vec<Plane>) {
+        self.near(pose, reach, gait, out);
+        weld(out, gait);
+    }
+
+    /// All planes within `reach` of the shape.
+    pub fn near(&mut self, pose: &Pose, reach: Real, gait: &Gait, out: &mut Vec<Plane>) {
+        out.clear();
+        let around = self.shape.compute_aabb(pose).loosened(reach);
+        let mut near: SmallVec<[(ColliderHandle, &Collider); 8]> =
+            self.queries.intersect_aabb_conservative(around).collect();
+        // The tree's order depends on its history.
+        near.sort_unstable_by_key(|(handle, _)| handle.into_raw_parts().0);
+        for (handle, collider) in near {
+            if self.may_meet(handle, collider) {
+                self.compute(collider, pose, reach, gait);
+                for manifold in &mut self.manifolds {
+                    // Hooks are asked about what is touched; what is not yet is in the way.
+                    let is_touched = manifold.deepest_dist() <= gait.reach();
+                    let is_solid = |a: &Advisor<'_>| a.is_solid(handle, collider, manifold, pose);
+                    if !is_touched || self.advisor.as_ref().is_none_or(is_solid) {
+                        let touch = Touch { handle, collider, pose, shape: self.shape };
+                        out.extend(touch.plane(manifold, reach, gait));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The upper side of what is below a point, no deeper than `depth`: its unit normal, and whether its body is dynamic.
+    pub fn surface_below(&self, point: Vector, up: Vector, depth: Real) -> Option<(Vector, bool)> {
+        let filter = self.queries.filter;
+        let predicate = |handle, collider: &_| {
+            filter.predicate.is_none_or(|passes| passes(handle, collider))
+                && self.may_meet(handle, collider)
+        };
+        let filter = QueryFilter { predicate: Some(&predicate), ..filter };
+        let ray = Ray::new(point, -up);
+        let queries = self.queries.with_filter(filter);
+        let (handle, hit) = queries.cast_ray_and_get_normal(&ray, depth, false)?;
+        let is_dynamic = |collider: &Collider| collider.parent_type == Some(RigidBodyType::Dynamic);
+        // Surfaces have two sides.
+        let normal = if hit.normal.dot(up) < 0.0 { -hit.normal } else { hit.normal };
+        Some((normal, self.queries.colliders.get(handle).is_some_and(is_dynamic)))
+    }
+
+    fn compute(&mut self, collider: &Collider, pose: &Pose, reach: Real, gait: &Gait) {
+        let pair = ShapePair {
+            pos12: collider.position().inv_mul(pose),
+            shapes: [collider.shape(), self.shape],
+            prediction: reach,
+            flush: gait.tolerance,
+            neighbors: [&[], &[]],
+        };
+        compute_manifolds(&pair, &[], &mut self.scratch, &mut self.manifolds);
+    }
+}

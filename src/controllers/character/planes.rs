@@ -1,0 +1,128 @@
+//! A plane that the character must stay in front of, and what it is for somebody who walks.
+
+use super::gait::Gait;
+use super::polyhedron::HalfSpace;
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
+use crate::model::collider::ColliderHandle;
+use arrayvec::ArrayVec;
+use parry::query::{ShapeCastHit, ShapeCastStatus};
+
+/// Walls may lean over by this much (sine of the angle) and still be walls; what leans over more is a ceiling.
+pub(super) const LEAN: Real = 0.05;
+
+/// Planes at which the character is looked at as walking, standing and being held.
+#[derive(Copy, Clone, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// Not too steep to walk up.
+    Floor,
+    /// The edge of something low enough to step up on: holds whoever stands on it, and blocks until the step is taken.
+    Step,
+    /// Too steep to walk up.
+    Wall,
+    /// Leans over.
+    Ceiling,
+}
+
+/// A contact manifold between an obstacle and the character, as a plane.
+#[derive(Clone, Debug)]
+pub(super) struct Plane {
+    pub collider: ColliderHandle,
+    pub subshapes: [u32; 2],
+    pub is_dynamic: bool,
+    /// Unit normal in world space, from the obstacle to the character.
+    pub normal: Vector,
+    /// Smallest distance of the two along the normal; negative if they overlap.
+    pub gap: Real,
+    /// The contact points on the obstacle, in world space. At least one.
+    pub points: ArrayVec<Vector, MAX_MANIFOLD_POINTS>,
+    pub kind: Kind,
+    /// Normal times up direction.
+    pub rise: Real,
+}
+
+impl Plane {
+    /// What a plane with such a normal is, before anybody looks for steps.
+    pub fn kind_of(rise: Real, gait: &Gait) -> Kind {
+        if rise >= gait.climb_cos {
+            Kind::Floor
+        } else if rise < -LEAN {
+            Kind::Ceiling
+        } else {
+            Kind::Wall
+        }
+    }
+
+    /// Does it block whoever walks into it?
+    pub fn is_upright(&self) -> bool {
+        matches!(self.kind, Kind::Wall | Kind::Step)
+    }
+
+    /// Does it hold up whoever stands on it, against gravity?
+    pub fn holds(&self, gait: &Gait) -> bool {
+        match self.kind {
+            Kind::Floor => true,
+            Kind::Step => self.rise > LEAN,
+            Kind::Wall => self.rise > LEAN && self.rise >= gait.slide_cos,
+            Kind::Ceiling => false,
+        }
+    }
+
+    /// Does gravity make whoever stands on it slide?
+    pub fn is_slippery(&self, gait: &Gait) -> bool {
+        self.kind != Kind::Step && self.rise < gait.slide_cos
+    }
+
+    /// How far the character may still come closer, as a translation along the normal: 0, or less. Gaps about as wide as the
+    /// offset leave exactly nothing.
+    pub fn slack(&self, gait: &Gait) -> Real {
+        let slack = gait.offset - self.gap;
+        if slack > -gait.tolerance { 0.0 } else { slack }
+    }
+
+    /// By how much the character is too close; 0 if it is not.
+    pub fn excess(&self, gait: &Gait) -> Real {
+        let excess = gait.offset - self.gap;
+        if excess > gait.tolerance { excess } else { 0.0 }
+    }
+
+    /// Where the character may go.
+    pub fn half_space(&self, gait: &Gait) -> HalfSpace {
+        HalfSpace { normal: self.normal, at_least: self.slack(gait) }
+    }
+
+    /// Where the character may go if the plane were upright; `None` for a level one.
+    pub fn upright_half_space(&self, gait: &Gait) -> Option<HalfSpace> {
+        let (_, across) = gait.split(self.normal);
+        let length = across.length();
+        (length > LEAN)
+            .then(|| HalfSpace { normal: across / length, at_least: self.slack(gait) / length })
+    }
+
+    /// The height of its lowest contact point, as a coordinate along the up direction.
+    pub fn lowest(&self, gait: &Gait) -> Real {
+        self.points.iter().map(|point| point.dot(gait.up)).fold(Real::INFINITY, Real::min)
+    }
+
+    /// Do all of its contact points lie behind another plane?
+    ///
+    /// Then the character, which stays in front of that plane, cannot come closer to this obstacle here than to that one.
+    pub fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
+        self.points.iter().all(|point| (*point - other.points[0]).dot(other.normal) <= tolerance)
+    }
+
+    /// The plane as the hit of a shape at `pose` on a collider at `other`.
+    pub fn hit(&self, pose: &Pose, other: &Pose) -> ShapeCastHit {
+        // Where two faces meet, a push in their middle turns nothing.
+        let middle = self.points.iter().sum::<Vector>() / self.points.len() as Real;
+        ShapeCastHit {
+            time_of_impact: 0.0,
+            witness1: pose.inverse() * (middle + self.normal * self.gap),
+            witness2: other.inverse() * middle,
+            normal1: pose.rotation.inverse() * -self.normal,
+            normal2: other.rotation.inverse() * self.normal,
+            status: ShapeCastStatus::Converged,
+            subshape1: self.subshapes[1],
+            subshape2: self.subshapes[0],
+        }
+    }
+}

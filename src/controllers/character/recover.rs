@@ -1,0 +1,51 @@
+//! Getting out of what has come too close: a wall that moves, a lift that rises, a place where the user put the
+//! character.
+
+use super::gait::Gait;
+use super::mover::Mover;
+use super::planes::{Kind, Plane};
+use super::polyhedron::{HalfSpace, least_violation};
+use crate::dim::math::Vector;
+
+/// After each push the character looks again: what is pushed out of one thing may come too close to the next.
+const PUSHES_MAX: usize = 4;
+
+impl Mover<'_> {
+    /// Pushes the character out of everything that is closer than the offset, and leaves the planes around the place where
+    /// it ends up.
+    ///
+    /// No push is longer than half of the shape's thickness, and everything within that reach takes part, so nothing is
+    /// pushed through anything.
+    pub fn recover(&mut self) {
+        self.look(self.gait.reach());
+        let stride = self.gait.half_thickness.max(self.gait.offset);
+        for _ in 0..PUSHES_MAX {
+            if self.planes.iter().all(|plane| plane.excess(&self.gait) == 0.0) {
+                return;
+            }
+            self.look(self.gait.offset + stride);
+            let spaces: Vec<_> =
+                self.planes.iter().map(|plane| escape(plane, &self.gait)).collect();
+            let push: Vector = least_violation(&spaces);
+            let length = push.length();
+            self.moved += if length > stride { push * (stride / length) } else { push };
+            self.look(self.gait.reach());
+            if length <= self.gait.nothing() {
+                return;
+            }
+        }
+    }
+}
+
+/// Where the character is far enough from what is behind a plane. Floors push straight up, so that a lift does not carry
+/// anybody aside.
+fn escape(plane: &Plane, gait: &Gait) -> HalfSpace {
+    let excess = plane.excess(gait);
+    if excess == 0.0 {
+        HalfSpace { normal: plane.normal, at_least: plane.slack(gait) }
+    } else if plane.kind == Kind::Floor {
+        HalfSpace { normal: gait.up, at_least: excess / plane.rise }
+    } else {
+        HalfSpace { normal: plane.normal, at_least: excess }
+    }
+}

@@ -1,0 +1,118 @@
+//! Which way a wish leads, given the planes around the character.
+
+use super::gait::Gait;
+use super::planes::{Kind, LEAN, Plane};
+use super::polyhedron::{HalfSpace, nearest};
+use super::settings::CharacterSlopeSpeed;
+use crate::dim::math::{Real, Vector};
+use smallvec::SmallVec;
+
+type HalfSpaces = SmallVec<[HalfSpace; 12]>;
+
+/// A translation, and what it is.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Way {
+    pub translation: Vector,
+    /// Does it lead down a slope that does not hold?
+    pub slides: bool,
+}
+
+/// What a floor makes of the horizontal part of a wish.
+struct Lift<'a> {
+    plane: &'a Plane,
+    /// By how much the floor lifts the character that goes there.
+    height: Real,
+}
+
+impl Gait {
+    /// Turns a wish into a translation that no plane forbids.
+    ///
+    /// `sticks`: the character stands on the ground and does not want to leave it, so it follows floors downwards, too.
+    pub fn way(&self, wish: Vector, planes: &[Plane], sticks: bool) -> Way {
+        let (fall, ahead) = self.split(wish);
+        let uprights: HalfSpaces = planes
+            .iter()
+            .filter(|plane| plane.is_upright())
+            .filter_map(|plane| plane.upright_half_space(self))
+            .collect();
+        let free = self.slid(ahead, &uprights);
+        // Who does not slide along walls does not slide up on them, either.
+        let is_stopped = !self.slide && free != ahead;
+        let (ahead, fall) = (free, if is_stopped { fall.min(0.0) } else { fall });
+        let (translation, slides) = match self.lift(ahead, planes) {
+            Some(lift) => self.on_floor(ahead, fall, &lift, sticks),
+            None => (ahead + self.up * fall, false),
+        };
+        let spaces: HalfSpaces = planes.iter().map(|plane| plane.half_space(self)).collect();
+        let solved = self.slid(translation, &spaces);
+        // Down a slope that is too steep to stand on, because nothing else is below.
+        let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > LEAN && !p.holds(self);
+        let is_down = fall < 0.0 && solved.dot(self.up) < -self.nothing();
+        let slides = slides || (is_down && planes.iter().any(is_steep));
+        Way { translation: solved, slides }
+    }
+
+    /// The nearest translation that is allowed, or, for who does not slide, as much of it as is allowed.
+    fn slid(&self, translation: Vector, spaces: &[HalfSpace]) -> Vector {
+        if self.slide {
+            return nearest(translation, spaces).unwrap_or(Vector::ZERO);
+        }
+        let mut share: Real = 1.0;
+        for space in spaces {
+            let along = space.normal.dot(translation);
+            if along < space.at_least {
+                share = share.min(space.at_least / along);
+            }
+        }
+        translation * share.max(0.0)
+    }
+
+    /// The floor that lifts the character highest: that satisfies all others, too.
+    fn lift<'a>(&self, ahead: Vector, planes: &'a [Plane]) -> Option<Lift<'a>> {
+        let floors = planes.iter().filter(|plane| plane.holds(self));
+        let lifts = floors.map(|plane| Lift {
+            plane,
+            height: (plane.slack(self) - ahead.dot(plane.normal)) / plane.rise,
+        });
+        lifts.max_by(|a, b| a.height.total_cmp(&b.height))
+    }
+
+    /// The translation of somebody on a floor. Vertically, the floor alone decides: a wish to go down has no part along
+    /// it, or who stands on a slope would creep.
+    fn on_floor(&self, ahead: Vector, fall: Real, lift: &Lift<'_>, sticks: bool) -> (Vector, bool) {
+        let plane = lift.plane;
+        let is_held = fall <= lift.height || (sticks && lift.height >= -self.snap);
+        if !is_held {
+            return (ahead + self.up * fall, false);
+        }
+        let walk = self.walk(ahead, lift);
+        let slips = plane.is_slippery(self) && fall < 0.0;
+        if !slips {
+            return (walk, false);
+        }
+        let down = (self.up - plane.normal * plane.rise) * fall;
+        (walk + down, true)
+    }
+
+    /// Walking on a floor, at the speed that the settings ask for.
+    fn walk(&self, ahead: Vector, lift: &Lift<'_>) -> Vector {
+        let plane = lift.plane;
+        let speed = match plane.kind {
+            Kind::Floor => self.slope_speed,
+            // Edges are passed, not walked on.
+            _ => CharacterSlopeSpeed::Horizontal,
+        };
+        let across = ahead.dot(plane.normal);
+        let settle = self.up * (plane.slack(self) / plane.rise);
+        let climb = ahead - self.up * (across / plane.rise);
+        match speed {
+            CharacterSlopeSpeed::Horizontal => climb + settle,
+            CharacterSlopeSpeed::Projected => ahead - plane.normal * across + settle,
+            CharacterSlopeSpeed::Constant => {
+                let length = climb.length();
+                let share = if length > 0.0 { ahead.length() / length } else { 1.0 };
+                climb * share + settle
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Going straight until something is in the way.
+//!
+//! Conservative advancement with separating planes (B. Mirtich's idea, 1996; with directions as in E. Coumans' and E. Catto's
+//! continuous collision lectures): the manifold of two convex parts has a normal along which they are a gap apart, and while one
+//! of them moves by `way`, that gap shrinks by no more than `-way·n`. So until the gap of some plane would be used up, the way
+//! is free; there the contacts are computed again. Along a floor no gap shrinks, and one look is enough. Everything rests on the contacts
+//! that also hold the character when it stands, so the two never contradict each other; a search for the time of
+//! impact alone would sometimes see a floor in the way of who walks on it.
+
+use super::gait::Gait;
+use super::obstacles::Obstacles;
+use super::planes::Plane;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::query::QueryFilter;
+use parry::query::ShapeCastOptions;
+
+/// Who goes along a plane at less than this sine goes past it.
+const GRAZING: Real = 1.0e-4;
+/// So often are contacts computed on a piece of the way.
+const LOOKS_MAX: usize = 32;
+/// A way is gone in pieces as long as the shape is thick: so many at most.
+const PIECES_MAX: usize = 64;
+/// A way of more pieces than this is first searched by a cast.
+const PIECES_FAR: Real = 4.0;
+
+/// How far a sweep came.
+pub(super) struct Swept {
+    /// Share of the translation.
+    pub fraction: Real,
+    /// What was in the way, at this place.
+    pub hit: Option<Plane>,
+}
+
+/// A sweep: from a pose along a way, up to a distance of `within`.
+#[derive(Copy, Clone)]
+struct Sweep<'a> {
+    pose: &'a Pose,
+    way: Vector,
+    length: Real,
+    within: Real,
+    gait: &'a Gait,
+}
+
+impl Sweep<'_> {
+    fn pose_at(&self, time: Real) -> Pose {
+        Pose::from_parts(self.pose.translation + self.way * time, self.pose.rotation)
+    }
+
+    /// Length by which a translation by the whole way shortens the gap of a plane.
+    fn approach(&self, plane: &Plane) -> Real {
+        -self.way.dot(plane.normal)
+    }
+
+    /// The plane whose gap is used up first, and when, if all normals stay.
+    fn first_of(&self, planes: &[Plane], time: Real) -> Option<(Real, Plane)> {
+        let in_the_way = planes.iter().filter(|plane| self.approach(plane) > GRAZING * self.length);
+        let times = in_the_way.map(|plane| {
+            let room = (plane.gap - self.within).max(0.0);
+            (time + room / self.approach(plane), plane)
+        });
+        let (time, plane) = times.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((time, plane.clone()))
+    }
+}
+
+impl Obstacles<'_> {
+    /// Moves along `way` until the gap to something that is in the way has become the offset.
+    ///
+    /// The sweep looks for what comes `within` less than the offset, and is taken back: what the character goes along at
+    /// the offset itself is then no hit, however it is rounded.
+    pub fn sweep(&mut self, pose: &Pose, way: Vector, within: Real, gait: &Gait) -> Swept {
+        let length = way.length();
+        let free = Swept { fraction: 1.0, hit: None };
+        if length == 0.0 {
+            return free;
+        }
+        let sweep = Sweep { pose, way, length, within, gait };
+        let piece = (2.0 * gait.half_thickness).max(4.0 * gait.offset) / length;
+        let mut time = 0.0;
+        for _ in 0..PIECES_MAX {
+            if 1.0 - time > PIECES_FAR * piece {
+                time = self.skip(&sweep, time, piece);
+            }
+            let end = (time + piece).min(1.0);
+            if let Some((time, plane)) = self.first_plane(&sweep, time, end) {
+                let back = (gait.offset - within) / sweep.approach(&plane);
+                return Swept { fraction: (time - back).max(0.0), hit: Some(plane) };
+            }
+            time = end;
+            if time >= 1.0 {
+                return free;
+            }
+        }
+        Swept { fraction: time, hit: None }
+    }
+
+    /// The first time in `time..end` when a plane is as close as `within`, and the plane.
+    ///
+    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to them. Before such
+    /// a plane ends the way, contacts are looked for from so near that only what is really there shows up.
+    fn first_plane(&mut self, sweep: &Sweep<'_>, time: Real, end: Real) -> Option<(Real, Plane)> {
+        let (mut time, mut planes) = (time, Vec::new());
+        let (near, tolerance) = (sweep.gait.reach(), sweep.gait.tolerance);
+        let mut reach = sweep.within + (end - time) * sweep.length + tolerance;
+        let mut first = None;
+        for _ in 0..LOOKS_MAX {
+            self.near(&sweep.pose_at(time), reach, sweep.gait, &mut planes);
+            let horizon = time + (reach - sweep.within) / sweep.length;
+            first = sweep.first_of(&planes, time).filter(|&(then, _)| then < horizon.min(end));
+            let then = first.as_ref().map_or(horizon, |&(then, _)| then);
+            let is_stalled = (then - time) * sweep.length <= 0.5 * tolerance;
+            if is_stalled && reach <= near {
+                break;
+            }
+            if is_stalled {
+                reach = (0.25 * reach).max(near);
+                continue;
+            }
+            if then >= end {
+                return None;
+            }
+            time = then;
+            reach = (2.0 * reach).min(sweep.within + (end - time) * sweep.length + tolerance);
+            reach = reach.max(near);
+        }
+        first
+    }
+
+    /// A time up to which nothing is in the way, somewhat before the first hit of a cast.
+    fn skip(&self, sweep: &Sweep<'_>, time: Real, piece: Real) -> Real {
+        let filter = self.queries.filter;
+        let predicate = |handle, collider: &_| {
+            filter.predicate.is_none_or(|passes| passes(handle, collider))
+                && self.may_meet(handle, collider)
+        };
+        let queries =
+            self.queries.with_filter(QueryFilter { predicate: Some(&predicate), ..filter });
+        let options = ShapeCastOptions {
+            max_time_of_impact: 1.0 - time,
+            target_distance: sweep.within,
+            stop_at_penetration: false,
+            compute_impact_geometry_on_penetration: false,
+        };
+        let pose = sweep.pose_at(time);
+        match queries.cast_shape(&pose, sweep.way, self.shape, options) {
+            Some((_, hit)) => time + (hit.time_of_impact - piece).max(0.0),
+            None => 1.0,
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! From a contact manifold to a plane.
+//!
+//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A body that falls does not mind; a character that walks over a ridge would follow the plane into
+//! the air. So contact points that are not on the obstacle do not count, and where none does, the closest points are taken.
+
+use super::gait::Gait;
+use super::planes::Plane;
+use crate::base::guard::guarded;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::RigidBodyType;
+use crate::model::collider::{Collider, ColliderHandle};
+use crate::model::contact::{Contact, ContactManifold};
+use parry::shape::Shape;
+
+/// Rounds of the search for closest points. From a point beside an edge, two or three are enough.
+const ROUNDS_MAX: usize = 8;
+
+/// A collider and the character, where they are.
+#[derive(Copy, Clone)]
+pub(super) struct Touch<'a> {
+    pub handle: ColliderHandle,
+    pub collider: &'a Collider,
+    pub pose: &'a Pose,
+    pub shape: &'a dyn Shape,
+}
+
+impl Touch<'_> {
+    /// A manifold as a plane; `None` if nothing of it is there within `reach`.
+    pub fn plane(&self, manifold: &ContactManifold, reach: Real, gait: &Gait) -> Option<Plane> {
+        let is_genuine = |contact: &&Contact| self.is_genuine(contact, gait);
+        let genuine: Vec<&Contact> = manifold.contacts().iter().filter(is_genuine).collect();
+        if !genuine.is_empty() {
+            return Some(self.of_contacts(manifold, &genuine, gait));
+        }
+        let start = manifold.find_deepest_contact()?;
+        let Some((point, away)) = self.closest(self.collider.position() * start.local_p1, gait)
+        else {
+            // They overlap: the manifold is all that is known.
+            let all: Vec<&Contact> = manifold.contacts().iter().collect();
+            return Some(self.of_contacts(manifold, &all, gait));
+        };
+        let gap = away.length();
+        let subshapes = [manifold.subshape1, manifold.subshape2];
+        let points = core::iter::once(point);
+        (gap <= reach).then(|| self.with_normal(away / gap, gap, points, subshapes, gait))
+    }
+
+    fn of_contacts(&self, manifold: &ContactManifold, contacts: &[&Contact], gait: &Gait) -> Plane {
+        let pose = self.collider.position();
+        let gap = contacts.iter().map(|contact| contact.dist).fold(Real::INFINITY, Real::min);
+        let points = contacts.iter().map(|contact| pose * contact.local_p1);
+        let subshapes = [manifold.subshape1, manifold.subshape2];
+        self.with_normal(pose.rotation * manifold.local_n1, gap, points, subshapes, gait)
+    }
+
+    fn with_normal(
+        &self,
+        normal: Vector,
+        gap: Real,
+        points: impl Iterator<Item = Vector>,
+        subshapes: [u32; 2],
+        gait: &Gait,
+    ) -> Plane {
+        let rise = normal.dot(gait.up);
+        Plane {
+            collider: self.handle,
+            subshapes,
+            is_dynamic: self.collider.parent_type == Some(RigidBodyType::Dynamic),
+            normal,
+            gap,
+            points: points.collect(),
+            kind: Plane::kind_of(rise, gait),
+            rise,
+        }
+    }
+
+    /// Are the two points of a contact really on the obstacle and on the character?
+    fn is_genuine(&self, contact: &Contact, gait: &Gait) -> bool {
+        let is_on = |shape: &dyn Shape, point: Vector| {
+            guarded(|| shape.distance_to_local_point(point, true))
+                .is_none_or(|distance| distance <= gait.tolerance)
+        };
+        is_on(self.collider.shape(), contact.local_p1) && is_on(self.shape, contact.local_p2)
+    }
+
+    /// The closest points, near a given one: that on the obstacle, and the vector from there to the character. `None` if they
+    /// overlap.
+    ///
+    /// Projects to and fro between the two, which for convex parts converges to the closest points (W. Cheney, A.
+    /// Goldstein 1959, "Proximity maps for convex sets").
+    fn closest(&self, near: Vector, gait: &Gait) -> Option<(Vector, Vector)> {
+        let obstacle = self.collider.shape();
+        let on_obstacle = |point: Vector| {
+            guarded(|| obstacle.project_point(self.collider.position(), point, true).point)
+        };
+        let on_character =
+            |point: Vector| guarded(|| self.shape.project_point(self.pose, point, true).point);
+        let (mut from, mut away) = (on_obstacle(near)?, Vector::ZERO);
+        for _ in 0..ROUNDS_MAX {
+            let to = on_character(from)?;
+            let next = on_obstacle(to)?;
+            let moved = (next - from).length();
+            (from, away) = (next, to - next);
+            if moved <= gait.nothing() {
+                break;
+            }
+        }
+        (away.length() > gait.nothing()).then_some((from, away))
+    }
+}

@@ -1,0 +1,31 @@
+//! Floors in 3D: surfaces over the plane of x and z.
+
+use rapier::parry::utils::Array2;
+use rapier::prelude::*;
+
+fn sample(half_side: Real, cells: usize, i: usize) -> Real {
+    half_side * (2.0 * i as Real / cells as Real - 1.0)
+}
+
+/// A mesh of triangles with its heights given by x.
+pub fn mesh(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
+    let at = |i| sample(half_side, cells, i);
+    let count = cells as u32 + 1;
+    let points = (0..=cells).flat_map(|i| (0..=cells).map(move |j| (i, j)));
+    let points = points.map(|(i, j)| Vector::new(at(i), height(at(i)), 0.13 + at(j))).collect();
+    let mut triangles = Vec::new();
+    for corner in (0..count - 1).flat_map(|i| (0..count - 1).map(move |j| i * count + j)) {
+        triangles.push([corner, corner + 1, corner + count]);
+        triangles.push([corner + 1, corner + count + 1, corner + count]);
+    }
+    ColliderBuilder::trimesh(points, triangles).expect("a sound mesh")
+}
+
+/// A height field with its heights given by x.
+pub fn heights(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
+    let mut field = Array2::zeros(cells + 1, cells + 1);
+    for (i, j) in (0..=cells).flat_map(|i| (0..=cells).map(move |j| (i, j))) {
+        field[(i, j)] = height(sample(half_side, cells, j));
+    }
+    ColliderBuilder::heightfield(field, Vector::new(2.0 * half_side, 1.0, 2.0 * half_side))
+}

@@ -1,0 +1,17 @@
+//! Does a character walk as its player expects?
+//!
+//! Each test states a complaint that users have of character controllers, as a figure with the reason for its
+//! tolerance. `table` prints the figures together (`cargo nextest run -p rapier3d characters::table --no-capture`).
+
+mod feedback;
+mod floors;
+mod hooks;
+mod nonsense;
+mod platforms;
+mod pushing;
+mod slopes;
+mod stage;
+mod stairs;
+mod standing;
+mod table;
+mod walls;

@@ -1,0 +1,123 @@
+//! What makes no sense moves nobody, and harms nothing.
+
+use super::stage::{DT, Walker, level};
+use crate::dim::{cuboid, vec};
+use rapier::control::*;
+use rapier::prelude::*;
+
+#[test]
+fn impossible_wishes_times_and_poses_move_nobody() {
+    let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
+    for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
+        for wish in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
+            assert_eq!(walker.ask(wish), EffectiveCharacterMovement::default(), "{wish}");
+        }
+    }
+    let shape = walker.world.colliders[walker.collider].shape();
+    let queries = walker.world.query_pipeline();
+    let still = |dt: Real, pose: Pose| {
+        let moved = walker.controller.move_shape(dt, &queries, shape, &pose, vec(0.1, 0.0), |_| ());
+        assert_eq!(moved, EffectiveCharacterMovement::default());
+    };
+    for dt in [0.0, -DT, Real::NAN, Real::INFINITY] {
+        still(dt, *walker.world.colliders[walker.collider].position());
+    }
+    still(DT, Pose::from_translation(vec(Real::NAN, 0.0)));
+    still(DT, Pose::from_translation(vec(0.0, Real::INFINITY)));
+}
+
+#[test]
+fn impossible_settings_move_nobody() {
+    let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
+    let good = KinematicCharacterController::default();
+    let mut settings = Vec::new();
+    for up in [Vector::ZERO, Vector::Y * Real::NAN, Vector::Y * Real::INFINITY] {
+        settings.push(KinematicCharacterController { up, ..good });
+    }
+    for bad in [-1.0, Real::NAN, Real::INFINITY] {
+        for length in [CharacterLength::Absolute(bad), CharacterLength::Relative(bad)] {
+            settings.push(KinematicCharacterController { offset: length, ..good });
+            let snap_to_ground = Some(length);
+            settings.push(KinematicCharacterController { snap_to_ground, ..good });
+            let step = CharacterAutostep { max_height: length, ..Default::default() };
+            settings.push(KinematicCharacterController { autostep: Some(step), ..good });
+            let step = CharacterAutostep { min_width: length, ..Default::default() };
+            settings.push(KinematicCharacterController { autostep: Some(step), ..good });
+        }
+        settings.push(KinematicCharacterController { normal_nudge_factor: bad, ..good });
+    }
+    settings.push(KinematicCharacterController { max_slope_climb_angle: Real::NAN, ..good });
+    settings.push(KinematicCharacterController { min_slope_slide_angle: Real::NAN, ..good });
+    for controller in settings {
+        walker.controller = controller;
+        assert_eq!(
+            walker.ask(vec(0.1, -0.1)),
+            EffectiveCharacterMovement::default(),
+            "{controller:?}"
+        );
+    }
+}
+
+/// An empty world is free; an up direction of any length will do; angles beyond a quarter turn are a quarter turn.
+#[test]
+fn odd_settings_have_a_meaning() {
+    let mut walker = Walker::new(PhysicsWorld::new(), Vector::ZERO);
+    assert_eq!(walker.ask(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
+    let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
+    for length in [1.0e-20, 7.0, 1.0e20] {
+        walker.controller.up = Vector::Y * length;
+        let movement = walker.ask(vec(0.1, -0.1));
+        assert!(movement.grounded && (movement.translation - vec(0.1, 0.0)).length() < 1.0e-4);
+    }
+    walker.controller.up = Vector::Y;
+    for angle in [10.0, -10.0, Real::INFINITY] {
+        walker.controller.max_slope_climb_angle = angle;
+        assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+    }
+    walker.controller.offset = CharacterLength::Absolute(0.0);
+    assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+}
+
+/// Deep inside of something it gets out within a few calls, or at least stays finite.
+#[test]
+fn who_is_buried_gets_out() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(cuboid(2.0, 2.0), None);
+    let mut walker = Walker::new(world, vec(0.3, 1.5));
+    for _ in 0..30 {
+        walker.step(Vector::ZERO);
+        assert!(walker.place().is_finite());
+    }
+    assert!(walker.place().y > 2.5 || walker.place().x.abs() > 2.2, "{}", walker.place());
+}
+
+/// Random worlds, wishes and settings: always finite, always the same.
+#[test]
+fn nothing_panics_and_everything_repeats() {
+    let mut state = 12345_u64;
+    let mut random = move |low: Real, high: Real| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        low + (high - low) * ((state >> 33) as Real / (1_u64 << 31) as Real)
+    };
+    for _ in 0..60 {
+        let mut world = PhysicsWorld::new();
+        for _ in 0..20 {
+            let place = vec(random(-3.0, 3.0), random(-3.0, 3.0));
+            let size = (random(0.01, 1.0), random(0.01, 1.0));
+            let turn = crate::dim::about_z(random(-3.0, 3.0));
+            world.insert_collider(cuboid(size.0, size.1).translation(place).rotation(turn), None);
+        }
+        let mut walker = Walker::new(world, vec(random(-3.0, 3.0), random(-3.0, 3.0)));
+        walker.controller.autostep = Some(CharacterAutostep::default());
+        walker.controller.slide = random(0.0, 1.0) > 0.2;
+        for _ in 0..20 {
+            let wish = vec(random(-0.3, 0.3), random(-0.3, 0.1));
+            let movement = walker.ask(wish);
+            assert!(movement.translation.is_finite());
+            assert_eq!(movement, walker.ask(wish));
+            let next = walker.place() + movement.translation;
+            walker.world.bodies[walker.body].set_next_kinematic_translation(next);
+            walker.world.step();
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! "My character throws crates across the room", "it cannot push them at all."
+
+use super::stage::{CAPSULE, DT, OFFSET, Walker, level};
+use crate::dim::{cuboid, vec};
+use rapier::prelude::*;
+
+const MASS: Real = 80.0;
+
+/// Pushes what was met in the last step.
+fn push(walker: &mut Walker, dt: Real, mass: Real) {
+    let shape = walker.world.colliders[walker.collider].shared_shape().clone();
+    let mut queries = walker.world.query_pipeline_mut(QueryFilter::default());
+    let (controller, met) = (&walker.controller, &walker.collisions);
+    controller.solve_character_collision_impulses(dt, &mut queries, &*shape, mass, met);
+}
+
+/// The velocity of a free body of this mass after one push by a character that goes at 3/s.
+fn pushed(mass: Real) -> Real {
+    let mut world = level();
+    world.gravity = Vector::ZERO;
+    // As high as the middle of the capsule, so that the push goes through its centre.
+    let middle = 0.9 + OFFSET;
+    let crate_body = RigidBodyBuilder::dynamic().translation(vec(CAPSULE.1 + OFFSET + 0.5, middle));
+    let (crate_body, _) =
+        world.insert(crate_body.lock_rotations(), cuboid(0.5, 0.5).density(0.0).mass(mass));
+    let mut walker = Walker::new(world, vec(0.0, middle));
+    walker.ask(vec(3.0, 0.0) * DT);
+    push(&mut walker, DT, MASS);
+    walker.world.bodies[crate_body].linvel().x
+}
+
+/// The inelastic collision of two masses: `v M / (M + m)`, for any `m`.
+#[test]
+fn pushes_are_those_of_the_characters_mass() {
+    for mass in [0.1, 10.0, 80.0, 1.0e5] {
+        let velocity = pushed(mass);
+        let expected = 3.0 * MASS / (MASS + mass);
+        assert!((velocity / expected - 1.0).abs() < 0.02, "{velocity}, not {expected}, at {mass}");
+    }
+}
+
+/// Walking into a crate pushes it ahead, no faster than the walk; standing on one presses it with no more than the weight.
+#[test]
+fn crates_are_pushed_ahead() {
+    let mut world = level();
+    let crate_body = RigidBodyBuilder::dynamic().translation(vec(2.0, 0.4));
+    let (crate_body, _) = world.insert(crate_body, cuboid(0.4, 0.4).density(30.0));
+    let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+    for _ in 0..180 {
+        walker.step(vec(2.0, 0.0));
+        push(&mut walker, DT, MASS);
+        let velocity = walker.world.bodies[crate_body].linvel();
+        assert!(velocity.length() < 2.1, "thrown at {velocity}");
+    }
+    let x = walker.world.bodies[crate_body].translation().x;
+    assert!(x > 4.0 && walker.place().x > 3.0, "crate at {x}, walker at {}", walker.place());
+}
+
+/// What was met is told once, with the normal against the motion and what was left of the wish.
+#[test]
+fn collisions_are_reported() {
+    let mut world = level();
+    let wall = world.insert_collider(cuboid(1.0, 5.0).translation(vec(2.0, 5.0)), None);
+    let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+    let wish = vec(1.0, -0.1);
+    let movement = walker.ask(wish);
+    let of_wall: Vec<_> = walker.collisions.iter().filter(|c| c.handle == wall).collect();
+    assert_eq!(
+        (of_wall.len(), walker.collisions.len()),
+        (1, 2),
+        "the wall and the ground, once each"
+    );
+    let collision = of_wall[0];
+    assert!((collision.normal() + Vector::X).length() < 1.0e-3, "{}", collision.normal());
+    assert!((collision.translation_applied.x - movement.translation.x).abs() < 1.0e-3);
+    let left = collision.translation_remaining.x + collision.translation_applied.x;
+    assert!((left - wish.x).abs() < 1.0e-3, "{collision:?}");
+    assert!((collision.point().x - (movement.translation.x + CAPSULE.1)).abs() < OFFSET);
+    let on_wall = walker.world.colliders[wall].position() * collision.hit.witness2;
+    assert!((on_wall.x - 1.0).abs() < OFFSET, "{on_wall}");
+}
+
+#[test]
+fn who_has_no_mass_pushes_nothing() {
+    let mut world = level();
+    let (body, _) = world
+        .insert(RigidBodyBuilder::dynamic().translation(vec(0.7, 1.0)), ColliderBuilder::ball(0.3));
+    let mut walker = Walker::new(world, vec(0.0, 1.0));
+    walker.ask(vec(0.5, 0.0));
+    let before = walker.world.bodies[body].vels();
+    for (dt, mass) in [(DT, 0.0), (DT, Real::NAN), (DT, -1.0), (0.0, MASS), (Real::INFINITY, MASS)]
+    {
+        push(&mut walker, dt, mass);
+    }
+    assert_eq!(walker.world.bodies[body].vels(), before);
+}

@@ -1,0 +1,183 @@
+//! "My character does not get up the stairs", "it flies off them on its way down", "it climbs what is too high".
+
+use super::stage::{DT, FOOT, GAP_TOLERANCE, OFFSET, Walker, level};
+use crate::dim::{about_z, cuboid, vec};
+use rapier::control::{CharacterAutostep, CharacterLength};
+use rapier::prelude::*;
+
+fn autostep(max_height: Real) -> Option<CharacterAutostep> {
+    Some(CharacterAutostep {
+        max_height: CharacterLength::Absolute(max_height),
+        min_width: CharacterLength::Absolute(0.3),
+        include_dynamic_bodies: true,
+    })
+}
+
+/// A level with a long block on it that begins at x = 1.
+fn step_of(height: Real) -> PhysicsWorld {
+    let mut world = level();
+    world.insert_collider(cuboid(5.0, height).translation(vec(6.0, 0.0)), None);
+    world
+}
+
+/// Does it get up, and how high does it get?
+pub fn goes_up(shape: &ColliderBuilder, height: Real, max_height: Real, speed: Real) -> bool {
+    let mut walker = Walker::of(step_of(height), shape.clone(), vec(0.0, FOOT + OFFSET)).settled();
+    walker.controller.autostep = autostep(max_height);
+    let before = walker.place().y;
+    let steps = (3.0 / (speed * DT)) as usize;
+    let mut highest: Real = 0.0;
+    for _ in 0..steps {
+        let movement = walker.step(vec(speed, 0.0));
+        assert!(movement.grounded, "left the ground at {}", walker.place());
+        highest = highest.max(walker.place().y - before);
+    }
+    let up = walker.place().y - before;
+    // Coming down onto an edge is stopped early, at an edge that is almost upright by a few tolerances.
+    assert!(highest < height + 2.0e-3, "got as high as {highest}");
+    let expected = if walker.place().x > 1.5 { height } else { 0.0 };
+    assert!((up - expected).abs() < GAP_TOLERANCE, "{up} at {}", walker.place());
+    up > 0.5 * height
+}
+
+#[test]
+fn low_steps_are_taken_and_high_ones_are_walls() {
+    let capsule = ColliderBuilder::capsule_y(super::stage::CAPSULE.0, super::stage::CAPSULE.1);
+    for shape in [capsule, cuboid(0.3, FOOT)] {
+        for (height, expected) in
+            [(0.05, true), (0.2, true), (0.39, true), (0.42, false), (1.0, false)]
+        {
+            for speed in [0.5, 3.0, 8.0] {
+                let up = goes_up(&shape, height, 0.4, speed);
+                assert_eq!(up, expected, "a step of {height} at {speed}");
+            }
+        }
+    }
+}
+
+/// Who walks against a step that is too narrow stays below.
+#[test]
+fn steps_need_room() {
+    for (room, expected) in [(0.2, false), (0.5, true)] {
+        let mut world = step_of(0.2);
+        world.insert_collider(cuboid(1.0, 5.0).translation(vec(2.0 + room, 5.0)), None);
+        let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+        walker.controller.autostep = autostep(0.4);
+        walker.steps(120, vec(2.0, 0.0));
+        assert_eq!(walker.feet() > 0.1, expected, "{room}: {}", walker.place());
+        walker.steps(60, vec(2.0, 0.0));
+        let movement = walker.step(vec(2.0, 0.0));
+        assert!(movement.translation.length() < 1.0e-4, "{room}: trembles by {movement:?}");
+    }
+}
+
+fn stairs(count: usize, rise: Real, run: Real) -> PhysicsWorld {
+    let mut world = level();
+    for i in 0..count {
+        let height = rise * (i + 1) as Real;
+        let left = 1.0 + run * i as Real;
+        let place = vec(left + 10.0, 0.5 * height);
+        world.insert_collider(cuboid(10.0, 0.5 * height).translation(place), None);
+    }
+    world
+}
+
+/// Up and down a flight of stairs: always on the ground, at the wished horizontal speed.
+#[test]
+fn stairs_are_walked_up_and_down() {
+    for speed in [1.5, 4.0] {
+        let mut walker = Walker::new(stairs(8, 0.2, 0.3), vec(0.0, 1.2)).settled();
+        walker.controller.autostep = autostep(0.3);
+        for direction in [1.0, -1.0] {
+            let (from, steps) = (walker.place().x, (5.0 / (speed * DT)) as usize);
+            for _ in 0..steps {
+                let movement = walker.step(vec(direction * speed, 0.0));
+                assert!(movement.grounded, "left the ground at {}", walker.place());
+            }
+            let came = (walker.place().x - from).abs() / (speed * DT * steps as Real);
+            // A little less than all, because a round bottom rolls over each edge: its way is longer than the stairs.
+            assert!((0.93..1.001).contains(&came), "came {came} of the way at {speed}");
+            let expected = if direction > 0.0 { 1.6 } else { 0.0 };
+            let feet = walker.feet() - OFFSET;
+            assert!((feet - expected).abs() < GAP_TOLERANCE, "feet at {feet}");
+        }
+    }
+}
+
+#[test]
+fn without_autostep_a_step_is_a_wall() {
+    let mut walker = Walker::new(step_of(0.25), vec(0.0, 1.2)).settled();
+    walker.steps(120, vec(2.0, 0.0));
+    assert!(walker.feet() < 0.1, "{}", walker.place());
+}
+
+/// A slope that is too steep is no staircase, however small its parts.
+#[test]
+fn steep_slopes_are_no_steps() {
+    let mut world = level();
+    let angle = Real::to_radians(60.0);
+    let place = vec(1.0 + angle.sin(), -angle.cos());
+    world.insert_collider(cuboid(20.0, 1.0).translation(place).rotation(about_z(angle)), None);
+    let mut walker = Walker::new(world, vec(-1.0, 1.2)).settled();
+    walker.controller.autostep = autostep(0.4);
+    walker.steps(240, vec(3.0, 0.0));
+    assert!((walker.feet() - OFFSET).abs() < GAP_TOLERANCE, "{}", walker.place());
+}
+
+/// From a slope onto a step, and from a step onto a slope.
+#[test]
+fn steps_work_on_slopes() {
+    let angle = Real::to_radians(20.0);
+    let (along, out) = (vec(angle.cos(), angle.sin()), vec(-angle.sin(), angle.cos()));
+    for tilted in [true, false] {
+        let mut world = super::stage::slope(20.0);
+        let corner = along * 2.0;
+        let block = if tilted {
+            // A slab of 0.15 on the slope.
+            let middle = corner + along * 5.0 + out * 0.05;
+            cuboid(5.0, 0.1).translation(middle).rotation(about_z(angle))
+        } else {
+            // Its level top begins 0.2 above the slope.
+            cuboid(0.5, 1.0).translation(corner + vec(0.5, 0.2 - 1.0))
+        };
+        world.insert_collider(block, None);
+        let start = super::stage::on_slope(20.0, 0.0);
+        let mut walker = Walker::new(world, start).settled();
+        walker.controller.autostep = autostep(0.4);
+        let mut seen = false;
+        for _ in 0..90 {
+            let movement = walker.step(vec(2.5, 0.0));
+            assert!(movement.grounded, "{tilted}: left the ground at {}", walker.place());
+            seen |= walker.place().x > corner.x + 0.4;
+        }
+        assert!(seen, "{tilted}: is stuck at {}", walker.place());
+    }
+}
+
+/// Dynamic bodies are steps only if they should be.
+#[test]
+fn dynamic_bodies_may_be_steps() {
+    for include in [true, false] {
+        let mut world = level();
+        let block = RigidBodyBuilder::dynamic().translation(vec(3.0, 0.1)).lock_translations();
+        world.insert(block.lock_rotations(), cuboid(2.0, 0.1));
+        let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+        let mut step = autostep(0.4).expect("is there");
+        step.include_dynamic_bodies = include;
+        walker.controller.autostep = Some(step);
+        walker.steps(90, vec(2.0, 0.0));
+        assert_eq!(walker.feet() > 0.15, include, "{}", walker.place());
+    }
+}
+
+/// Off a cliff it falls, and does not stick to its side.
+#[test]
+fn cliffs_are_fallen_from() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(cuboid(2.0, 2.0).translation(vec(0.0, -2.0)), None);
+    let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+    walker.controller.autostep = autostep(0.4);
+    walker.steps(240, vec(2.0, 0.0));
+    assert!(!walker.grounded && walker.place().y < -5.0, "{}", walker.place());
+    assert!((walker.place().x - 8.0).abs() < 0.4, "{}", walker.place());
+}

@@ -1,0 +1,177 @@
+//! "My character sticks to walls", "it trembles in corners", "it gets stuck in corridors", "it is pushed through the wall".
+
+use super::stage::{CAPSULE, DT, GAP_TOLERANCE, OFFSET, Walker, level};
+use crate::dim::{about_z, cuboid, vec};
+use rapier::prelude::*;
+
+/// The side of a capsule at the offset from a wall whose side is at `x`.
+fn at_wall(x: Real) -> Real {
+    x - CAPSULE.1 - OFFSET
+}
+
+fn wall(world: &mut PhysicsWorld, left_side: Real) -> ColliderHandle {
+    world.insert_collider(cuboid(1.0, 20.0).translation(vec(left_side + 1.0, 19.0)), None)
+}
+
+#[test]
+fn walking_into_a_wall_ends_at_the_offset() {
+    for speed in [1.0, 5.0, 300.0] {
+        let mut world = level();
+        wall(&mut world, 3.0);
+        let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+        walker.steps(240, vec(speed, 0.0));
+        let x = walker.place().x;
+        assert!((x - at_wall(3.0)).abs() < GAP_TOLERANCE, "at {x}, not {}", at_wall(3.0));
+        for _ in 0..60 {
+            assert_eq!(walker.step(vec(speed, 0.0)).translation, Vector::ZERO);
+        }
+    }
+}
+
+/// Flying along a wall while pressing against it keeps the part of the speed along the wall.
+#[test]
+fn walls_take_away_what_goes_into_them_and_nothing_else() {
+    for degrees in [0.0, 20.0, -20.0] {
+        let angle = Real::to_radians(degrees);
+        let (along, away) = (vec(-angle.sin(), angle.cos()), vec(-angle.cos(), -angle.sin()));
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(
+            cuboid(1.0, 50.0).translation(away * -1.0).rotation(about_z(angle)),
+            None,
+        );
+        let ball = ColliderBuilder::ball(0.3);
+        let mut walker = Walker::of(world, ball, away * 0.5);
+        walker.controller.up = along;
+        let wish = along * 0.05 - away * 0.02;
+        let mut way = Vector::ZERO;
+        for _ in 0..120 {
+            let movement = walker.ask(wish);
+            let next = walker.place() + movement.translation;
+            walker.world.bodies[walker.body].set_next_kinematic_translation(next);
+            walker.world.step();
+            way += movement.translation;
+        }
+        assert!((way.dot(along) / (120.0 * 0.05) - 1.0).abs() < 0.01, "{way}");
+        let gap = walker.place().dot(away) - 0.3;
+        assert!((gap - 0.006).abs() < GAP_TOLERANCE, "{degrees}: gap {gap}");
+    }
+}
+
+/// In an acute corner the motion ends, stays ended, and never comes closer to either side than the offset.
+#[test]
+fn corners_hold_still() {
+    for half_angle in [5.0, 15.0, 30.0, 40.0] {
+        let mut world = PhysicsWorld::new();
+        for side in [-1.0, 1.0] {
+            let angle = -side * Real::to_radians(half_angle);
+            let (along, away) = (vec(angle.cos(), angle.sin()), vec(-angle.sin(), angle.cos()));
+            let place = vec(10.0, 0.0) - along * 20.0 + away * side;
+            world.insert_collider(
+                cuboid(20.0, 1.0).translation(place).rotation(about_z(angle)),
+                None,
+            );
+        }
+        // The lower side is a floor.
+        let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
+        for step in 0..400 {
+            let movement = walker.ask(vec(0.1, -0.01));
+            let next = walker.place() + movement.translation;
+            walker.world.bodies[walker.body].set_next_kinematic_translation(next);
+            walker.world.step();
+            let last = movement.translation.length();
+            assert!(step < 360 || last == 0.0, "{half_angle}°: moves by {last} in step {step}");
+        }
+    }
+}
+
+/// As wide as the character and its offsets, and narrower: it goes through all the same, at full speed.
+#[test]
+fn narrow_corridors_are_no_trap() {
+    for extra in [0.5, 0.0, -0.5, -1.0, -1.5] {
+        let mut world = PhysicsWorld::new();
+        let width = 2.0 * (0.3 + 0.006 * (1.0 + extra));
+        for side in [-1.0, 1.0] {
+            let place = vec(0.0, side * (1.0 + 0.5 * width));
+            world.insert_collider(cuboid(50.0, 1.0).translation(place), None);
+        }
+        let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
+        for _ in 0..60 {
+            let movement = walker.ask(vec(0.05, 0.01));
+            assert!(
+                (movement.translation.x - 0.05).abs() < 5.0e-4,
+                "{} in a corridor of width {width}",
+                movement.translation
+            );
+            let next = walker.place() + movement.translation;
+            walker.world.bodies[walker.body].set_next_kinematic_translation(next);
+            walker.world.step();
+            assert!(walker.place().y.abs() < 0.006 * (1.0 + extra.abs()), "{}", walker.place());
+        }
+        let place = walker.place();
+        let movement = walker.ask(Vector::ZERO);
+        assert!(movement.translation.length() < 2.0e-3, "{extra}: {movement:?} at {place}");
+    }
+}
+
+/// A wall that moves pushes it along, and it is never further inside than the wall came in one step.
+#[test]
+fn moving_walls_push() {
+    for speed in [-1.0, -6.0] {
+        let mut world = level();
+        let wall = RigidBodyBuilder::kinematic_velocity_based()
+            .translation(vec(3.0, 3.0))
+            .linvel(vec(speed, 0.0));
+        let (wall, _) = world.insert(wall, cuboid(1.0, 2.9));
+        let mut walker = Walker::new(world, vec(0.5, 1.2)).settled();
+        walker.steps(60, Vector::ZERO);
+        for _ in 0..60 {
+            let movement = walker.step(Vector::ZERO);
+            let left_side = walker.world.bodies[wall].translation().x - 1.0;
+            let gap = left_side - walker.place().x - CAPSULE.1;
+            assert!(gap > OFFSET + speed * DT - GAP_TOLERANCE, "{gap} at {speed}");
+            assert!(movement.grounded && (walker.feet() - OFFSET).abs() < GAP_TOLERANCE);
+        }
+        let left_side = walker.world.bodies[wall].translation().x - 1.0;
+        assert!(walker.place().x < left_side, "was passed");
+    }
+}
+
+/// Between a moving wall and one that stands, nothing can be done; but nothing explodes, either.
+#[test]
+fn who_is_crushed_stays_between() {
+    let mut world = level();
+    wall(&mut world, 1.0);
+    let press = RigidBodyBuilder::kinematic_velocity_based()
+        .translation(vec(-2.0, 3.0))
+        .linvel(vec(1.0, 0.0));
+    let (press, _) = world.insert(press, cuboid(1.0, 2.9));
+    let mut walker = Walker::new(world, vec(0.0, 1.2));
+    for _ in 0..100 {
+        walker.step(Vector::ZERO);
+        let place = walker.place();
+        assert!(
+            place.x.abs() < 1.0 && walker.feet() > -GAP_TOLERANCE && walker.feet() < 0.5,
+            "{place}"
+        );
+    }
+    assert!(walker.world.bodies[press].translation().x > -0.5);
+}
+
+/// Without sliding it stops where it meets a wall, but walks on floors.
+#[test]
+fn who_does_not_slide_stops() {
+    let mut world = level();
+    let leaning = cuboid(1.0, 20.0).translation(vec(4.0, 0.0)).rotation(about_z(-0.2));
+    world.insert_collider(leaning, None);
+    let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
+    walker.controller.slide = false;
+    walker.steps(30, vec(2.0, 0.0));
+    assert!((walker.place().x - 1.0).abs() < 0.01, "{}", walker.place());
+    walker.steps(120, vec(2.0, 0.0));
+    let place = walker.place();
+    let jump = walker.ask(vec(0.1, 0.1));
+    assert!(jump.translation.length() < 0.02, "{jump:?} at {place}");
+    walker.controller.slide = true;
+    let jump = walker.ask(vec(0.1, 0.1));
+    assert!(jump.translation.y > 0.05, "{jump:?} at {place}");
+}
