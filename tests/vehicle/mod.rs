@@ -10,5 +10,6 @@ mod ground;
 mod hostile;
 mod parking;
 mod rolling;
+mod rough;
 mod sleeping;
 mod suspension;

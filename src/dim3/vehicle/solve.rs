@@ -10,7 +10,7 @@ use crate::dim::math::{Real, Vector};
 /// wheels, whose rows say the same thing several times over.
 const VISITS: usize = 50;
 /// When no row changes its velocity by more than this share of what the first visits changed, all are solved.
-const SETTLED: Real = 8.0 * Real::EPSILON;
+const SETTLED: Real = 1.0e-6;
 
 /// Finds the impulses of all wheels.
 pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds: &mut Grounds) {
