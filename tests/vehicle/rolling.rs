@@ -180,3 +180,37 @@ fn spin_in_the_air() {
     road.run(1.0);
     assert_eq!(road.car.wheels()[3].spin(), 0.0);
 }
+
+/// Whoever keeps the trees, the car drives the same, to the last bit.
+#[test]
+fn three_ways_to_ask() {
+    let dt = 1.0 / 60.0;
+    let drive = |update: &dyn Fn(&mut DynamicRayCastVehicleController, &mut PhysicsWorld)| {
+        let mut road = Road::level(60, 1.0);
+        road.wheels(|wheel| wheel.engine_force = 700.0);
+        for wheel in &mut road.car.wheels_mut()[..2] {
+            wheel.steering = 0.1;
+        }
+        for _ in 0..120 {
+            update(&mut road.car, &mut road.world);
+            road.world.step();
+        }
+        crate::dim::components(road.chassis().position())
+    };
+    let filter = QueryFilter::default();
+    let by_world = drive(&|car, world| car.update_vehicle(dt, world.query_pipeline_mut(filter)));
+    let by_parts = drive(&|car, world| {
+        let PhysicsWorld { broad_phase, narrow_phase, bodies, colliders, .. } = world;
+        let dispatcher = narrow_phase.query_dispatcher();
+        let queries = broad_phase.as_query_pipeline_mut(dispatcher, bodies, colliders, filter);
+        car.update_vehicle(dt, queries);
+    });
+    let by_queries = drive(&|car, world| {
+        let mut queries = QueryPipeline::new();
+        queries.update(&world.colliders);
+        car.update_vehicle(dt, queries.view_mut(&mut world.bodies, &world.colliders, filter));
+    });
+    assert!(by_world[0] > 2.0, "{by_world:?}");
+    assert_eq!(by_world, by_parts);
+    assert_eq!(by_world, by_queries);
+}

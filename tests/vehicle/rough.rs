@@ -104,7 +104,7 @@ fn wild_driving() {
                 format!("{turns:.2}"),
                 format!("{highest:.2}"),
             ]);
-            // One second of full throttle gains 10 m/s; twice that is more than any sequence here.
+            // A second of full throttle gains 10 m/s; a toy that gained energy from bumps would soon have more.
             table.require(fastest < 25.0, "it is too fast");
             table.require(turns < 12.0, "it tumbles");
             table.require(highest < 20.0, "it flies");
