@@ -214,3 +214,29 @@ fn three_ways_to_ask() {
     assert_eq!(by_world, by_parts);
     assert_eq!(by_world, by_queries);
 }
+
+/// A wheel is drawn as it rolls: forwards its top goes ahead, steered to the left its front goes left (-z, seen along x with
+/// y up), and its drawn axle is the one that it drives with.
+#[test]
+fn drawn_as_it_rolls() {
+    let mut road = Road::level(60, 1.0);
+    road.run(1.0);
+    let chassis = road.car.chassis;
+    road.world.bodies[chassis].set_linvel(Vector::X * 3.0, true);
+    road.world.bodies[chassis].set_angvel(Vector::Y * 0.5, true);
+    let before = road.car.wheels()[0].rotation_cs();
+    road.step();
+    let wheel = &mut road.car.wheels_mut()[0];
+    let top_goes = wheel.rotation_cs() * (before.inverse() * Vector::Y);
+    assert!(wheel.spin() > 0.0 && top_goes.x > 0.1, "{top_goes}");
+    wheel.rotation = 0.0;
+    wheel.steering = 0.3;
+    let front = wheel.rotation_cs() * Vector::X;
+    assert!(front.z < -0.2 && front.y.abs() < 1.0e-6, "{front}");
+    let pose = *road.chassis().position();
+    road.step();
+    let wheel = &road.car.wheels()[0];
+    let drawn = pose.rotation * (wheel.rotation_cs() * wheel.axle_cs);
+    assert!((drawn - wheel.axle()).length() < 1.0e-5, "{drawn} {}", wheel.axle());
+    assert!((pose * wheel.center_cs() - wheel.center()).length() < 1.0e-5);
+}

@@ -10,10 +10,13 @@
 //! 1. [`place`](self::place): where each wheel hangs, and what its ray hits.
 //! 2. [`memory`]: what pulled at the chassis since the last update that was none of our doing: gravity,
 //!    say. It will pull again.
-//! 3. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows of friction
+//! 3. [`ground`]: what the wheels stand on, and how much that gives way.
+//! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows of friction
 //!    with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
-//! 4. The impulses become pushes: forces that last for the next step alone.
 //! 5. [`spin`]: the wheels turn.
+//! 6. The impulses become pushes: forces that last for the next step alone.
+//!
+//! A vehicle that sleeps does the first alone ([`rest`]).
 //!
 //! **Why pushes.** An impulse before a step is there at once, while gravity comes little by little: of a car that
 //! stands still, each would be undone only at the step's end, and the body would report a speed that it has not. A
