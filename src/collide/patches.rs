@@ -15,8 +15,8 @@ use smallvec::SmallVec;
 
 /// A normal whose squared length is off by more than this is the product of degenerate geometry.
 const NORMAL_TOLERANCE: Real = 1.0e-2;
-/// Normals with at least this cosine to each other (1.1 degrees) become one manifold.
-const SAME_WAY: Real = 0.9998;
+/// Normals with at least this cosine to that of the deepest patch (5 degrees) become one manifold.
+const SAME_WAY: Real = 0.9962;
 /// Points closer to each other than this share of the manifold's size are one.
 const SAME_PLACE: Real = 1.0e-3;
 
@@ -120,19 +120,30 @@ impl Patches {
     }
 
     /// Makes manifolds of the patches: one for each direction in which the shapes touch.
-    pub fn into_manifolds(&mut self, pos12: &Pose, out: &mut SmallVec<[ContactManifold; 1]>) {
+    ///
+    /// The normal of a manifold is the mean of the patches', each weighted with how much nearer than the
+    /// prediction it is: a body in a shallow valley is carried straight up.
+    pub fn into_manifolds(
+        &mut self,
+        pos12: &Pose,
+        prediction: Real,
+        out: &mut SmallVec<[ContactManifold; 1]>,
+    ) {
         self.merged.clear();
         self.merged.extend(self.list.iter().map(|patch| patch.points.is_empty()));
         while let Some(deepest) = self.deepest_unmerged() {
-            let (normal, parts) = (self.list[deepest].normal, self.list[deepest].parts);
+            let (first, parts) = (self.list[deepest].normal, self.list[deepest].parts);
+            let mut normal = Vector::ZERO;
             self.gathered.clear();
             for (patch, merged) in self.list.iter().zip(&mut self.merged) {
-                if !*merged && patch.normal.dot(normal) > SAME_WAY {
+                if !*merged && patch.normal.dot(first) > SAME_WAY {
                     *merged = true;
+                    normal += patch.normal * (prediction - patch.dist);
                     let points = &self.points[patch.points.clone()];
                     self.gathered.extend(points.iter().map(|point| patch.named(point, parts)));
                 }
             }
+            let normal = normal.normalize_or(first);
             reduce(&mut self.gathered, normal);
             drop_doubles(&mut self.gathered);
             push_manifold(&mut self.gathered, normal, parts, pos12, out);

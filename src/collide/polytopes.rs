@@ -9,7 +9,8 @@
 
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
-    Face, FaceContact, Polytope, RawManifold, RawPoint, clip_faces, edge_normal,
+    BestAxis, Face, FaceContact, Polytope, RawManifold, RawPoint, Side, best_axis, clip_faces,
+    edge_normal,
 };
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::PackedFeatureId;
@@ -38,6 +39,8 @@ struct Pair<'a> {
     polytope1: &'a Polytope<'a>,
     polytope2: &'a Polytope<'a>,
     prediction: Real,
+    /// Is there no layer around either? With one, they touch with corners while they are apart.
+    is_sharp: bool,
 }
 
 /// A face that may separate the polytopes.
@@ -68,6 +71,7 @@ pub(super) fn polytope_polytope(
         polytope1: &polytope1,
         polytope2: &polytope2,
         prediction: prediction + radius,
+        is_sharp: radius == 0.0,
     };
     let gap = pair.add_contacts(raw);
     pair.thicken([radius1, radius2], raw);
@@ -91,6 +95,7 @@ pub(super) fn face_contacts(
         polytope1: &polytope1,
         polytope2: &polytope2,
         prediction: prediction + radius1 + radius2,
+        is_sharp: radius1 + radius2 == 0.0,
     };
     let face = if is_first { pair.first_face(direction) } else { pair.second_face(direction) };
     if let Some(face) = face.filter(|face| face.normal.dot(direction) > LOOKS_ALONG) {
@@ -103,6 +108,10 @@ impl Pair<'_> {
     /// Computes the contacts. Returns a lower bound of the distance, 0 if nothing is known of it.
     fn add_contacts(&self, raw: &mut RawManifold) -> Real {
         let (hint, prediction) = (raw.local_n1, self.prediction);
+        let axis = || best_axis(self.pos12, self.polytope1, self.polytope2, prediction, hint);
+        if let Some(axis) = self.is_sharp.then(axis).flatten() {
+            return self.add_along(&axis, raw);
+        }
         let is_known = hint != Vector::ZERO;
         let guess = if is_known { hint } else { self.pos12.translation.normalize_or(Vector::Y) };
         let best = self.best_face(guess, hint);
@@ -130,6 +139,24 @@ impl Pair<'_> {
         }
         self.search(hint, raw);
         0.0
+    }
+
+    /// Adds the contacts of the face or the edges that an axis belongs to. Polytopes that are apart and meet
+    /// with corners alone have none.
+    fn add_along(&self, axis: &BestAxis, raw: &mut RawManifold) -> Real {
+        raw.local_n1 = axis.normal;
+        if axis.gap > self.prediction {
+            return axis.gap;
+        }
+        let face = axis.face.and_then(|side| match side {
+            Side::First => self.first_face(axis.normal),
+            Side::Second => self.second_face(axis.normal),
+        });
+        match face {
+            Some(face) => drop(self.add_face(&face, raw)),
+            None => drop(self.add_edges(axis.normal, raw)),
+        }
+        if raw.points.is_empty() { axis.gap.max(0.0) } else { 0.0 }
     }
 
     /// The best separation along the faces that look along `direction`.

@@ -38,11 +38,14 @@ pub mod convex_pile;
 pub mod junkyard;
 pub mod washer;
 pub mod large_world;
+pub mod fine_mesh;
+pub mod tiles;
+pub mod cobbles;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 38] = [
+pub const SCENES: [SceneInfo; 41] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -81,4 +84,7 @@ pub const SCENES: [SceneInfo; 38] = [
     junkyard::INFO,
     washer::INFO,
     large_world::INFO,
+    fine_mesh::INFO,
+    tiles::INFO,
+    cobbles::INFO,
 ];

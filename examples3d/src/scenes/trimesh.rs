@@ -24,8 +24,7 @@ const RADIUS: Real = 9.0;
 pub fn build() -> Scene {
     let mut world = PhysicsWorld::new();
     let (vertices, triangles) = bowl();
-    let shape =
-        ColliderBuilder::trimesh_with_flags(vertices, triangles, TriMeshFlags::FIX_INTERNAL_EDGES);
+    let shape = ColliderBuilder::trimesh(vertices, triangles);
     world.insert(RigidBodyBuilder::fixed(), shape.expect("the bowl has triangles"));
     for i in 0..120 {
         let angle = 0.6 * i as Real;

@@ -1,5 +1,6 @@
 //! Contacts of the shapes that fill scenes, and what of contact generation depends on the dimension.
 
+mod axes;
 mod cells;
 mod clip;
 mod cuboid;
@@ -11,6 +12,7 @@ mod reduce;
 #[cfg(test)]
 pub mod samples;
 
+pub use axes::{BestAxis, Side, best_axis};
 pub use cells::{flat_corners, for_each_cell, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;

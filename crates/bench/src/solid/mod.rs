@@ -49,7 +49,7 @@ fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsu
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
-const SCENES: [(&str, bool); 12] = [
+const SCENES: [(&str, bool); 15] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
     ("convex_pile", true),
@@ -62,6 +62,9 @@ const SCENES: [(&str, bool); 12] = [
     ("heavy_on_light", false),
     ("trimesh", false),
     ("heightfield", false),
+    ("fine_mesh", false),
+    ("tiles", false),
+    ("cobbles", false),
 ];
 
 /// The scenes in 3D.
