@@ -88,7 +88,7 @@ pub(crate) fn compute_manifolds(
     for side in 0..2 {
         search.take_out_seams(side, seams);
     }
-    search.patches.into_manifolds(&pos12, prediction, out);
+    search.patches.merge(&pos12, prediction, out);
     bound
 }
 
@@ -356,6 +356,6 @@ fn voxel_manifolds(
             patches.add(raw, &part1, &part2);
         }
     }
-    patches.into_manifolds(pos12, prediction, out);
+    patches.merge(pos12, prediction, out);
     if out.is_empty() { prediction } else { 0.0 }
 }

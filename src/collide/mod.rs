@@ -28,3 +28,4 @@ mod voxels;
 pub(crate) use manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, seams_among};
+pub(crate) use seams::SAME_NORMAL;

@@ -123,7 +123,7 @@ impl Patches {
     ///
     /// The normal of a manifold is the mean of the patches', each weighted with how much nearer than the
     /// prediction it is: a body in a shallow valley is carried straight up.
-    pub fn into_manifolds(
+    pub fn merge(
         &mut self,
         pos12: &Pose,
         prediction: Real,

@@ -42,7 +42,7 @@ const LEVEL: Real = 9.0e-6;
 /// How far a hidden seam's other side rises above the contact plane, at least, as a share of the tolerance.
 const RISE: Real = 0.05;
 /// Normals whose difference has at most this squared length (0.06 degrees) are the same.
-const SAME: Real = 1.0e-6;
+pub(crate) const SAME_NORMAL: Real = 1.0e-6;
 /// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
 /// and more.
 const PARALLEL: Real = 1.0e-10;
@@ -140,7 +140,7 @@ impl<'a> Facet<'a> {
 impl Facet<'_> {
     /// Does `self` meet the same part of the body in another direction?
     fn is_other(&self, facet: &Self) -> bool {
-        self.on == facet.on && self.plane.distance_squared(facet.plane) > SAME
+        self.on == facet.on && self.plane.distance_squared(facet.plane) > SAME_NORMAL
     }
 
     /// First rule: is the obstacle of `self` behind the plane of `other`?

@@ -10,4 +10,4 @@ pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints,
 pub use narrow_phase::NarrowPhase;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use placement::{MotionSince, Placement, WidePlacement};
-pub(crate) use store::{AwakePair, DUE, Entry, Pair, PairId, PairStore};
+pub(crate) use store::{AwakePair, DUE, Entry, Pair, PairId, PairStore, StoreParts};

@@ -51,6 +51,16 @@ pub(crate) struct Entry<P> {
     awake: u32,
 }
 
+/// The parts of a store that differ in who may write them.
+pub(crate) struct StoreParts<'a, P> {
+    /// What the narrow phase visits.
+    pub awake: &'a [AwakePair],
+    /// The ids of the pairs of each collider slot.
+    pub of_collider: &'a [Vec<PairId>],
+    /// All entries by id.
+    pub entries: &'a mut [Option<Entry<P>>],
+}
+
 /// All pairs of one kind. See the [module](self).
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
@@ -209,9 +219,13 @@ impl<P: Pair> PairStore<P> {
         &self.awake
     }
 
-    /// What the narrow phase visits, the ids of the pairs of each collider slot, and all entries by id.
-    pub fn split(&mut self) -> (&[AwakePair], &[Vec<PairId>], &mut [Option<Entry<P>>]) {
-        (&self.awake, &self.of_collider, &mut self.entries)
+    /// The store, taken apart.
+    pub fn split(&mut self) -> StoreParts<'_, P> {
+        StoreParts {
+            awake: &self.awake,
+            of_collider: &self.of_collider,
+            entries: &mut self.entries,
+        }
     }
 
     /// The pair of an entry; `None` if there is none with this id.

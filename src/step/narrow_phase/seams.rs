@@ -15,11 +15,11 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, seams_among};
+use crate::collide::{Neighbor, SAME_NORMAL, seams_among};
 use crate::dim::math::Real;
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
-use crate::model::contact::{AwakePair, ContactPair, Entry, PairId, PairStore};
+use crate::model::contact::{AwakePair, ContactPair, Entry, PairId, PairStore, StoreParts};
 use core::ops::Range;
 use smallvec::SmallVec;
 
@@ -64,7 +64,7 @@ pub(super) fn look_again(
     scratch.group(store, &computed);
     let SeamScratch { touching, groups } = &*scratch;
     let Computed { due, outcomes } = computed;
-    let (awake, of_collider, entries) = store.split();
+    let StoreParts { awake, of_collider, entries } = store.split();
     let (entries, outcomes) = (DisjointMut::new(entries), DisjointMut::new(outcomes));
     let pair_of = |index: u32| awake[due[index as usize] as usize].id;
     Tasks::current().par_for(groups.len(), BODIES_PER_TASK, |range| {
@@ -72,11 +72,15 @@ pub(super) fn look_again(
         for group in &groups[range] {
             let members = &touching[group.clone()];
             let ids = &of_collider[members[0].0 as usize];
+            // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
+            // of two bodies to none.
+            let entry = |id: PairId| unsafe { entries.get(id as usize) };
+            if look_alike(members[0].0, ids.iter().filter_map(|&id| PairStore::pair(entry(id)))) {
+                continue;
+            }
             let mut contacts = Contacts::default();
             for &id in ids {
-                // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and
-                // pairs of two bodies to none.
-                contacts.add(around, id, unsafe { entries.get(id as usize) });
+                contacts.add(around, id, entry(id));
             }
             contacts.take_out_seams(around.params.allowed_linear_error());
             for &(_, index) in members {
@@ -93,6 +97,21 @@ pub(super) fn look_again(
         }
         workers.put(worker);
     });
+}
+
+/// Do all contacts of the collider in a slot push it in the same direction? Then none is a seam.
+fn look_alike<'a>(slot: u32, pairs: impl Iterator<Item = &'a ContactPair>) -> bool {
+    let mut first = None;
+    for pair in pairs {
+        let is_second = pair.collider2.into_raw_parts().0 == slot;
+        for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {
+            let normal = manifold.data.normal * if is_second { 1.0 } else { -1.0 };
+            if normal.distance_squared(*first.get_or_insert(normal)) > SAME_NORMAL {
+                return false;
+            }
+        }
+    }
+    true
 }
 
 impl SeamScratch {

@@ -10,7 +10,7 @@ use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
 use crate::model::contact::{
-    AwakePair, ContactManifold, DUE, NarrowPhase, Pair, PairId, PairStore,
+    AwakePair, ContactManifold, DUE, NarrowPhase, Pair, PairId, PairStore, StoreParts,
 };
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
@@ -142,8 +142,8 @@ fn look_at_all<P: Update>(
     outcomes: &mut [Outcome],
     workers: &Pool<Worker>,
 ) {
-    let (awake, _, pairs) = store.split();
-    let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
+    let StoreParts { awake, entries, .. } = store.split();
+    let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(entries));
     Tasks::current().par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
         for index in range {
