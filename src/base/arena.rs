@@ -4,6 +4,8 @@
 //! what stood there before no longer finds anything. Iteration is in slot order: it depends on the
 //! order of insertions and removals alone, never on addresses.
 
+use super::wide::prefetch;
+
 /// Where an element of an arena stands, and which of the slot's successive tenants it is.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
@@ -195,6 +197,14 @@ impl<T> Arena<T> {
                 Some((Index { index: slot, generation: *generation }, value))
             }
             _ => None,
+        }
+    }
+
+    /// Begins to bring what stands in a slot near to the processor.
+    #[inline(always)]
+    pub fn prefetch(&self, slot: u32) {
+        if let Some(slot) = self.slots.get(slot as usize) {
+            prefetch(slot);
         }
     }
 

@@ -29,6 +29,9 @@ bitflags::bitflags! {
 impl QueryFilterFlags {
     /// Does a collider of this kind pass?
     fn test(self, traits: &Traits) -> bool {
+        if self.is_empty() {
+            return true;
+        }
         let body = match traits.body_type {
             RigidBodyType::Fixed => Self::EXCLUDE_FIXED,
             RigidBodyType::Dynamic => Self::EXCLUDE_DYNAMIC,

@@ -6,8 +6,7 @@
 //!
 //! Two rules hold for all questions. *The nearest answer is the one that a look at every collider would
 //! give*, to the last bit: trees only spare us those that cannot matter, and of colliders that are equally near the
-//! one with the lower slot is meant, whatever the shape of the tree. (But for what parry's own casts lose: from more than some
-//! hundred times the size of a ball away, a ray's cast at it has few digits left.) *A question that makes no sense has no answer*: a ray or a
+//! one with the lower slot is meant, whatever the shape of the tree. *A question that makes no sense has no answer*: a ray or a
 //! pose that is not finite, a direction of no length, a time that is not a number.
 
 mod filter;

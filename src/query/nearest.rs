@@ -54,7 +54,8 @@ impl QueryView<'_> {
         let mut best = Best { least, distance: limit.min(0.5 * Real::MAX), found: None };
         for tree in self.trees() {
             let reach = best.distance;
-            nearest(tree, probe, reach, |slot| {
+            let prepare = |slot| self.colliders.prefetch(slot);
+            nearest(tree, probe, reach, prepare, |slot| {
                 if !best.beats_all_at(slot)
                     && let Some((handle, collider)) = self.candidate(slot)
                     && let Some((distance, what)) = to_collider(collider)

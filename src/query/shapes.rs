@@ -78,10 +78,12 @@ impl<'a> QueryView<'a> {
         self.nearest([0.0, limit], &sweep, |collider| {
             let pose12 = shape_pos.inv_mul(collider.position());
             let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
-            // Some pairs of shapes look along all of the way, however long it is.
-            let end = 1.01 * sweep.exit(&shape_box(collider.shape(), collider.position()));
-            let options = ShapeCastOptions { max_time_of_impact: limit.min(end), ..options };
-            let other = collider.shape();
+            let (other, mut options) = (collider.shape(), options);
+            if other.as_support_map().is_none() {
+                // Height fields look along all of the way, however long it is.
+                let end = 1.01 * sweep.span(&shape_box(other, collider.position()))[1];
+                options.max_time_of_impact = limit.min(end);
+            }
             let cast = || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
             let hit = guarded(cast)?.ok()??;
             Some((hit.time_of_impact, hit))

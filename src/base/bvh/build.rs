@@ -11,7 +11,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
 /// Bins per axis.
-const BINS: usize = 8;
+const BINS: usize = 16;
 
 /// Boxes that stand next to each other in the list of all, and the box around them.
 #[derive(Copy, Clone)]

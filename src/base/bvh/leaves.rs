@@ -46,6 +46,45 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
     }
 }
 
+impl BoxTree {
+    /// Calls back for the slots whose boxes the probe finds, in no particular order: the quick way, for who has no
+    /// use for an iterator.
+    pub fn for_each_leaf<P: Probe>(&self, probe: &P, visit: impl FnMut(u32)) {
+        if self.len > 0 {
+            Simd::detect().run(Walk { nodes: &self.nodes, probe, visit });
+        }
+    }
+}
+
+/// A walk through the whole tree in one kernel.
+struct Walk<'a, P, V> {
+    nodes: &'a [Node],
+    probe: &'a P,
+    visit: V,
+}
+
+impl<P: Probe, V: FnMut(u32)> Kernel for Walk<'_, P, V> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(mut self) {
+        let mut stack = Stack::new(0);
+        stack.push(0);
+        while let Some(at) = stack.pop() {
+            let node: &Node = &self.nodes[at as usize];
+            let (_, mask) = self.probe.look::<W>(&node.planes, Real::MAX);
+            let mut bits = W::bits(mask) & node.taken();
+            while bits != 0 {
+                match node.children[bits.trailing_zeros() as usize % LANES].target() {
+                    Target::Node(below) => stack.push(below as u32),
+                    Target::Slot(slot) => (self.visit)(slot),
+                }
+                bits &= bits - 1;
+            }
+        }
+    }
+}
+
 /// One bit for each child that the probe finds.
 struct Look<'a, P> {
     node: &'a Node,

@@ -9,27 +9,29 @@ use parry::math::Real;
 
 /// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is known.
 ///
-/// `visit` says how far away the rest may be to matter from then on: what is *as* far away still does.
+/// `prepare` is told of slots that will most likely be visited, a little before. `visit` says how far away the rest may be to matter from then on: what is *as* far away still does.
 pub fn nearest<P: Probe>(
     tree: &BoxTree,
     probe: &P,
     reach: Real,
+    prepare: impl Fn(u32),
     visit: impl FnMut(u32) -> Real,
 ) -> Real {
     if tree.len == 0 {
         return reach;
     }
-    Simd::detect().run(Search { nodes: &tree.nodes, probe, reach, visit })
+    Simd::detect().run(Search { nodes: &tree.nodes, probe, reach, prepare, visit })
 }
 
-struct Search<'a, P, V> {
+struct Search<'a, P, H, V> {
     nodes: &'a [Node],
     probe: &'a P,
     reach: Real,
+    prepare: H,
     visit: V,
 }
 
-impl<P: Probe, V: FnMut(u32) -> Real> Kernel for Search<'_, P, V> {
+impl<P: Probe, H: Fn(u32), V: FnMut(u32) -> Real> Kernel for Search<'_, P, H, V> {
     /// How far away the rest may be in the end.
     type Output = Real;
 
@@ -42,7 +44,9 @@ impl<P: Probe, V: FnMut(u32) -> Real> Kernel for Search<'_, P, V> {
             let (distances, mask) = self.probe.look::<W>(&node.planes, self.reach);
             let mut lanes = Lane::ZERO;
             distances.store(&mut lanes);
-            push_sorted(&mut stack, node, &lanes, W::bits(mask) & node.taken());
+            let bits = W::bits(mask) & node.taken();
+            prepare_leaves(node, bits, &self.prepare);
+            push_sorted(&mut stack, node, &lanes, bits);
             at = loop {
                 let Some((distance, child)) = stack.pop() else { return self.reach };
                 // Something nearer may have been found since.
@@ -55,6 +59,16 @@ impl<P: Probe, V: FnMut(u32) -> Real> Kernel for Search<'_, P, V> {
                 }
             };
         }
+    }
+}
+
+#[inline(always)]
+fn prepare_leaves(node: &Node, mut bits: u32, prepare: &impl Fn(u32)) {
+    while bits != 0 {
+        if let Target::Slot(slot) = node.children[bits.trailing_zeros() as usize % LANES].target() {
+            prepare(slot);
+        }
+        bits &= bits - 1;
     }
 }
 

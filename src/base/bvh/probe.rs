@@ -85,14 +85,17 @@ impl SlabProbe {
         Self { front, back, inv_dir, near, far }
     }
 
-    /// When it has left a box: zero if it never enters.
-    pub fn exit(&self, aabb: &Aabb) -> Real {
-        let mut end = Real::INFINITY;
+    /// When it enters a box and when it has left it, at the earliest and the latest: a box that it never enters it has
+    /// left before, or at time zero.
+    pub fn span(&self, aabb: &Aabb) -> [Real; 2] {
+        let (mut start, mut end) = (0.0, Real::INFINITY);
         for axis in 0..DIM {
-            let bounds = if self.inv_dir[axis] > 0.0 { &aabb.maxs } else { &aabb.mins };
-            end = end.min((bounds[axis] - self.back[axis]) * self.inv_dir[axis]);
+            let forth = self.inv_dir[axis] > 0.0;
+            let (near, far) = if forth { (aabb.mins, aabb.maxs) } else { (aabb.maxs, aabb.mins) };
+            start = ((near[axis] - self.front[axis]) * self.inv_dir[axis]).max(start);
+            end = ((far[axis] - self.back[axis]) * self.inv_dir[axis]).min(end);
         }
-        (end * (1.0 + 4.0 * Real::EPSILON)).max(0.0)
+        [start * (1.0 - 4.0 * Real::EPSILON), (end * (1.0 + 4.0 * Real::EPSILON)).max(0.0)]
     }
 }
 

@@ -112,6 +112,10 @@ fn check_boxes(twins: &Twins, random: &mut Random) {
     let around = random_box(random, 25.0);
     let expected = twins.slots(|aabb| aabb.intersects(&around));
     assert_eq!(twins.found(BoxProbe(around), 0.0), expected);
+    let mut visited = Vec::new();
+    twins.tree.for_each_leaf(&BoxProbe(around), |slot| visited.push(slot));
+    visited.sort_unstable();
+    assert_eq!(visited, expected);
     assert_eq!(twins.tree.get(0), twins.list[0]);
 }
 
@@ -131,11 +135,17 @@ fn check_points(twins: &Twins, random: &mut Random) {
         assert!(distance(&aabb, point) <= reach * (1.0 + 16.0 * Real::EPSILON) + Real::EPSILON);
     }
     let mut least = (Real::INFINITY, u32::MAX);
-    nearest(&twins.tree, &probe, Real::MAX, |slot| {
-        let distance = distance(&twins.list[slot as usize].unwrap(), point);
-        least = if (distance, slot) < least { (distance, slot) } else { least };
-        least.0
-    });
+    nearest(
+        &twins.tree,
+        &probe,
+        Real::MAX,
+        |_| {},
+        |slot| {
+            let distance = distance(&twins.list[slot as usize].unwrap(), point);
+            least = if (distance, slot) < least { (distance, slot) } else { least };
+            least.0
+        },
+    );
     let all = twins.slots(|_| true).into_iter();
     let all = all.map(|slot| (distance(&twins.list[slot as usize].unwrap(), point), slot));
     let expected = all.min_by(|a, b| a.partial_cmp(b).unwrap());
@@ -158,7 +168,8 @@ fn check_sweeps(twins: &Twins, random: &mut Random) {
         for slot in twins.slots(|aabb| aabb.intersects(&moved)) {
             assert!(found.contains(&slot), "{slot} is met at {center}, {origin} {dir}");
             let aabb = twins.list[slot as usize].unwrap();
-            assert!(probe.exit(&aabb) >= reach * sample as Real / 100.0 * 0.999);
+            let (time, [start, end]) = (reach * sample as Real / 100.0, probe.span(&aabb));
+            assert!(start <= time && time * 0.999 <= end, "{time} is not in {start}..{end}");
         }
     }
     // And it comes by all that it finds: the axis along which two boxes stay apart does not exist.

@@ -24,6 +24,7 @@ mod avx;
 mod dispatch;
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod portable;
+mod prefetch;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 #[cfg(test)]
@@ -33,6 +34,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use parry::math::Real;
 
 pub use dispatch::{Kernel, Simd};
+pub use prefetch::prefetch;
 
 /// How many numbers a register holds: 8 single-precision or 4 double-precision ones.
 pub const LANES: usize = 32 / size_of::<Real>();

@@ -323,6 +323,12 @@ impl ColliderSet {
         let (index, collider) = self.colliders.at_slot(slot)?;
         Some((ColliderHandle(index), collider))
     }
+
+    /// Begins to bring the collider at a slot near to the processor, for who will ask for it soon.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, slot: u32) {
+        self.colliders.prefetch(slot);
+    }
 }
 
 impl Collider {

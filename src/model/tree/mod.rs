@@ -138,9 +138,9 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Slots of the colliders of one kind whose enlarged boxes overlap a box.
-    pub(crate) fn overlapping(&self, kind: TreeKind, aabb: &Aabb) -> impl Iterator<Item = u32> {
-        self.boxes(kind).leaves(BoxProbe(*aabb), Real::MAX)
+    /// Calls back for the slots of the colliders of one kind whose enlarged boxes overlap a box.
+    pub(crate) fn for_each_overlapping(&self, kind: TreeKind, aabb: &Aabb, visit: impl FnMut(u32)) {
+        self.boxes(kind).for_each_leaf(&BoxProbe(*aabb), visit);
     }
 
     /// Puts the trees in good order after many colliders came in, at a cost that these colliders

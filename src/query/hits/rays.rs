@@ -4,9 +4,9 @@ use super::hull::clip;
 use super::rounded::chord;
 use crate::dim::facets::Facets;
 use crate::dim::field::ray_on_field;
-use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::{Ray, RayCast, RayIntersection};
-use parry::shape::{Ball, FeatureId, Shape, TypedShape};
+use parry::shape::{Ball, Cuboid, FeatureId, Shape, TypedShape};
 
 /// When a ray hits a shape, no later than `limit`.
 pub fn time_of_impact(
@@ -19,7 +19,7 @@ pub fn time_of_impact(
     let local = || ray.inverse_transform_by(pose);
     match shape.as_typed_shape() {
         TypedShape::Ball(ball) => ball_time(ball, pose, ray, limit, solid).map(|(time, _)| time),
-        TypedShape::Cuboid(cuboid) if solid => cuboid.cast_local_ray(&local(), limit, true),
+        TypedShape::Cuboid(cuboid) if solid => cuboid_time(cuboid, &local(), limit),
         TypedShape::Capsule(capsule) => capsule.cast_local_ray(&local(), limit, solid),
         TypedShape::TriMesh(mesh) if solid => mesh.cast_local_ray(&local(), limit, true),
         // Without a normal, parry's answer is wrong for hollow boxes whose wall is beyond the limit: it is the limit,
@@ -52,6 +52,19 @@ pub fn intersection(
         },
     };
     hit.map(|hit| hit.transform_by(pose))
+}
+
+/// When a ray hits a solid box, in the frame of the box: parry's formula, all axes at once.
+fn cuboid_time(cuboid: &Cuboid, ray: &Ray, limit: Real) -> Option<Real> {
+    if (0..DIM).any(|axis| ray.dir[axis] == 0.0) {
+        return cuboid.cast_local_ray(ray, limit, true); // zero by zero is no time
+    }
+    let inv_dir = ray.dir.recip();
+    let (low, high) = (-cuboid.half_extents - ray.origin, cuboid.half_extents - ray.origin);
+    let (one, other) = (low * inv_dir, high * inv_dir);
+    let start = one.min(other).max_element().max(0.0);
+    let end = one.max(other).min_element().min(limit);
+    (start <= end).then_some(start)
 }
 
 /// When a ray hits a ball, and whether it does so from within.

@@ -49,22 +49,21 @@ fn find_neighbours(
         if !tree.may_meet(kind, other_kind) {
             continue;
         }
-        for other_slot in tree.overlapping(other_kind, &collider.proxy.fat_aabb) {
+        tree.for_each_overlapping(other_kind, &collider.proxy.fat_aabb, |other_slot| {
             // Of two that moved, each finds the other: the lower slot counts.
             if other_slot == slot || (other_slot < slot && tree.is_moved(other_slot)) {
-                continue;
+                return;
             }
-            let Some((other_handle, other)) = colliders.at_slot(other_slot) else { continue };
-            if !may_interact(collider, other)
-                || is_known(slot.min(other_slot), slot.max(other_slot))
-            {
-                continue;
+            let Some((other_handle, other)) = colliders.at_slot(other_slot) else { return };
+            let (low, high) = (slot.min(other_slot), slot.max(other_slot));
+            if !may_interact(collider, other) || is_known(low, high) {
+                return;
             }
             out.push(if slot < other_slot {
                 (handle, other_handle)
             } else {
                 (other_handle, handle)
             });
-        }
+        });
     }
 }
