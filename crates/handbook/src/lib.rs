@@ -22,6 +22,7 @@ pages! {
     bodies: "../../../docs/guide/bodies.md",
     colliders: "../../../docs/guide/colliders.md",
     contacts_and_events: "../../../docs/guide/contacts-and-events.md",
+    smooth_ground: "../../../docs/guide/smooth-ground.md",
     hooks: "../../../docs/guide/hooks.md",
     queries: "../../../docs/guide/queries.md",
     vehicles: "../../../docs/guide/vehicles.md",

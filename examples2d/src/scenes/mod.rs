@@ -24,6 +24,7 @@ pub mod sleeping;
 pub mod trimesh;
 pub mod heightfield;
 pub mod polyline;
+pub mod seams;
 pub mod voxels;
 pub mod heavy_on_light;
 pub mod card_house;
@@ -43,7 +44,7 @@ pub mod downpour;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 39] = [
+pub const SCENES: [SceneInfo; 40] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -68,6 +69,7 @@ pub const SCENES: [SceneInfo; 39] = [
     trimesh::INFO,
     heightfield::INFO,
     polyline::INFO,
+    seams::INFO,
     voxels::INFO,
     heavy_on_light::INFO,
     card_house::INFO,

@@ -38,6 +38,7 @@ pub mod convex_pile;
 pub mod junkyard;
 pub mod washer;
 pub mod large_world;
+pub mod seams;
 pub mod fine_mesh;
 pub mod tiles;
 pub mod cobbles;
@@ -45,7 +46,7 @@ pub mod cobbles;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 41] = [
+pub const SCENES: [SceneInfo; 42] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -84,6 +85,7 @@ pub const SCENES: [SceneInfo; 41] = [
     junkyard::INFO,
     washer::INFO,
     large_world::INFO,
+    seams::INFO,
     fine_mesh::INFO,
     tiles::INFO,
     cobbles::INFO,

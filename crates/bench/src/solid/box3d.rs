@@ -1,7 +1,7 @@
 //! Box3D, through the crate that builds it from its C sources.
 //!
-//! Box3D knows spheres, capsules and convex hulls (boxes are hulls); what else it knows, such as meshes,
-//! the benchmark does not transcribe. Left to itself it mixes
+//! Box3D knows spheres, capsules, convex hulls (boxes are hulls) and meshes; what else it knows, such as
+//! height fields, the benchmark does not transcribe. Left to itself it mixes
 //! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
 
 use super::ours::prelude::*;
@@ -19,6 +19,18 @@ pub struct Box3d<'t> {
     template: &'t Template,
     world: World,
     bodies: Vec<b3BodyId>,
+    /// Its shapes point to them, so they are dropped after the world.
+    _meshes: Vec<Mesh>,
+}
+
+/// A mesh that is destroyed when it is dropped.
+struct Mesh(*mut b3MeshData);
+
+impl Drop for Mesh {
+    fn drop(&mut self) {
+        // SAFETY: nothing points to it any more; nobody else destroys it.
+        unsafe { b3DestroyMesh(self.0) };
+    }
 }
 
 /// A world that is destroyed when it is dropped.
@@ -35,12 +47,13 @@ impl<'t> Box3d<'t> {
     /// The scene at its start.
     pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
         let world = create_world(template, threads);
+        let mut meshes = Vec::new();
         let mut bodies = Vec::with_capacity(template.bodies.len());
         for (body, colliders) in template.parts() {
             let id = create_body(&world, body)?;
             for collider in colliders {
                 let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
-                create_shape(id, collider, &local)?;
+                create_shape(id, collider, &local, &mut meshes)?;
             }
             // SAFETY: the body was created above.
             unsafe {
@@ -52,9 +65,9 @@ impl<'t> Box3d<'t> {
         // SAFETY: the definition is the default one, the world is live.
         let ground = unsafe { b3CreateBody(world.0, &b3DefaultBodyDef()) };
         for collider in template.loose_colliders() {
-            create_shape(ground, collider, collider.position())?;
+            create_shape(ground, collider, collider.position(), &mut meshes)?;
         }
-        Ok(Self { template, world, bodies })
+        Ok(Self { template, world, bodies, _meshes: meshes })
     }
 }
 
@@ -158,7 +171,12 @@ fn create_body(world: &World, body: &RigidBody) -> Result<b3BodyId, Unsupported>
     }
 }
 
-fn create_shape(body: b3BodyId, collider: &Collider, local: &Pose) -> Result<(), Unsupported> {
+fn create_shape(
+    body: b3BodyId,
+    collider: &Collider,
+    local: &Pose,
+    meshes: &mut Vec<Mesh>,
+) -> Result<(), Unsupported> {
     let definition = shape_definition(collider)?;
     let at = |point: Vector| vector(*local * point);
     // SAFETY: the body is live, definitions and geometry outlive the calls, which copy them.
@@ -192,6 +210,12 @@ fn create_shape(body: b3BodyId, collider: &Collider, local: &Pose) -> Result<(),
                 b3CreateHullShape(body, &definition, hull);
                 b3DestroyHull(hull);
             }
+            TypedShape::TriMesh(mesh) => {
+                let mesh = create_mesh(mesh, local)?;
+                let scale = vector(Vector::ONE);
+                b3CreateMeshShape(body, &definition, mesh.0, scale);
+                meshes.push(mesh);
+            }
             _ => {
                 let kind = collider.shape().shape_type();
                 return Err(Unsupported::because(format!("shape {kind:?} is not transcribed")));
@@ -199,6 +223,27 @@ fn create_shape(body: b3BodyId, collider: &Collider, local: &Pose) -> Result<(),
         }
     }
     Ok(())
+}
+
+/// A mesh whose edges are marked, so that bodies do not catch on those between flat triangles.
+fn create_mesh(mesh: &TriMesh, local: &Pose) -> Result<Mesh, Unsupported> {
+    let mut vertices: Vec<b3Vec3> = mesh.vertices().iter().map(|&v| vector(*local * v)).collect();
+    let mut indices: Vec<i32> =
+        mesh.indices().iter().flatten().map(|&index| index as i32).collect();
+    let definition = b3MeshDef {
+        vertices: vertices.as_mut_ptr(),
+        indices: indices.as_mut_ptr(),
+        materialIndices: core::ptr::null_mut(),
+        weldTolerance: 0.0,
+        vertexCount: vertices.len() as i32,
+        triangleCount: mesh.indices().len() as i32,
+        weldVertices: false,
+        useMedianSplit: false,
+        identifyEdges: true,
+    };
+    // SAFETY: the definition and what it points to outlive the call, which copies them.
+    let mesh = unsafe { b3CreateMesh(&definition, core::ptr::null_mut(), 0) };
+    if mesh.is_null() { Err(Unsupported::because("it refuses a mesh")) } else { Ok(Mesh(mesh)) }
 }
 
 fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
