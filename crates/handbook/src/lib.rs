@@ -25,6 +25,7 @@ pages! {
     smooth_ground: "../../../docs/guide/smooth-ground.md",
     hooks: "../../../docs/guide/hooks.md",
     queries: "../../../docs/guide/queries.md",
+    characters: "../../../docs/guide/characters.md",
     vehicles: "../../../docs/guide/vehicles.md",
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",

@@ -5,6 +5,7 @@ mod dice;
 mod draw;
 mod run;
 mod scene;
+mod walker;
 
 #[cfg(test)]
 mod tests;
@@ -12,3 +13,4 @@ mod tests;
 pub use dice::Dice;
 pub use run::entries;
 pub use scene::{Scene, SceneInfo};
+pub use walker::Walker;

@@ -18,6 +18,7 @@ pub mod collision_groups;
 pub mod solver_groups;
 pub mod contact_forces;
 pub mod one_way_platforms;
+pub mod characters;
 pub mod conveyor_belts;
 pub mod collider_edits;
 pub mod body_types;
@@ -65,6 +66,7 @@ pub const SCENES: [SceneInfo; 42] = [
     solver_groups::INFO,
     contact_forces::INFO,
     one_way_platforms::INFO,
+    characters::INFO,
     conveyor_belts::INFO,
     collider_edits::INFO,
     body_types::INFO,

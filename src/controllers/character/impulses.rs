@@ -8,7 +8,7 @@
 //! j = v / (1/m + k)  <=  m v
 //! ```
 //!
-//! (see any text on rigid-body impact, e.g. D. Baraff's SIGGRAPH '97 notes, "Collision and contact", with restitution 0.)
+//! (D. Baraff 1997, "Physically Based Modeling: Rigid Body Simulation", with restitution 0.)
 
 use super::movement::CharacterCollision;
 use super::settings::KinematicCharacterController;

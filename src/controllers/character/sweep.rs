@@ -1,27 +1,23 @@
 //! Going straight until something is in the way.
 //!
-//! Conservative advancement with separating planes (B. Mirtich's idea, 1996; with directions as in E. Coumans' and E. Catto's
-//! continuous collision lectures): the manifold of two convex parts has a normal along which they are a gap apart, and while one
-//! of them moves by `way`, that gap shrinks by no more than `-way·n`. So until the gap of some plane would be used up, the way
-//! is free; there the contacts are computed again. Along a floor no gap shrinks, and one look is enough. Everything rests on the contacts
-//! that also hold the character when it stands, so the two never contradict each other; a search for the time of
-//! impact alone would sometimes see a floor in the way of who walks on it.
+//! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of Rigid Body Systems"):
+//! the manifold of two convex parts has a normal along which they are a gap apart, and while one of them moves by `way`, that gap
+//! shrinks by no more than `-way·n`. So until the gap of some plane would be used up, the way is free; there the contacts are
+//! computed again. Along a floor no gap shrinks, and one look is enough. Everything rests on the contacts that also hold the
+//! character when it stands, so the two never contradict each other; a search for the time of impact alone would sometimes see a
+//! floor in the way of who walks on it.
 
 use super::gait::Gait;
 use super::obstacles::Obstacles;
 use super::planes::Plane;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::query::QueryFilter;
-use parry::query::ShapeCastOptions;
 
 /// Who goes along a plane at less than this sine goes past it.
 const GRAZING: Real = 1.0e-4;
 /// So often are contacts computed on a piece of the way.
 const LOOKS_MAX: usize = 32;
-/// A way is gone in pieces as long as the shape is thick: so many at most.
-const PIECES_MAX: usize = 64;
-/// A way of more pieces than this is first searched by a cast.
-const PIECES_FAR: Real = 4.0;
+/// A way is gone in pieces that are as long as the shape is thick, so that only what is near is looked at, or in so many.
+const PIECES_MAX: Real = 32.0;
 
 /// How far a sweep came.
 pub(super) struct Swept {
@@ -75,13 +71,10 @@ impl Obstacles<'_> {
             return free;
         }
         let sweep = Sweep { pose, way, length, within, gait };
-        let piece = (2.0 * gait.half_thickness).max(4.0 * gait.offset) / length;
-        let mut time = 0.0;
-        for _ in 0..PIECES_MAX {
-            if 1.0 - time > PIECES_FAR * piece {
-                time = self.skip(&sweep, time, piece);
-            }
-            let end = (time + piece).min(1.0);
+        let piece = (2.0 * gait.half_thickness).max(4.0 * gait.offset).max(length / PIECES_MAX);
+        let mut time: Real = 0.0;
+        loop {
+            let end = (time + piece / length).min(1.0);
             if let Some((time, plane)) = self.first_plane(&sweep, time, end) {
                 let back = (gait.offset - within) / sweep.approach(&plane);
                 return Swept { fraction: (time - back).max(0.0), hit: Some(plane) };
@@ -91,7 +84,6 @@ impl Obstacles<'_> {
                 return free;
             }
         }
-        Swept { fraction: time, hit: None }
     }
 
     /// The first time in `time..end` when a plane is as close as `within`, and the plane.
@@ -124,27 +116,5 @@ impl Obstacles<'_> {
             reach = reach.max(near);
         }
         first
-    }
-
-    /// A time up to which nothing is in the way, somewhat before the first hit of a cast.
-    fn skip(&self, sweep: &Sweep<'_>, time: Real, piece: Real) -> Real {
-        let filter = self.queries.filter;
-        let predicate = |handle, collider: &_| {
-            filter.predicate.is_none_or(|passes| passes(handle, collider))
-                && self.may_meet(handle, collider)
-        };
-        let queries =
-            self.queries.with_filter(QueryFilter { predicate: Some(&predicate), ..filter });
-        let options = ShapeCastOptions {
-            max_time_of_impact: 1.0 - time,
-            target_distance: sweep.within,
-            stop_at_penetration: false,
-            compute_impact_geometry_on_penetration: false,
-        };
-        let pose = sweep.pose_at(time);
-        match queries.cast_shape(&pose, sweep.way, self.shape, options) {
-            Some((_, hit)) => time + (hit.time_of_impact - piece).max(0.0),
-            None => 1.0,
-        }
     }
 }
