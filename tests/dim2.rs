@@ -18,6 +18,11 @@ pub const ROLLING_BALL: Real = 2.0 / 3.0;
 /// of half the load, with `K = 2/m + 2 r² / I`, `r² = 1/4` and `I = m/6`.
 pub const CORNER_YIELD: Real = 2.5;
 
+/// Nothing turns about the vertical.
+pub fn turntable() -> Option<(Real, Real)> {
+    None
+}
+
 /// A vector.
 pub fn vec(x: Real, y: Real) -> Vector {
     Vector::new(x, y)

@@ -6,6 +6,8 @@ use rapier::prelude::*;
 pub mod grounds;
 #[path = "characters/dim3.rs"]
 pub mod floors;
+#[path = "characters/space.rs"]
+mod space;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
 #[path = "physics/tumbling.rs"]
@@ -23,6 +25,11 @@ pub const ROLLING_BALL: Real = 5.0 / 7.0;
 /// How much easier the corner of a face between two unit cubes gives way than its share of the load: `m K / 4`
 /// of a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I = m/6`.
 pub const CORNER_YIELD: Real = 2.0;
+
+/// By how much riding a turntable is off: see `space`.
+pub fn turntable() -> Option<(Real, Real)> {
+    Some(space::turntable())
+}
 
 /// A vector in the plane of the picture.
 pub fn vec(x: Real, y: Real) -> Vector {

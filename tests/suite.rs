@@ -7,7 +7,7 @@
 mod determinism;
 mod api;
 mod ghosts;
-mod characters;
+pub mod characters;
 pub mod hostile;
 pub mod physics;
 mod queries;

@@ -10,7 +10,7 @@ mod nonsense;
 mod platforms;
 mod pushing;
 mod slopes;
-mod stage;
+pub mod stage;
 mod stairs;
 mod standing;
 mod table;

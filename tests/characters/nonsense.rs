@@ -121,3 +121,53 @@ fn nothing_panics_and_everything_repeats() {
         }
     }
 }
+
+/// Whatever has a shape can be a character: where it goes is finite, and over a level floor it goes somewhere.
+#[test]
+fn all_shapes_can_walk() {
+    for shape in crate::dim::hostile::shapes(0.5) {
+        let mut walker = Walker::of(level(), shape, vec(0.0, 1.0));
+        walker.controller.autostep = Some(CharacterAutostep::default());
+        for _ in 0..60 {
+            walker.step(vec(1.0, 0.0));
+            assert!(walker.place().is_finite(), "{}", walker.place());
+        }
+    }
+}
+
+/// So can be everything that has a shape what it meets.
+#[test]
+fn all_shapes_can_be_met() {
+    for shape in crate::dim::hostile::shapes(1.0) {
+        let mut world = level();
+        world.insert_collider(shape.translation(vec(2.0, 1.0)), None);
+        let mut walker = Walker::new(world, vec(0.0, 1.2));
+        walker.controller.autostep = Some(CharacterAutostep::default());
+        for _ in 0..120 {
+            walker.step(vec(2.0, 0.0));
+            assert!(walker.place().is_finite(), "{}", walker.place());
+        }
+    }
+}
+
+/// Sizes and places at the ends of what is usual.
+#[test]
+fn odd_sizes_and_places_do_no_harm() {
+    for size in [1.0e-6, 1.0e-3, 1.0e3, 1.0e6] {
+        for place in [0.0, 1.0e3, 1.0e6] {
+            let mut world = PhysicsWorld::new();
+            let ground = cuboid(100.0 * size, size).translation(vec(place, -size));
+            world.insert_collider(ground, None);
+            let shape = ColliderBuilder::capsule_y(size, 0.5 * size);
+            let mut walker = Walker::of(world, shape, vec(place, 1.6 * size));
+            walker.controller.autostep = Some(CharacterAutostep::default());
+            for _ in 0..20 {
+                let movement = walker.ask(vec(size, -size) * 0.05);
+                assert!(movement.translation.is_finite());
+                let next = walker.place() + movement.translation;
+                walker.world.bodies[walker.body].set_next_kinematic_translation(next);
+                walker.world.step();
+            }
+        }
+    }
+}

@@ -3,8 +3,9 @@
 use super::floors::{level_floors, stumbles};
 use super::platforms::{ride, rocking};
 use super::slopes::walk_on_slope;
-use super::stage::{CAPSULE, DT, GAP_TOLERANCE, Walker, level};
+use super::stage::{CAPSULE, GAP_TOLERANCE, Walker, level};
 use super::stairs::goes_up;
+use super::walls::{corridor, pushed_by_wall};
 use crate::dim::vec;
 use crate::suite::physics::table::Table;
 use rapier::control::CharacterSlopeSpeed;
@@ -40,10 +41,17 @@ fn the_character_table() {
     let gap = ride(4.0, 5.0, 0.0, true);
     row(&mut table, "gap error on a lift up and down", gap, GAP_TOLERANCE);
     row(&mut table, "gap error on a rocking raft", rocking().1, 2.0e-3);
+    if let Some((off, gap)) = crate::dim::turntable() {
+        row(&mut table, "wandering on a turntable in 10 s", off, 1.0e-3);
+        row(&mut table, "gap error on a turntable", gap, GAP_TOLERANCE);
+    }
+    let slowest = [0.5, 0.0, -0.5, -1.0, -1.5].map(corridor).into_iter().fold(0.0, Real::max);
+    row(&mut table, "speed error in narrow corridors", slowest, 0.01);
+    let short = [-1.0, -6.0].map(pushed_by_wall).into_iter().fold(0.0, Real::max);
+    row(&mut table, "gap short of a moving wall's step", short, GAP_TOLERANCE);
     for (name, floor) in level_floors() {
         let (speed, bump) = stumbles(floor, capsule.clone());
         row(&mut table, &format!("speed error over {name}"), speed, 1.0e-3);
         row(&mut table, &format!("bumps over {name}"), bump, GAP_TOLERANCE);
     }
-    let _ = DT;
 }
