@@ -45,7 +45,7 @@ pub mod downpour;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 40] = [
+pub const SCENES: [SceneInfo; 41] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,

@@ -47,7 +47,7 @@ pub mod cobbles;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 42] = [
+pub const SCENES: [SceneInfo; 43] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
