@@ -39,7 +39,7 @@ fn corners_of_three_sides_hold_still() {
         let half: Real = Real::to_radians(0.5 * degrees);
         for side in [-1.0, 1.0] {
             let turn = Rotation::from_scaled_axis(Vector::Y * (half * side));
-            let place = turn * Vector::new(-10.0, 4.0, -1.0 * side);
+            let place = turn * Vector::new(-10.0, 4.0, -side);
             let wall = ColliderBuilder::cuboid(12.0, 5.0, 1.0).translation(place);
             world.insert_collider(wall.rotation(turn.to_scaled_axis()), None);
         }
