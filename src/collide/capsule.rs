@@ -62,7 +62,7 @@ pub(super) fn capsule_capsule(
         }
         None => add(shares, 0),
     }
-    Some((length - radius).max(0.0))
+    Some((axes.distance(length) - radius).max(0.0))
 }
 
 impl Axes {
@@ -103,6 +103,24 @@ impl Axes {
         let share1 = clamped(b * share2 - d, a);
         let share2 = clamped(b * share1 + e, c);
         [share1, share2]
+    }
+
+    /// The distance of the axes, which are `length` apart at [`Self::closest`]. Of axes that are nearly parallel that
+    /// is where they lie beside each other; they are nearer at one of the four ends.
+    fn distance(&self, length: Real) -> Real {
+        if !self.is_parallel() {
+            return length;
+        }
+        let [a, b, c] = self.products;
+        let offset = self.start1 - self.start2;
+        let (d, e) = (self.along1.dot(offset), self.along2.dot(offset));
+        let share = |x: Real, length_squared: Real| {
+            if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
+        };
+        let of_first = [0.0, 1.0].map(|end| [end, share(b * end + e, c)]);
+        let of_second = [0.0, 1.0].map(|end| [share(b * end - d, a), end]);
+        let at = |[share1, share2]: [Real; 2]| self.point1(share1).distance(self.point2(share2));
+        of_first.into_iter().chain(of_second).map(at).fold(length, Real::min)
     }
 
     fn is_parallel(&self) -> bool {

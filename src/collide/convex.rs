@@ -5,10 +5,10 @@ use super::capsule::capsule_capsule;
 use super::parts::Part;
 use super::polytopes::{face_contacts, polytope_polytope};
 use super::support::{Core, contacts_along, support_manifold};
-use crate::dim::collide::{Polytope, RawManifold, cuboid_cuboid};
+use crate::dim::collide::{Polytope, RawManifold, capsule_triangle, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
-use parry::shape::{Shape, TypedShape};
+use parry::shape::{Capsule, Shape, TypedShape};
 
 /// Boxes that are closer than this share of the prediction distance touch with faces and edges only.
 const CORNERS_APART: Real = 0.25;
@@ -53,6 +53,21 @@ pub(super) fn convex_manifold(
         (TypedShape::Capsule(capsule1), TypedShape::Capsule(capsule2)) => {
             capsule_capsule(pos12, capsule1, capsule2, prediction, raw)
                 .or_else(|| others(pos12, part1, part2, prediction, raw))
+        }
+        (TypedShape::Capsule(capsule1), TypedShape::Segment(segment2)) => {
+            let thin = Capsule::new(segment2.a, segment2.b, 0.0);
+            capsule_capsule(pos12, capsule1, &thin, prediction, raw)
+                .or_else(|| others(pos12, part1, part2, prediction, raw))
+        }
+        (TypedShape::Capsule(capsule1), TypedShape::Triangle(triangle2)) => {
+            capsule_triangle(pos12, capsule1, triangle2, prediction, raw)
+                .or_else(|| others(pos12, part1, part2, prediction, raw))
+        }
+        (TypedShape::Segment(_) | TypedShape::Triangle(_), TypedShape::Capsule(_)) => {
+            raw.local_n1 = pos12.rotation.inverse() * -raw.local_n1;
+            let gap = convex_manifold(&pos12.inverse(), part2, part1, prediction, raw);
+            flip(raw);
+            gap
         }
         _ => others(pos12, part1, part2, prediction, raw),
     }

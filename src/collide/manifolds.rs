@@ -215,6 +215,9 @@ impl Search<'_> {
         let ids = (part1.id, part2.id);
         let is_same = |m: &&ContactManifold| (m.subshape1, m.subshape2) == ids;
         let is_in_plane = |manifold: &&ContactManifold| {
+            if !(part1.wants_hint() && part2.wants_hint()) {
+                return false;
+            }
             let Some(contact) = manifold.contacts().first() else { return false };
             let flush = self.pair.flush;
             part1.is_flat_in(contact.local_p1, manifold.local_n1, flush)
@@ -232,20 +235,25 @@ impl Search<'_> {
     /// other obstacles of the shape on the other side.
     fn take_out_seams(&mut self, side: usize, seams: &mut Vec<Seam>) {
         let neighbors = self.pair.neighbors[1 - side];
-        if self.parts[side].is_convex() && neighbors.is_empty() || self.patches.list().is_empty() {
+        if neighbors.is_empty() && (self.parts[side].is_convex() || self.patches.look_alike()) {
             return;
         }
+        self.find_seams(side, seams);
+        for seam in &*seams {
+            self.turn(side, seam);
+        }
+    }
+
+    fn find_seams(&self, side: usize, seams: &mut Vec<Seam>) {
         let (pair, patches) = (self.pair, &*self.patches);
-        let mut facets: Vec<_> =
-            (0..patches.list().len()).map(|patch| self.facet(side, patch)).collect();
-        facets.extend(neighbors.iter().map(Neighbor::as_facet));
+        let neighbors = pair.neighbors[1 - side];
+        let facets = (0..patches.list().len()).map(|patch| self.facet(side, patch));
+        let facets: SmallVec<[Facet<'_>; 16]> =
+            facets.chain(neighbors.iter().map(Neighbor::as_facet)).collect();
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
         find_seams(&facets, patches.list().len(), &points, pair.flush, seams);
-        for seam in &*seams {
-            self.turn(side, seam);
-        }
     }
 
     /// A patch as a contact with an obstacle on a side, in the frame of the shape on the other.

@@ -9,7 +9,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::partitioning::BvhNode;
 use parry::query::details::NormalConstraints;
-use parry::shape::{CompositeShape, HeightField, Shape, Voxels};
+use parry::shape::{CompositeShape, HeightField, Shape, TypedShape, Voxels};
 
 /// One convex part of a shape.
 #[derive(Copy, Clone)]
@@ -28,6 +28,14 @@ impl<'a> Part<'a> {
     /// A convex shape as its own only part.
     pub fn whole(shape: &'a dyn Shape) -> Self {
         Self { id: 0, pose: None, shape, constraints: None }
+    }
+
+    /// Is the normal of last time of use, or is there a formula that needs no start?
+    pub fn wants_hint(&self) -> bool {
+        !matches!(
+            self.shape.as_typed_shape(),
+            TypedShape::Ball(_) | TypedShape::Cuboid(_) | TypedShape::Capsule(_)
+        )
     }
 
     /// Is it flat, and does it lie in a plane of its shape's frame?

@@ -6,6 +6,7 @@
 //! a single face would have: the outermost.
 
 use super::parts::Part;
+use super::seams::SAME_NORMAL;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
@@ -66,6 +67,13 @@ impl Patches {
 
     pub fn list(&self) -> &[Patch] {
         &self.list
+    }
+
+    /// Do all patches look the same way? Then none is a seam.
+    pub fn look_alike(&self) -> bool {
+        let Some(first) = self.list.first() else { return true };
+        let same = |patch: &Patch| patch.normal.distance_squared(first.normal) <= SAME_NORMAL;
+        self.list.iter().all(same)
     }
 
     /// The points of a patch.

@@ -1,6 +1,7 @@
 //! Contacts of the shapes that fill scenes, and what of contact generation depends on the dimension.
 
 mod axes;
+mod capsule_triangle;
 mod cells;
 mod clip;
 mod cuboid;
@@ -13,6 +14,7 @@ mod reduce;
 pub mod samples;
 
 pub use axes::{BestAxis, Side, best_axis};
+pub use capsule_triangle::capsule_triangle;
 pub use cells::{flat_corners, for_each_cell, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;

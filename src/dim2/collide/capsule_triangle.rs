@@ -1,0 +1,16 @@
+//! A capsule and a triangle have no way of their own in the plane.
+
+use super::RawManifold;
+use crate::dim::math::{Pose, Real};
+use parry::shape::{Capsule, Triangle};
+
+/// Computes nothing: the two go the way of all polytopes.
+pub fn capsule_triangle(
+    _pos12: &Pose,
+    _capsule: &Capsule,
+    _triangle: &Triangle,
+    _prediction: Real,
+    _raw: &mut RawManifold,
+) -> Option<Real> {
+    None
+}

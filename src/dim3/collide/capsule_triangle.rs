@@ -1,0 +1,138 @@
+//! A capsule and a triangle: the part of the axis above the face, or the point where the axis is
+//! nearest to an edge.
+//!
+//! The axis, a segment, is nearest to the triangle at one of its ends, above the face, or at an edge
+//! (Ericson 2005, "Real-Time Collision Detection", section 5.1.10), or it goes through.
+
+use super::clip::{FaceContact, clip_faces};
+use super::polytope::Polytope;
+use super::{RawManifold, RawPoint};
+use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::{Capsule, PackedFeatureId, Triangle};
+
+/// A direction with at least this cosine to the triangle's normal (1.1 degrees) is that normal.
+const IS_NORMAL: Real = 0.9998;
+
+/// The points of two shapes that are nearest to each other, and the feature of the triangle.
+struct Nearest {
+    on_axis: Vector,
+    on_triangle: Vector,
+    edge: PackedFeatureId,
+}
+
+/// Computes the contacts into `raw`. Returns a lower bound of the distance, 0 if they overlap; `None`
+/// if the triangle has no area.
+pub fn capsule_triangle(
+    pos12: &Pose,
+    capsule: &Capsule,
+    triangle: &Triangle,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Option<Real> {
+    let normal = pos12.rotation * triangle.normal()?;
+    let corners = [triangle.a, triangle.b, triangle.c].map(|corner| *pos12 * corner);
+    let axis = [capsule.segment.a, capsule.segment.b];
+    let heights = axis.map(|end| normal.dot(end - corners[0]));
+    // From the triangle to the capsule; a capsule that goes through leaves on the side of its longer end.
+    let outward = if heights[0] + heights[1] < 0.0 { -normal } else { normal };
+    let above_face = nearest_to_face(axis, corners, normal, heights);
+    let to_edges = nearest_to_edges(axis, corners);
+    let offset = to_edges.on_triangle - to_edges.on_axis;
+    let to_edge = offset.length();
+    let (dist, direction) = match above_face {
+        Some(height) if height <= to_edge => (height, -outward),
+        _ if to_edge > 0.0 => (to_edge, offset / to_edge),
+        _ => (0.0, -outward),
+    };
+    (raw.local_n1, raw.local_n2) = (direction, pos12.rotation.inverse() * -direction);
+    let bound = dist - capsule.radius;
+    if bound > prediction {
+        return Some(bound);
+    }
+    if direction.dot(-outward) > IS_NORMAL {
+        add_face(pos12, capsule, triangle, -outward, prediction, raw);
+    }
+    if raw.points.is_empty() {
+        let p1 = to_edges.on_axis + direction * capsule.radius;
+        let p2 = pos12.inverse_transform_point(to_edges.on_triangle);
+        raw.points.push(RawPoint::new(p1, p2, PackedFeatureId::face(0), to_edges.edge, bound));
+    }
+    Some(bound.max(0.0))
+}
+
+/// The least height of what of the axis is above the face or below it, 0 if it goes through; `None` if
+/// nothing is.
+fn nearest_to_face(
+    axis: [Vector; 2],
+    corners: [Vector; 3],
+    normal: Vector,
+    heights: [Real; 2],
+) -> Option<Real> {
+    let is_inside = |point: Vector| {
+        (0..3).all(|index| {
+            let along = corners[(index + 1) % 3] - corners[index];
+            along.cross(point - corners[index]).dot(normal) >= 0.0
+        })
+    };
+    if heights[0] * heights[1] < 0.0 {
+        let share = heights[0] / (heights[0] - heights[1]);
+        if is_inside(axis[0] + (axis[1] - axis[0]) * share) {
+            return Some(0.0);
+        }
+    }
+    let ends = (0..2).filter(|&end| is_inside(axis[end])).map(|end| heights[end].abs());
+    ends.reduce(Real::min)
+}
+
+/// Where the axis is nearest to the edges.
+fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest {
+    let mut best = (Real::INFINITY, Vector::ZERO, Vector::ZERO, 0);
+    for index in 0..3 {
+        let ends = [corners[index], corners[(index + 1) % 3]];
+        let (p1, p2) = nearest_of_segments([start, end], ends);
+        let distance_squared = p1.distance_squared(p2);
+        if distance_squared < best.0 {
+            best = (distance_squared, p1, p2, index as u32);
+        }
+    }
+    let (_, on_axis, on_triangle, index) = best;
+    Nearest { on_axis, on_triangle, edge: PackedFeatureId::edge(index) }
+}
+
+/// The nearest points of two segments (Ericson 2005, section 5.1.9).
+fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector, Vector) {
+    let (along1, along2, offset) = (q1 - p1, q2 - p2, p1 - p2);
+    let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
+    let (d, e) = (along1.dot(offset), along2.dot(offset));
+    let clamped = |x: Real, length_squared: Real| {
+        if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
+    };
+    let share1 = clamped(b * e - c * d, a * c - b * b);
+    // Each share in turn is the best for the other; twice, because the first was not clamped yet.
+    let share2 = clamped(b * share1 + e, c);
+    let share1 = clamped(b * share2 - d, a);
+    let share2 = clamped(b * share1 + e, c);
+    (p1 + along1 * share1, p2 + along2 * share2)
+}
+
+/// Adds both ends of what of the axis is above the face. `direction` is from the capsule to the face.
+fn add_face(
+    pos12: &Pose,
+    capsule: &Capsule,
+    triangle: &Triangle,
+    direction: Vector,
+    prediction: Real,
+    raw: &mut RawManifold,
+) {
+    let pos21 = pos12.inverse();
+    let outward = pos21.rotation * -direction;
+    let polytope = Polytope::Triangle(triangle, outward);
+    let Some(face) = polytope.face_toward(outward) else { return };
+    let other = &Polytope::Segment(&capsule.segment);
+    let contact = FaceContact { polytope: &polytope, face, other, pose: &pos21 };
+    let _ = clip_faces(&contact, prediction + capsule.radius, true, raw);
+    for point in &mut raw.points {
+        point.local_p1 += direction * capsule.radius;
+        point.dist -= capsule.radius;
+    }
+}
