@@ -286,7 +286,12 @@ fn few_nodes_are_looked_at() {
             assert!(found > 0, "the large box is everywhere");
         }
         println!("{when}: {} looks for 100 short rays", looks.get());
-        assert!(looks.get() < 100 * 30, "{} looks for 100 short rays, when {when}", looks.get());
+        // The fewer lanes, the more nodes.
+        assert!(
+            looks.get() < 100 * 240 / LANES,
+            "{} looks for 100 short rays, when {when}",
+            looks.get()
+        );
         twins.tree.rebuild();
     }
 }

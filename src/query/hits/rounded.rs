@@ -14,9 +14,11 @@ pub fn chord(to_center: Vector, dir: Vector, radius: Real) -> Option<[Real; 2]> 
     let squared = dir.length_squared();
     let middle = to_center.dot(dir) / squared;
     let beside = to_center - dir * middle;
-    let half = ((radius * radius - beside.length_squared()) / squared).sqrt();
-    // Not a number if the way passes outside.
-    (half >= 0.0).then_some([middle - half, middle + half])
+    let within = radius * radius - beside.length_squared();
+    (within >= 0.0).then(|| {
+        let half = (within / squared).sqrt();
+        [middle - half, middle + half]
+    })
 }
 
 /// When the way enters the layer around a segment, and the point of the segment that is nearest there.
