@@ -152,7 +152,7 @@ impl Patches {
                 }
             }
             let normal = normal.normalize_or(first);
-            reduce(&mut self.gathered, normal);
+            reduce(&mut self.gathered, normal, prediction);
             drop_doubles(&mut self.gathered);
             push_manifold(&mut self.gathered, normal, parts, pos12, out);
         }
@@ -199,7 +199,7 @@ pub(super) fn push_manifold(
     pos12: &Pose,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) {
-    reduce(points, local_n1);
+    reduce(points, local_n1, Real::INFINITY);
     // Filled in place: a manifold is some hundred bytes.
     out.push(ContactManifold::default());
     let Some(manifold) = out.last_mut() else { return };

@@ -9,8 +9,10 @@ const FLAT: Real = 5.0e-3;
 /// Keeps the deepest point and the one that is farthest from it. If all are equally deep, rounding must not
 /// choose: then the first is the one that is farthest to one side.
 ///
-/// Two convex parts touch in two points at most, but several parts of a chain may meet the same body.
-pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
+/// Two convex parts touch in two points at most, but several parts of a chain may meet the same body. On a bumpy
+/// chain those points count that bear: lengths are weighted with how much nearer than `reach` a point is, the deepest
+/// with 1. An infinite `reach` weights nothing.
+pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     if points.len() <= MAX_MANIFOLD_POINTS {
         return;
     }
@@ -24,7 +26,11 @@ pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
         points.iter().min_by(|a, b| along(a).total_cmp(&along(b))).copied()
     };
     let Some(first) = first else { return };
-    let away = |point: &RawPoint| (along(point) - along(&first)).abs();
+    let weight = |point: &RawPoint| {
+        let share = (reach - point.dist) / (reach - low);
+        if share.is_finite() { share } else { 1.0 }
+    };
+    let away = |point: &RawPoint| (along(point) - along(&first)).abs() * weight(point);
     let second = points.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied();
     points.clear();
     points.push(first);

@@ -12,18 +12,27 @@ const FLAT: Real = 5.0e-3;
 /// nothing sinks in, the one farthest from it, the one farthest from the line through these two, and
 /// the one farthest from the third on the other side of that line. If all are equally deep, rounding
 /// must not choose: then the first is the one that is farthest along a fixed direction.
-pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector) {
+///
+/// On a face all points count the same, on a bumpy surface those that bear: lengths are weighted with
+/// how much nearer than `reach` a point is, the deepest with 1. An infinite `reach` weights nothing.
+pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     if points.len() <= MAX_MANIFOLD_POINTS {
         return;
     }
     let Some(first) = first_point(points, normal) else { return };
     let p = points[first].local_p1;
-    let Some(second) = best(points, |point| point.local_p1.distance_squared(p)) else { return };
+    let deepest = points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
+    let weight = |point: &RawPoint| {
+        let share = (reach - point.dist) / (reach - deepest);
+        if share.is_finite() { share } else { 1.0 }
+    };
+    let away = |point: &RawPoint| point.local_p1.distance(p) * weight(point);
+    let Some(second) = best(points, away) else { return };
     let side = normal.cross(points[second].local_p1 - p);
     let height = |point: &RawPoint| side.dot(point.local_p1 - p);
-    let Some(third) = best(points, |point| height(point).abs()) else { return };
+    let Some(third) = best(points, |point| height(point).abs() * weight(point)) else { return };
     let sign = if height(&points[third]) < 0.0 { 1.0 } else { -1.0 };
-    let fourth = best(points, |point| sign * height(point));
+    let fourth = best(points, |point| sign * height(point) * weight(point));
 
     let mut kept = [first, second, third, fourth.unwrap_or(third)];
     kept.sort_unstable();
