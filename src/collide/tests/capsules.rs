@@ -91,3 +91,26 @@ fn things_in_the_same_place_are_pushed_somewhere() {
         assert!(depth < 0.0, "{kinds:?}: {depth}");
     }
 }
+
+#[test]
+fn at_the_corner_of_a_box_no_contact_is_deeper_than_the_shapes() {
+    let mut random = Random(12);
+    let (cube, capsule) = (samples::cuboid(Vector::splat(2.0)), SharedShape::capsule_y(0.6, 0.3));
+    let mut compared = 0;
+    for round in 0..20_000 {
+        let aside = samples::vector(&mut random, 0.2);
+        let place = Vector::splat(2.0) + Vector::Y * 0.8 + aside;
+        let pos12 = Pose::from_parts(place, samples::rotation(&mut random));
+        let Ok(true_dist) = parry::query::distance(&Pose::IDENTITY, &*cube, &pos12, &*capsule)
+        else {
+            continue;
+        };
+        let (found, _) = manifolds(&pos12, &*cube, &*capsule, 0.03);
+        let Some(manifold) = found.first().filter(|_| true_dist.distance > 0.0) else { continue };
+        // A face is taken to reach a hundredth of its size beyond its edges.
+        let (ours, dist) = (manifold.deepest_dist(), true_dist.distance);
+        assert!(ours > dist - 0.01, "round {round}: {ours}, {dist}");
+        compared += 1;
+    }
+    assert!(compared > 50, "only {compared} were close");
+}
