@@ -267,7 +267,9 @@ impl Search<'_> {
         };
         let obstacle = Obstacle { parts: self.parts[side], id: patch.parts[side], pose };
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
-        Facet::new(obstacle, patch.parts[1 - side], normal, place, patch.dist)
+        let on = patch.parts[1 - side];
+        let body = Obstacle { parts: self.parts[1 - side], id: on, pose: Pose::IDENTITY };
+        Facet::new([obstacle, body], normal, place, patch.dist)
     }
 
     /// Computes a patch anew along the normal with which its obstacle may still carry the body.
@@ -276,7 +278,7 @@ impl Search<'_> {
         let direction = if side == 0 { self.pair.pos12.rotation * along } else { -along };
         let [id1, id2] = self.patches.list()[index].parts;
         let [parts1, parts2] = self.parts;
-        let mut is_carried = false;
+        let (mut is_carried, mut is_too_deep) = (false, false);
         parts1.with_part(id1, &mut |part1| {
             parts2.with_part(id2, &mut |part2| {
                 let pos12 = self.pose_of_parts(&part1, &part2);
@@ -285,11 +287,15 @@ impl Search<'_> {
                 raw.points.clear();
                 manifold_along(&pos12, [&part1, &part2], side == 0, direction, prediction, raw);
                 raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
-                is_carried =
-                    !raw.points.is_empty() && self.patches.replace(index, raw, &part1, &part2);
+                is_too_deep = raw.points.iter().any(|point| point.dist < seam.least_dist);
+                is_carried = !raw.points.is_empty()
+                    && !is_too_deep
+                    && self.patches.replace(index, raw, &part1, &part2);
             });
         });
-        if !is_carried {
+        // An edge that seemed hidden, and is not.
+        let stays = is_too_deep && !seam.is_behind;
+        if !is_carried && !stays {
             self.patches.empty(index);
         }
     }

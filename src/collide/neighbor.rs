@@ -13,7 +13,8 @@ pub(crate) struct Neighbor<'a> {
     shape: &'a dyn Shape,
     part: u32,
     pose: Pose,
-    /// Which part of the body meets it.
+    /// The body, and which part of it meets the obstacle.
+    body: &'a dyn Shape,
     on: u32,
     /// Unit normal, from the obstacle to the body.
     normal: Vector,
@@ -24,12 +25,12 @@ pub(crate) struct Neighbor<'a> {
 }
 
 impl<'a> Neighbor<'a> {
-    /// What a manifold says of the obstacle that is its first or second shape (`side`). `shape` and
-    /// `pose` are the obstacle's, in the frame of the other. `None` if the manifold has no points.
+    /// What a manifold says of the obstacle that is the first or second of its shapes (`side`). `pose` is
+    /// the obstacle's, in the frame of the other. `None` if the manifold has no points.
     pub fn of(
         manifold: &ContactManifold,
         side: usize,
-        shape: &'a dyn Shape,
+        shapes: [&'a dyn Shape; 2],
         pose: Pose,
     ) -> Option<Self> {
         let contacts = manifold.contacts();
@@ -43,9 +44,10 @@ impl<'a> Neighbor<'a> {
         let parts = [manifold.subshape1, manifold.subshape2];
         let outward = [manifold.local_n1, manifold.local_n2];
         Some(Self {
-            shape,
+            shape: shapes[side],
             part: parts[side],
             pose,
+            body: shapes[1 - side],
             on: parts[1 - side],
             normal: -outward[1 - side],
             points,
@@ -56,8 +58,9 @@ impl<'a> Neighbor<'a> {
     pub(super) fn as_facet(&self) -> Facet<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
         let obstacle = Obstacle { parts: Parts::of(self.shape), id, pose };
+        let body = Obstacle { parts: Parts::of(self.body), id: on, pose: Pose::IDENTITY };
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet::new(obstacle, on, normal, place, dist)
+        Facet::new([obstacle, body], normal, place, dist)
     }
 }
 

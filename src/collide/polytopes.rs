@@ -7,6 +7,7 @@
 //! farthest along the last normal, if no corner is deeper. Else the closest points are searched, which
 //! takes several times as long.
 
+use super::seams::LOOKS_ALONG;
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
     BestAxis, Face, FaceContact, Polytope, RawManifold, RawPoint, Side, best_axis, clip_faces,
@@ -25,9 +26,6 @@ const SAME_AXIS: Real = 0.98;
 /// Overlaps deeper than this share of the thickness are searched anew: a face on another side may
 /// have become the better one.
 const DEEP: Real = 0.25;
-
-/// A face with at least this cosine to a direction looks along it.
-const LOOKS_ALONG: Real = 0.5;
 
 /// How much deeper than two edges other corners may be, as a share of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;

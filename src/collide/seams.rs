@@ -14,16 +14,20 @@
 //!    those that are lower. It needs no knowledge of how the obstacles hang together, so it is the same
 //!    for the triangles of a mesh, for colliders, and for bodies.
 //! 2. **Hidden.** If `X` meets `B` at an edge or a corner (`b` is no normal of a face of `B`), if this
-//!    place lies on `A`, and if `A` rises from there above the plane of the contact, then the place is
-//!    inside a valley whose one side `X` touches already: no point of `X` can come to it before coming
-//!    to the side. A ball would feel the lowest line of each valley of a terrain as a bump.
+//!    place lies on `A`, if `A` rises from there above the plane of the contact, and if a face of `B`
+//!    that looks along `a` begins there, then the place is the lowest line of a valley, one of whose
+//!    sides `X` touches already: it comes to the other side before it comes to the line. A ball would
+//!    feel the lowest line of each valley of a terrain as a bump. (The foot of a wall is no such place:
+//!    the wall has no face there that looks along the floor's normal.)
 //!
 //! In either case `B` may still carry `X`, but with its face that looks along `a`: the contact is
 //! computed anew with that face, and only if there is none it goes.
 //!
 //! The limits: a step that is less high than the tolerance ([`IntegrationParameters::allowed_linear_error`]
-//! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. And `X` must touch `A`
-//! in the same step: a body that comes down flat beside an edge meets the edge.
+//! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. `X` must touch `A` in the same step:
+//! a body that comes down flat beside an edge, or so fast that it is deep in `B` when it is first seen, meets
+//! the nearest side of `B`. Of a compound, those parts glide that are above the plane as a whole; meshes that
+//! move themselves catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
 //!
 //! Others mark the edges of a mesh as convex or not (Bullet, Jolt, parry) or give segments the corners of
 //! their neighbours (Box2D); that needs the neighbours to be known beforehand, and works within one
@@ -39,6 +43,8 @@ const FACE: Real = 0.9998;
 /// The plane of a contact is that of the obstacle's face if their normals differ by no more than this
 /// squared length (0.17 degrees): bodies that lie on a face are level to about that.
 const LEVEL: Real = 9.0e-6;
+/// A face with at least this cosine to a direction looks along it.
+pub(super) const LOOKS_ALONG: Real = 0.5;
 /// How far a hidden seam's other side rises above the contact plane, at least, as a share of the tolerance.
 const RISE: Real = 0.05;
 /// Normals whose difference has at most this squared length (0.06 degrees) are the same.
@@ -46,6 +52,8 @@ pub(crate) const SAME_NORMAL: Real = 1.0e-6;
 /// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
 /// and more.
 const PARALLEL: Real = 1.0e-10;
+/// Most planes that are compared with, the deepest: a ball in a bowl of its own radius touches thousands.
+const MAX_PLANES: usize = 16;
 
 /// A convex part of a shape, somewhere.
 #[derive(Copy, Clone)]
@@ -87,6 +95,19 @@ impl Obstacle<'_> {
         near == Some(true)
     }
 
+    /// Does a face that looks along `direction` begin at a point?
+    fn goes_on_along(&self, direction: Vector, point: Vector, tolerance: Real) -> bool {
+        let found = self.with(|part, pose| {
+            let local = pose.rotation.inverse() * direction;
+            let (polytope, radius) = Polytope::of(part.shape)?;
+            let face = polytope.face_toward(local)?;
+            let height = face.normal.dot(pose.inverse_transform_point(point)) - face.offset;
+            let looks_along = face.normal.dot(local) > LOOKS_ALONG;
+            Some(looks_along && (height - radius).abs() <= tolerance)
+        });
+        found == Some(true)
+    }
+
     /// The normal of the face that looks along a direction, if they agree.
     fn face(&self, normal: Vector) -> Face {
         let face = self.with(|part, pose| {
@@ -114,8 +135,8 @@ enum Face {
 #[derive(Copy, Clone)]
 pub(super) struct Facet<'a> {
     obstacle: Obstacle<'a>,
-    /// Which part of its shape the body meets the obstacle with.
-    on: u32,
+    /// The part of the body that meets the obstacle.
+    body: Obstacle<'a>,
     /// Unit normal, from the obstacle to the body.
     normal: Vector,
     /// The same, or that of the obstacle's face if the contact is with a face: a plane that reaches
@@ -128,31 +149,40 @@ pub(super) struct Facet<'a> {
 }
 
 impl<'a> Facet<'a> {
-    pub fn new(obstacle: Obstacle<'a>, on: u32, normal: Vector, place: Vector, dist: Real) -> Self {
+    pub fn new(
+        [obstacle, body]: [Obstacle<'a>; 2],
+        normal: Vector,
+        place: Vector,
+        dist: Real,
+    ) -> Self {
         let plane = match obstacle.face(normal) {
             Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
             _ => normal,
         };
-        Self { obstacle, on, normal, plane, place, dist }
+        Self { obstacle, body, normal, plane, place, dist }
     }
 }
 
 impl Facet<'_> {
-    /// Does `self` meet the same part of the body in another direction?
-    fn is_other(&self, facet: &Self) -> bool {
-        self.on == facet.on && self.plane.distance_squared(facet.plane) > SAME_NORMAL
+    /// May the plane of `other` say something of `self`? It must look another way, and what of the
+    /// body meets the obstacle of `self` must be above it.
+    fn may_be_explained_by(&self, other: &Self, tolerance: Real) -> bool {
+        if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
+            return false;
+        }
+        let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
+        self.body.id == other.body.id
+            || self.body.height(-other.plane).is_some_and(|depth| -depth >= level)
     }
 
     /// First rule: is the obstacle of `self` behind the plane of `other`?
-    pub fn is_behind(&self, other: &Facet<'_>, tolerance: Real) -> bool {
+    fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         let limit = other.plane.dot(other.place) + tolerance;
-        // The place is part of the obstacle, and most often tells.
-        other.plane.dot(self.place) <= limit
-            && self.obstacle.height(other.plane).is_some_and(|height| height <= limit)
+        self.obstacle.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one of the points of `self`: is it on the plane of `other`, and does an obstacle
-    /// that is part of that plane hide it?
+    /// Second rule, for one of the points of `self`: is it on the plane of `other`, does a face of its own obstacle go on
+    /// from there, and does an obstacle that is part of the plane hide it?
     fn is_hidden_at<'b>(
         &self,
         point: Vector,
@@ -163,6 +193,7 @@ impl Facet<'_> {
         let level = self.normal.dot(point) + RISE * tolerance;
         other.dist <= self.dist + tolerance
             && other.plane.dot(point - other.place).abs() <= tolerance
+            && self.obstacle.goes_on_along(other.plane, point, tolerance)
             && in_plane.any(|facet| {
                 facet.obstacle.contains(point, tolerance)
                     && facet.obstacle.height(self.normal).is_none_or(|height| height > level)
@@ -179,6 +210,10 @@ pub(super) struct Seam {
     explained_by: usize,
     /// The normal along which its obstacle may still carry the body: that of the contact.
     pub along: Vector,
+    /// How deep the body may then be in the obstacle: deeper, and it is in it in another way.
+    pub least_dist: Real,
+    /// Is the obstacle behind the contact (the first rule), or is its edge hidden (the second)?
+    pub is_behind: bool,
 }
 
 /// Calls its second argument with each point of a facet, on the facet's obstacle.
@@ -202,12 +237,15 @@ pub(super) fn find_seams(
     }
     let mut order: SmallVec<[usize; 32]> = (0..own).collect();
     order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
-    let search = Search { facets, planes, points, tolerance, seams };
+    let mut search = Search { facets, planes, points, tolerance, seams };
     for index in order {
-        let found = search.in_front_of(index).or_else(|| search.hiding(index));
-        if let Some(explained_by) = found {
-            let along = facets[explained_by].plane;
-            search.seams.push(Seam { index, explained_by, along });
+        let front = search.in_front_of(index);
+        if let Some(explained_by) = front.or_else(|| search.hiding(index)) {
+            let other = &facets[explained_by];
+            let least_dist = other.dist.min(facets[index].dist) - 2.0 * tolerance;
+            let (along, is_behind) = (other.plane, front.is_some());
+            search.seams.push(Seam { index, explained_by, along, least_dist, is_behind });
+            search.planes.retain(|plane| *plane != index);
         }
     }
 }
@@ -215,8 +253,8 @@ pub(super) fn find_seams(
 /// The search for seams.
 struct Search<'a> {
     facets: &'a [Facet<'a>],
-    /// Numbers of facets with different planes.
-    planes: SmallVec<[usize; 8]>,
+    /// Numbers of contacts with different planes, the deepest first. What is found to be a seam goes.
+    planes: SmallVec<[usize; MAX_PLANES]>,
     points: &'a Points<'a>,
     tolerance: Real,
     /// What was found so far.
@@ -226,9 +264,11 @@ struct Search<'a> {
 impl Search<'_> {
     /// The contacts that may explain a facet.
     fn others(&self, index: usize) -> impl Iterator<Item = usize> {
-        let is_contact = |other: usize| self.seams.iter().all(|seam| seam.index != other);
-        let is_other = move |other: usize| self.facets[other].is_other(&self.facets[index]);
-        self.planes.iter().copied().filter(move |&other| is_other(other) && is_contact(other))
+        let (facet, tolerance) = (&self.facets[index], self.tolerance);
+        let explains = move |&other: &usize| {
+            other != index && facet.may_be_explained_by(&self.facets[other], tolerance)
+        };
+        self.planes.iter().copied().filter(explains)
     }
 
     /// A contact that a facet is behind of.
@@ -264,30 +304,34 @@ impl Search<'_> {
     /// A contact, those in its plane, and the seams that it explains.
     fn explained_by(&self, index: usize) -> impl Iterator<Item = &Facet<'_>> {
         let contact = &self.facets[index];
-        let same = move |facet: &&Facet<'_>| facet.on == contact.on && !facet.is_other(contact);
+        let same =
+            move |facet: &&Facet<'_>| facet.plane.distance_squared(contact.plane) <= SAME_NORMAL;
         let seams = self.seams.iter().filter(move |seam| seam.explained_by == index);
         let seams = seams.map(|seam| &self.facets[seam.index]);
         self.facets.iter().filter(same).chain(seams)
     }
 }
 
-/// One facet for each plane, the deepest.
-fn distinct_planes(facets: &[Facet<'_>], tolerance: Real) -> SmallVec<[usize; 8]> {
-    let mut planes = SmallVec::<[usize; 8]>::new();
-    for (index, facet) in facets.iter().enumerate() {
-        let same = planes.iter_mut().find(|plane| {
-            let plane = &facets[**plane];
+/// The deepest facet for each plane, the deepest first: what is deep is least likely to be a seam itself, so
+/// it explains first.
+fn distinct_planes(facets: &[Facet<'_>], tolerance: Real) -> SmallVec<[usize; MAX_PLANES]> {
+    let mut order: SmallVec<[usize; 32]> = (0..facets.len()).collect();
+    order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
+    let mut planes = SmallVec::<[usize; MAX_PLANES]>::new();
+    for index in order {
+        let facet = &facets[index];
+        let is_known = planes.iter().any(|&plane| {
+            let plane: &Facet<'_> = &facets[plane];
             let offset = plane.plane.dot(facet.place - plane.place);
             let is_parallel = plane.plane.distance_squared(facet.plane) < PARALLEL;
-            plane.on == facet.on && is_parallel && offset.abs() < tolerance
+            is_parallel && offset.abs() < tolerance
         });
-        match same {
-            Some(plane) if facet.dist < facets[*plane].dist => *plane = index,
-            Some(_) => {}
-            None => planes.push(index),
+        if !is_known {
+            planes.push(index);
+        }
+        if planes.len() == MAX_PLANES {
+            break;
         }
     }
-    // What is deepest is least likely to be a seam itself, so it explains first.
-    planes.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
     planes
 }

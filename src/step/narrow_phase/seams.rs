@@ -158,9 +158,9 @@ impl<'a> Contacts<'a> {
             return;
         };
         let pose = if side == 0 { view.pose12.inverse() } else { view.pose12 };
-        let shape = Collider::shape(view.colliders[side]);
+        let shapes = view.colliders.map(Collider::shape);
         for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {
-            if let Some(contact) = Neighbor::of(manifold, side, shape, pose) {
+            if let Some(contact) = Neighbor::of(manifold, side, shapes, pose) {
                 self.list.push(contact);
                 self.pairs.push(id);
             }
