@@ -110,7 +110,15 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
         ("lying capsule", 0.3, lying, ColliderBuilder::capsule_y(0.3, 0.3)),
         ("hull", 0.25, straight, ColliderBuilder::convex_hull(&wedge).unwrap()),
         ("round box", 0.5, straight, ColliderBuilder::round_cuboid(0.4, 0.4, 0.1)),
+        ("compound", 0.3, straight, sledge()),
     ]
+}
+
+/// Two boxes, one behind the other, as parts of a compound.
+fn sledge() -> ColliderBuilder {
+    let half = SharedShape::cuboid(0.2, 0.3);
+    let at = |x: Real| (Pose::from_translation(Vector::new(x, 0.0)), half.clone());
+    ColliderBuilder::compound(vec![at(-0.3), at(0.3)])
 }
 
 /// A way to the side: there is none.
@@ -124,4 +132,11 @@ pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     };
     let ground = ColliderBuilder::polyline((0..=40).map(vertex).collect(), None);
     world.insert_collider(ground.friction(0.0), None);
+}
+
+/// A closed box of segments.
+pub fn box_mesh(half: Vector) -> ColliderBuilder {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
+    let corners = corners.map(|corner| Vector::from_array(corner) * half);
+    ColliderBuilder::polyline(corners.to_vec(), None)
 }

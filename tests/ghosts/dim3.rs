@@ -69,12 +69,15 @@ fn hull() -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners()).unwrap()
 }
 
-fn closed_mesh() -> ColliderBuilder {
-    // Corner 4 x + 2 y + z; each face as two triangles, seen from outside.
+/// Corner 4 x + 2 y + z; each face as two triangles, seen from outside.
+fn box_triangles() -> Vec<[u32; 3]> {
     let faces: [[u32; 4]; 6] =
         [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    ColliderBuilder::trimesh(corners(), triangles).unwrap()
+    faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
+}
+
+fn closed_mesh() -> ColliderBuilder {
+    ColliderBuilder::trimesh(corners(), box_triangles()).unwrap()
 }
 
 fn square() -> ColliderBuilder {
@@ -153,7 +156,16 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
         ("cylinder", 0.5, straight, ColliderBuilder::cylinder(0.5, 0.5)),
         ("hull", 0.5, turned(0.2), ColliderBuilder::convex_hull(&six).unwrap()),
         ("round box", 0.5, straight, ColliderBuilder::round_cuboid(0.4, 0.4, 0.4, 0.1)),
+        ("small round box", 0.06, straight, ColliderBuilder::round_cuboid(0.08, 0.04, 0.08, 0.02)),
+        ("compound", 0.3, straight, sledge()),
     ]
+}
+
+/// Two boxes side by side, as parts of a compound.
+fn sledge() -> ColliderBuilder {
+    let half = SharedShape::cuboid(0.5, 0.3, 0.2);
+    let at = |z: Real| (Pose::from_translation(Vector::new(0.0, 0.0, z)), half.clone());
+    ColliderBuilder::compound(vec![at(-0.3), at(0.3)])
 }
 
 /// A way to the side, off the seams.
@@ -169,4 +181,10 @@ pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     let strip = |i: u32| [[2 * i, 2 * i + 1, 2 * i + 3], [2 * i, 2 * i + 3, 2 * i + 2]];
     let ground = ColliderBuilder::trimesh(vertices.collect(), (0..40).flat_map(strip).collect());
     world.insert_collider(ground.unwrap().friction(0.0), None);
+}
+
+/// A closed box of triangles, as deep as it is wide.
+pub fn box_mesh(half: Vector) -> ColliderBuilder {
+    let corners = corners().into_iter().map(|c| c * 2.0 * Vector::new(half.x, half.y, 5.0));
+    ColliderBuilder::trimesh(corners.collect(), box_triangles()).unwrap()
 }

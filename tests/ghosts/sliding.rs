@@ -62,6 +62,9 @@ fn bodies_glide() {
             ]);
             table.require(heights.0[1] < 1.0, "hops");
             table.require(heights.0[0] > -5.0, "sinks");
+            // A thousandth of the speed, and what a tilt of some thousandths makes of a round bottom.
+            table.require(asides.0[1] < 5.0e-3 * SPEED, "is led to the side");
+            table.require(turns.0[1] < 0.5, "turns");
             // On each new tile the body tilts by some thousandths, and is pushed along its own bottom.
             table.check("the lowest speed", speeds.0[0], SPEED, 2.0e-3 * SPEED);
             table.check("the highest speed", speeds.0[1], SPEED, 2.0e-3 * SPEED);

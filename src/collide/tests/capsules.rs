@@ -114,3 +114,36 @@ fn at_the_corner_of_a_box_no_contact_is_deeper_than_the_shapes() {
     }
     assert!(compared > 50, "only {compared} were close");
 }
+
+#[test]
+fn capsules_are_as_far_from_triangles_as_parry_says() {
+    let mut random = Random(7);
+    let mut compared = 0;
+    for round in 0..20_000 {
+        let mut corner = || samples::vector(&mut random, 1.0);
+        let triangle = SharedShape::triangle(corner(), corner(), corner());
+        let capsule = SharedShape::capsule_y(0.4, 0.2);
+        let pos12 = samples::pose(&mut random, 0.8);
+        let Ok(theirs) = parry::query::distance(&Pose::IDENTITY, &*triangle, &pos12, &*capsule)
+        else {
+            continue;
+        };
+        let theirs = theirs.distance;
+        for (pose, shape1, shape2) in
+            [(pos12, &triangle, &capsule), (pos12.inverse(), &capsule, &triangle)]
+        {
+            let (found, _) = manifolds(&pose, &**shape1, &**shape2, 0.1);
+            assert_sound(&found, &pose, 0.1, "capsule and triangle");
+            let ours = found.first().map(|manifold| manifold.deepest_dist());
+            if theirs > 0.0 && theirs < 0.09 {
+                let ours = ours.unwrap_or_else(|| panic!("round {round}: {theirs} is missed"));
+                // A face reaches some millimetres beyond its edges.
+                assert!((ours - theirs).abs() < 1.2e-2, "round {round}: {ours}, {theirs}");
+                compared += 1;
+            } else if theirs > 0.11 {
+                assert!(ours.is_none(), "round {round}: {ours:?}, {theirs}");
+            }
+        }
+    }
+    assert!(compared > 1_000, "only {compared} were close");
+}

@@ -29,28 +29,36 @@ pub fn capsule_triangle(
     prediction: Real,
     raw: &mut RawManifold,
 ) -> Option<Real> {
-    let normal = pos12.rotation * triangle.normal()?;
+    let local_normal = triangle.normal()?;
+    let polytope = Polytope::Triangle(triangle, local_normal);
+    let normal = pos12.rotation * local_normal;
     let corners = [triangle.a, triangle.b, triangle.c].map(|corner| *pos12 * corner);
     let axis = [capsule.segment.a, capsule.segment.b];
     let heights = axis.map(|end| normal.dot(end - corners[0]));
-    // From the triangle to the capsule; a capsule that goes through leaves on the side of its longer end.
-    let outward = if heights[0] + heights[1] < 0.0 { -normal } else { normal };
     let above_face = nearest_to_face(axis, corners, normal, heights);
+    // From the triangle to the capsule.
+    let outward = if above_face.is_some_and(|(_, is_below)| is_below) { -normal } else { normal };
     let to_edges = nearest_to_edges(axis, corners);
     let offset = to_edges.on_triangle - to_edges.on_axis;
     let to_edge = offset.length();
     let (dist, direction) = match above_face {
-        Some(height) if height <= to_edge => (height, -outward),
+        Some((height, _)) if height <= to_edge => (height, -outward),
         _ if to_edge > 0.0 => (to_edge, offset / to_edge),
         _ => (0.0, -outward),
+    };
+    let is_face = direction.dot(normal).abs() > IS_NORMAL;
+    let direction = match is_face {
+        true if direction.dot(normal) < 0.0 => -normal,
+        true => normal,
+        false => direction,
     };
     (raw.local_n1, raw.local_n2) = (direction, pos12.rotation.inverse() * -direction);
     let bound = dist - capsule.radius;
     if bound > prediction {
         return Some(bound);
     }
-    if direction.dot(-outward) > IS_NORMAL {
-        add_face(pos12, capsule, triangle, -outward, prediction, raw);
+    if is_face {
+        add_face(pos12, capsule, &polytope, direction, prediction, raw);
     }
     if raw.points.is_empty() {
         let p1 = to_edges.on_axis + direction * capsule.radius;
@@ -60,14 +68,14 @@ pub fn capsule_triangle(
     Some(bound.max(0.0))
 }
 
-/// The least height of what of the axis is above the face or below it, 0 if it goes through; `None` if
-/// nothing is.
+/// How far what of the axis is above the face or below it is from it, 0 if it goes through, and whether it is
+/// below; `None` if nothing is. What goes through leaves on the side of its longer end.
 fn nearest_to_face(
     axis: [Vector; 2],
     corners: [Vector; 3],
     normal: Vector,
     heights: [Real; 2],
-) -> Option<Real> {
+) -> Option<(Real, bool)> {
     let is_inside = |point: Vector| {
         (0..3).all(|index| {
             let along = corners[(index + 1) % 3] - corners[index];
@@ -77,11 +85,12 @@ fn nearest_to_face(
     if heights[0] * heights[1] < 0.0 {
         let share = heights[0] / (heights[0] - heights[1]);
         if is_inside(axis[0] + (axis[1] - axis[0]) * share) {
-            return Some(0.0);
+            return Some((0.0, heights[0] + heights[1] < 0.0));
         }
     }
-    let ends = (0..2).filter(|&end| is_inside(axis[end])).map(|end| heights[end].abs());
-    ends.reduce(Real::min)
+    let ends = (0..2).filter(|&end| is_inside(axis[end]));
+    let nearest = ends.min_by(|&a, &b| heights[a].abs().total_cmp(&heights[b].abs()))?;
+    Some((heights[nearest].abs(), heights[nearest] < 0.0))
 }
 
 /// Where the axis is nearest to the edges.
@@ -119,17 +128,15 @@ fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector,
 fn add_face(
     pos12: &Pose,
     capsule: &Capsule,
-    triangle: &Triangle,
+    triangle: &Polytope<'_>,
     direction: Vector,
     prediction: Real,
     raw: &mut RawManifold,
 ) {
     let pos21 = pos12.inverse();
-    let outward = pos21.rotation * -direction;
-    let polytope = Polytope::Triangle(triangle, outward);
-    let Some(face) = polytope.face_toward(outward) else { return };
+    let Some(face) = triangle.face_toward(pos21.rotation * -direction) else { return };
     let other = &Polytope::Segment(&capsule.segment);
-    let contact = FaceContact { polytope: &polytope, face, other, pose: &pos21 };
+    let contact = FaceContact { polytope: triangle, face, other, pose: &pos21 };
     let _ = clip_faces(&contact, prediction + capsule.radius, true, raw);
     for point in &mut raw.points {
         point.local_p1 += direction * capsule.radius;
