@@ -18,6 +18,11 @@ const DEEP: Real = 0.25;
 /// GJK's tolerance, much less than any feature that matters.
 const MOVED_APART: Real = 0.02;
 
+/// Within what distance contacts are asked for in a world of metres (length units).
+const USUAL_REACH: Real = 0.02;
+/// Worlds that are smaller than that by this factor are enlarged.
+const ENLARGED_FROM: Real = 8.0;
+
 /// What is known of two shapes, all in the frame of the first.
 #[derive(Copy, Clone, Debug)]
 pub enum Closest {
@@ -65,7 +70,46 @@ pub fn extents(
 
 /// Finds where two convex shapes are closest, if they are within `reach`. `last_normal` is the normal
 /// of last time, or zero.
+///
+/// The search has tolerances that are lengths, made for shapes of a metre. Who asks for contacts within
+/// a fraction of a millimetre has a world of millimetres: there the shapes are searched enlarged.
 pub fn closest(
+    pos12: &Pose,
+    shape1: &(impl SupportMap + ?Sized),
+    shape2: &(impl SupportMap + ?Sized),
+    reach: Real,
+    last_normal: Vector,
+) -> Closest {
+    let scale = USUAL_REACH / reach;
+    if !(scale > ENLARGED_FROM && scale.is_finite()) {
+        return closest_as_is(pos12, shape1, shape2, reach, last_normal);
+    }
+    let pose = Pose::from_parts(pos12.translation * scale, pos12.rotation);
+    let (shape1, shape2) = (Scaled { shape: shape1, scale }, Scaled { shape: shape2, scale });
+    match closest_as_is(&pose, &shape1, &shape2, USUAL_REACH, last_normal) {
+        Closest::Near { point1, point2, normal, dist } => Closest::Near {
+            point1: point1 / scale,
+            point2: point2 / scale,
+            normal,
+            dist: dist / scale,
+        },
+        apart => apart,
+    }
+}
+
+/// A shape, enlarged.
+struct Scaled<'a, S: ?Sized> {
+    shape: &'a S,
+    scale: Real,
+}
+
+impl<S: SupportMap + ?Sized> SupportMap for Scaled<'_, S> {
+    fn local_support_point(&self, direction: Vector) -> Vector {
+        self.shape.local_support_point(direction) * self.scale
+    }
+}
+
+fn closest_as_is(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),
     shape2: &(impl SupportMap + ?Sized),

@@ -5,6 +5,7 @@ mod capsules;
 mod fuzz;
 mod matching;
 mod polytopes;
+mod small;
 mod timing;
 
 use super::manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};

@@ -18,26 +18,30 @@ pub(crate) type RemovedBody = (RigidBodyHandle, Option<Vec<ColliderHandle>>, Bod
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodySet {
     bodies: Arena<RigidBody>,
-    /// Bodies that the user may have changed since the last step, each once.
-    modified: Vec<RigidBodyHandle>,
-    removed: Vec<RemovedBody>,
-    /// The places of the modified bodies in the step's lists, as they were when the note was left.
-    places: Vec<BodyLink>,
+    notes: Notes,
 }
 
-/// The notes of a set.
-struct Notes<'a>(&'a mut Vec<RigidBodyHandle>, &'a mut Vec<BodyLink>);
+/// What is remembered of changes.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Notes {
+    /// Bodies that the user may have changed since the last step, each once.
+    modified: Vec<RigidBodyHandle>,
+    /// Their places in the step's lists, as they were when the note was left.
+    places: Vec<BodyLink>,
+    removed: Vec<RemovedBody>,
+}
 
-impl Notes<'_> {
-    /// Leaves a note, once, that the user may have changed a body.
+impl Notes {
+    /// The user may be about to change a body.
     ///
     /// Whoever has a body in hand can put another one in its place (assign a copy, swap two of them),
     /// and with it what that one knew of *its* place. So the note says where the body really is.
-    fn note(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
+    fn change(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
         if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
             body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
-            self.0.push(handle);
-            self.1.push(body.link);
+            self.modified.push(handle);
+            self.places.push(body.link);
         }
     }
 }
@@ -76,8 +80,8 @@ impl RigidBodySet {
         body.detach_from_set();
         body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
         let handle = RigidBodyHandle(self.bodies.insert(body));
-        self.modified.push(handle);
-        self.places.push(BodyLink::default());
+        self.notes.modified.push(handle);
+        self.notes.places.push(BodyLink::default());
         handle
     }
 
@@ -88,7 +92,7 @@ impl RigidBodySet {
     pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         let mut body = self.bodies.remove(handle.0)?;
         let (colliders, link) = body.detach_from_set();
-        self.removed.push((handle, Some(colliders), link));
+        self.notes.removed.push((handle, Some(colliders), link));
         Some(body)
     }
 
@@ -100,7 +104,7 @@ impl RigidBodySet {
     /// The body that a handle finds, for changing it.
     pub fn get_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         let body = self.bodies.get_mut(handle.0)?;
-        Notes(&mut self.modified, &mut self.places).note(handle, body);
+        self.notes.change(handle, body);
         Some(body)
     }
 
@@ -113,10 +117,10 @@ impl RigidBodySet {
     ) -> (Option<&mut RigidBody>, Option<&mut RigidBody>) {
         let (mut body1, mut body2) = self.bodies.get2_mut(handle1.0, handle2.0);
         if let Some(body) = &mut body1 {
-            Notes(&mut self.modified, &mut self.places).note(handle1, body);
+            self.notes.change(handle1, body);
         }
         if let Some(body) = &mut body2 {
-            Notes(&mut self.modified, &mut self.places).note(handle2, body);
+            self.notes.change(handle2, body);
         }
         (body1, body2)
     }
@@ -131,7 +135,7 @@ impl RigidBodySet {
     pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut RigidBody, RigidBodyHandle)> {
         let (index, body) = self.bodies.at_slot_mut(slot)?;
         let handle = RigidBodyHandle(index);
-        Notes(&mut self.modified, &mut self.places).note(handle, body);
+        self.notes.change(handle, body);
         Some((body, handle))
     }
 
@@ -146,10 +150,10 @@ impl RigidBodySet {
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (RigidBodyHandle, &mut RigidBody)> {
-        let mut notes = Notes(&mut self.modified, &mut self.places);
+        let notes = &mut self.notes;
         self.bodies.iter_mut().map(move |(index, body)| {
             let handle = RigidBodyHandle(index);
-            notes.note(handle, body);
+            notes.change(handle, body);
             (handle, body)
         })
     }
@@ -157,7 +161,7 @@ impl RigidBodySet {
     /// Takes the colliders of bodies that were moved since the last step along, so that queries find
     /// them where they are before the next step does the same.
     pub fn propagate_modified_body_positions_to_colliders(&self, colliders: &mut ColliderSet) {
-        let moved = self.modified.iter().filter_map(|handle| self.get(*handle));
+        let moved = self.notes.modified.iter().filter_map(|handle| self.get(*handle));
         for body in moved.filter(|body| body.changes.contains(RigidBodyChanges::POSITION)) {
             for handle in &body.colliders {
                 let Some(collider) = colliders.get_mut(*handle) else { continue };
@@ -173,8 +177,8 @@ impl RigidBodySet {
     /// The bodies that the user may have changed, in the order of the first change; some of them may
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
-        self.places.clear();
-        core::mem::take(&mut self.modified)
+        self.notes.places.clear();
+        core::mem::take(&mut self.notes.modified)
     }
 
     /// Gives bodies that were put in the place of others the places of those, and returns their
@@ -182,7 +186,7 @@ impl RigidBodySet {
     pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
         let mut replaced = Vec::new();
         // Backwards: a replaced body may have left a second note, and the first one is right.
-        for (&handle, &place) in self.modified.iter().zip(&self.places).rev() {
+        for (&handle, &place) in self.notes.modified.iter().zip(&self.notes.places).rev() {
             let Some(body) = self.bodies.get_mut(handle.0) else { continue };
             if body.link != place {
                 body.link = place;
@@ -195,7 +199,8 @@ impl RigidBodySet {
 
     /// Brings the places in the notes up to date, after the step's lists changed while notes were out.
     pub(crate) fn renew_places(&mut self) {
-        for (&handle, place) in self.modified.iter().zip(&mut self.places) {
+        let Notes { modified, places, .. } = &mut self.notes;
+        for (&handle, place) in modified.iter().zip(places) {
             if let Some(body) = self.bodies.get(handle.0) {
                 *place = body.link;
             }
@@ -207,12 +212,12 @@ impl RigidBodySet {
     /// One that was put in the place of another just before it was removed gets that one's place, and
     /// does not know that one's colliders.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
-        let mut removed = core::mem::take(&mut self.removed);
+        let mut removed = core::mem::take(&mut self.notes.removed);
         if removed.is_empty() {
             return removed;
         }
         let mut places = FastHashMap::default();
-        for (handle, place) in self.modified.iter().zip(&self.places) {
+        for (handle, place) in self.notes.modified.iter().zip(&self.notes.places) {
             places.entry(handle.into_raw_parts()).or_insert(*place);
         }
         for (handle, colliders, link) in &mut removed {
