@@ -191,8 +191,14 @@ impl Search<'_> {
 
     /// Computes the contacts of two convex parts.
     fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
-        self.raw.local_n1 = self.hint(&part1, &part2);
         let pos12 = self.pose_of_parts(&part1, &part2);
+        let apart = part2.gap_to_box(&pos12, &part1);
+        let apart = apart.or_else(|| part1.gap_to_box(&pos12.inverse(), &part2));
+        if let Some(gap) = apart.filter(|gap| *gap > self.pair.prediction) {
+            self.distance = self.distance.min(gap * DISTANCE_SHARE);
+            return;
+        }
+        self.raw.local_n1 = self.hint(&part1, &part2);
         let parts = [part1, part2];
         if let Some(gap) = part_manifold(&pos12, &parts, self.pair.prediction, self.raw) {
             self.distance = self.distance.min(gap);

@@ -1,11 +1,14 @@
 //! What a body touches besides the shape that it is asked about.
 
 use super::parts::Parts;
-use super::seams::{Facet, Obstacle, Seam, find_seams};
+use super::seams::{Facet, Obstacle, SAME_NORMAL, Seam, find_seams};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use arrayvec::ArrayVec;
 use parry::shape::Shape;
+
+/// Points of contacts may be this many times the height of a step beyond the edge of their obstacle.
+const NEARLY: Real = 25.0;
 
 /// A contact of a body with an obstacle. All in the frame of the body's shape.
 #[derive(Clone)]
@@ -64,9 +67,27 @@ impl<'a> Neighbor<'a> {
     }
 }
 
+/// Is any contact, or nearly, below the plane of another? A seam is: it belongs to an obstacle that is. What lies
+/// among stones has its contacts all around, and to look at the stones' faces for nothing takes long.
+fn any_below_another(neighbors: &[Neighbor<'_>], flush: Real) -> bool {
+    neighbors.iter().enumerate().any(|(index, one)| {
+        let Some(place) = one.points.first() else { return false };
+        let level = one.normal.dot(*place) + NEARLY * flush;
+        let others = neighbors.iter().enumerate().filter(|(other, _)| *other != index);
+        let is_below = |point: &Vector| one.normal.dot(*point) <= level;
+        others.into_iter().any(|(_, other)| {
+            one.normal.distance_squared(other.normal) > SAME_NORMAL
+                && other.points.iter().any(is_below)
+        })
+    })
+}
+
 /// Which of the contacts of one body are only [seams](super::seams) between others, `flush` being how
 /// high a step may be that is none (length units).
 pub(crate) fn seams_among(neighbors: &[Neighbor<'_>], flush: Real) -> Vec<usize> {
+    if !any_below_another(neighbors, flush) {
+        return Vec::new();
+    }
     let facets: Vec<_> = neighbors.iter().map(Neighbor::as_facet).collect();
     let mut seams = Vec::new();
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {

@@ -38,6 +38,17 @@ impl<'a> Part<'a> {
         )
     }
 
+    /// If it is flat and the other part a box: how far it is beyond the box's sides, at least. Most triangles near
+    /// a box are not near enough, and this is the quickest way to know. `pose` is the pose of this part in the
+    /// frame of the other.
+    pub fn gap_to_box(&self, pose: &Pose, other: &Part<'_>) -> Option<Real> {
+        let half = other.shape.as_cuboid()?.half_extents;
+        let corners = flat_corners(self.shape)?.map(|corner| *pose * corner);
+        let low = corners.into_iter().reduce(Vector::min)?;
+        let high = corners.into_iter().reduce(Vector::max)?;
+        Some((low - half).max(-half - high).max_element())
+    }
+
     /// Is it flat, and does it lie in a plane of its shape's frame?
     pub fn is_flat_in(&self, point: Vector, normal: Vector, tolerance: Real) -> bool {
         let is_near = |corner: Vector| {
