@@ -26,6 +26,7 @@ pub mod trimesh;
 pub mod heightfield;
 pub mod polyline;
 pub mod seams;
+pub mod radar;
 pub mod voxels;
 pub mod heavy_on_light;
 pub mod card_house;
@@ -45,7 +46,7 @@ pub mod downpour;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 41] = [
+pub const SCENES: [SceneInfo; 42] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -72,6 +73,7 @@ pub const SCENES: [SceneInfo; 41] = [
     heightfield::INFO,
     polyline::INFO,
     seams::INFO,
+    radar::INFO,
     voxels::INFO,
     heavy_on_light::INFO,
     card_house::INFO,

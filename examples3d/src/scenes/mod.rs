@@ -40,6 +40,7 @@ pub mod junkyard;
 pub mod washer;
 pub mod large_world;
 pub mod seams;
+pub mod radar;
 pub mod fine_mesh;
 pub mod tiles;
 pub mod cobbles;
@@ -47,7 +48,7 @@ pub mod cobbles;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 43] = [
+pub const SCENES: [SceneInfo; 44] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -88,6 +89,7 @@ pub const SCENES: [SceneInfo; 43] = [
     washer::INFO,
     large_world::INFO,
     seams::INFO,
+    radar::INFO,
     fine_mesh::INFO,
     tiles::INFO,
     cobbles::INFO,
