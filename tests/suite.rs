@@ -6,7 +6,7 @@
 
 mod determinism;
 mod api;
-mod ghosts;
+pub mod ghosts;
 pub mod characters;
 pub mod hostile;
 pub mod physics;

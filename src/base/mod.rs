@@ -3,12 +3,14 @@
 //! Knows nobody: nothing here may import another room.
 
 pub mod arena;
+pub mod axis;
 pub mod bvh;
 pub mod closest;
 pub mod disjoint;
 pub(crate) mod guard;
 pub(crate) mod hash;
 pub(crate) mod measure;
+pub mod segments;
 pub mod tasks;
 pub mod timer;
 pub mod walk;

@@ -1,5 +1,6 @@
 //! Two capsules: the closest points of their axes, or both ends of where they lie along each other.
 
+use crate::base::segments::Segments;
 use crate::dim::collide::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Capsule, PackedFeatureId};
@@ -87,22 +88,14 @@ impl Axes {
         self.start2 + self.along2 * share
     }
 
-    /// Where on the axes they are closest, as shares of their lengths (Ericson 2005, "Real-Time
-    /// Collision Detection", section 5.1.9).
+    fn segments(&self) -> Segments {
+        Segments::new([self.start1, self.start2], [self.along1, self.along2])
+    }
+
+    /// Where on the axes they are closest, as shares of their lengths.
     fn closest(&self) -> [Real; 2] {
-        let [a, b, c] = self.products;
-        let offset = self.start1 - self.start2;
-        let (d, e) = (self.along1.dot(offset), self.along2.dot(offset));
-        let clamped = |x: Real, length_squared: Real| {
-            if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
-        };
-        let area = a * c - b * b;
-        let share1 = if self.is_parallel() { 0.5 } else { clamped(b * e - c * d, area) };
-        // Each share in turn is the best for the other; twice, because the first was not clamped yet.
-        let share2 = clamped(b * share1 + e, c);
-        let share1 = clamped(b * share2 - d, a);
-        let share2 = clamped(b * share1 + e, c);
-        [share1, share2]
+        let segments = self.segments();
+        segments.nearest_from(if self.is_parallel() { 0.5 } else { segments.crossing() })
     }
 
     /// The distance of the axes, which are `length` apart at [`Self::closest`]. Of axes that are nearly parallel that
@@ -111,14 +104,9 @@ impl Axes {
         if !self.is_parallel() {
             return length;
         }
-        let [a, b, c] = self.products;
-        let offset = self.start1 - self.start2;
-        let (d, e) = (self.along1.dot(offset), self.along2.dot(offset));
-        let share = |x: Real, length_squared: Real| {
-            if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
-        };
-        let of_first = [0.0, 1.0].map(|end| [end, share(b * end + e, c)]);
-        let of_second = [0.0, 1.0].map(|end| [share(b * end - d, a), end]);
+        let segments = self.segments();
+        let of_first = [0.0, 1.0].map(|end| [end, segments.on_second(end)]);
+        let of_second = [0.0, 1.0].map(|end| [segments.on_first(end), end]);
         let at = |[share1, share2]: [Real; 2]| self.point1(share1).distance(self.point2(share2));
         of_first.into_iter().chain(of_second).map(at).fold(length, Real::min)
     }

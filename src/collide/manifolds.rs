@@ -12,7 +12,7 @@ use super::parts::{Near, Part, Parts};
 use super::patches::{Patches, push_manifold, unit_normal};
 use super::seams::{Facet, Obstacle, Seam, find_seams};
 use crate::base::guard::guarded;
-use crate::dim::collide::{RawManifold, RawPoint};
+use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
@@ -112,6 +112,7 @@ fn convex_pair(
     if let Some(normal) = unit_normal(raw) {
         points.clear();
         points.extend(raw.points.iter().copied());
+        reduce(points, normal, Real::INFINITY);
         push_manifold(points, normal, [0, 0], &pos12, out);
     }
     0.0

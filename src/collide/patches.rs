@@ -154,7 +154,7 @@ impl Patches {
             let normal = normal.normalize_or(first);
             reduce(&mut self.gathered, normal, prediction);
             drop_doubles(&mut self.gathered);
-            push_manifold(&mut self.gathered, normal, parts, pos12, out);
+            push_manifold(&self.gathered, normal, parts, pos12, out);
         }
     }
 
@@ -191,15 +191,14 @@ pub(super) fn unit_normal(raw: &RawManifold) -> Option<Vector> {
     is_unit.then(|| raw.local_n1 / length_squared.sqrt())
 }
 
-/// Adds a manifold with as many of the points as the solver takes. All in the frames of the shapes.
+/// Adds a manifold of points, no more than the solver takes. All in the frames of the shapes.
 pub(super) fn push_manifold(
-    points: &mut Vec<RawPoint>,
+    points: &[RawPoint],
     local_n1: Vector,
     [subshape1, subshape2]: [u32; 2],
     pos12: &Pose,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) {
-    reduce(points, local_n1, Real::INFINITY);
     // Filled in place: a manifold is some hundred bytes.
     out.push(ContactManifold::default());
     let Some(manifold) = out.last_mut() else { return };

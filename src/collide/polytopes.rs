@@ -8,10 +8,10 @@
 //! takes several times as long.
 
 use super::seams::LOOKS_ALONG;
+use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
-    BestAxis, Face, FaceContact, Polytope, RawManifold, RawPoint, Side, best_axis, clip_faces,
-    edge_normal,
+    Face, FaceContact, Polytope, RawManifold, RawPoint, best_axis, clip_faces, edge_normal,
 };
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::PackedFeatureId;

@@ -1,5 +1,6 @@
 //! Grounds whose surface is the line y = 0, made of many pieces, in 2D.
 
+use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;
 use rapier::prelude::*;
 
@@ -22,10 +23,6 @@ pub const GROUNDS: [Ground; 10] = [
     ("hulls", |world, pose, friction| scatter(world, pose, friction, hull(), false)),
     ("segments", |world, pose, friction| scatter(world, pose, friction, segment(), true)),
 ];
-
-fn add(world: &mut PhysicsWorld, pose: Pose, friction: Real, ground: ColliderBuilder) {
-    world.insert_collider(ground.position(pose).friction(friction), None);
-}
 
 fn polyline(size: Real) -> ColliderBuilder {
     let count = ((ALONG[1] - ALONG[0]) / size).ceil() as usize;
@@ -72,10 +69,7 @@ fn voxels() -> ColliderBuilder {
 }
 
 fn colliders_on_a_body(world: &mut PhysicsWorld, pose: Pose, friction: Real) {
-    let body = world.insert_body(RigidBodyBuilder::fixed().pose(pose));
-    for place in places() {
-        world.insert_collider(tile().translation(place).friction(friction), Some(body));
-    }
+    on_a_body(world, pose, friction, &tile(), places());
 }
 
 /// Each tile a collider of its own, on a body of its own if `with_bodies`.
@@ -86,14 +80,7 @@ fn scatter(
     tile: ColliderBuilder,
     with_bodies: bool,
 ) {
-    for place in places() {
-        let (tile, pose) = (tile.clone().friction(friction), pose * Pose::from_translation(place));
-        if with_bodies {
-            world.insert(RigidBodyBuilder::fixed().pose(pose), tile);
-        } else {
-            world.insert_collider(tile.position(pose), None);
-        }
-    }
+    lay::scatter(world, pose, &tile.friction(friction), places(), with_bodies);
 }
 
 /// Bodies that slide: their names, how high their middle is above the ground, and how they stand.

@@ -1,5 +1,6 @@
 //! Grounds whose surface is the plane y = 0, made of many pieces, in 3D.
 
+use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;
 use rapier::parry::utils::Array2;
 use rapier::prelude::*;
@@ -26,10 +27,6 @@ pub const GROUNDS: [Ground; 11] = [
     ("closed meshes", |world, pose, friction| scatter(world, pose, friction, closed_mesh(), true)),
     ("flat meshes", |world, pose, friction| scatter(world, pose, friction, square(), true)),
 ];
-
-fn add(world: &mut PhysicsWorld, pose: Pose, friction: Real, ground: ColliderBuilder) {
-    world.insert_collider(ground.position(pose).friction(friction), None);
-}
 
 fn mesh(size: Real) -> ColliderBuilder {
     let count = |length: Real| (length / size).ceil() as u32;
@@ -108,10 +105,7 @@ fn voxels() -> ColliderBuilder {
 }
 
 fn colliders_on_a_body(world: &mut PhysicsWorld, pose: Pose, friction: Real) {
-    let body = world.insert_body(RigidBodyBuilder::fixed().pose(pose));
-    for place in places() {
-        world.insert_collider(tile().translation(place).friction(friction), Some(body));
-    }
+    on_a_body(world, pose, friction, &tile(), places());
 }
 
 /// Each tile a collider of its own, on a body of its own if `with_bodies`.
@@ -122,14 +116,7 @@ fn scatter(
     tile: ColliderBuilder,
     with_bodies: bool,
 ) {
-    for place in places() {
-        let (tile, pose) = (tile.clone().friction(friction), pose * Pose::from_translation(place));
-        if with_bodies {
-            world.insert(RigidBodyBuilder::fixed().pose(pose), tile);
-        } else {
-            world.insert_collider(tile.position(pose), None);
-        }
-    }
+    lay::scatter(world, pose, &tile.friction(friction), places(), with_bodies);
 }
 
 /// Bodies that slide: their names, how high their middle is above the ground, and how they stand.

@@ -5,6 +5,7 @@
 
 mod corners;
 mod edges;
+pub mod lay;
 mod rolling;
 mod sliding;
 mod valleys;

@@ -6,6 +6,7 @@
 //! search that starts from nothing would take several times as long.
 
 use super::polytope::Polytope;
+use crate::base::axis::{BestAxis, Side};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Cuboid, Segment};
 
@@ -16,24 +17,6 @@ const TOLERANCE: Real = 0.001;
 const SAME_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
-
-/// One of two polytopes.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Side {
-    First,
-    Second,
-}
-
-/// An axis, and how far two polytopes are apart along it.
-#[derive(Copy, Clone, Debug)]
-pub struct BestAxis {
-    /// Negative if they overlap.
-    pub gap: Real,
-    /// From the first to the second, in the frame of the first.
-    pub normal: Vector,
-    /// Whose face is at right angles to it. In the plane there always is one.
-    pub face: Option<Side>,
-}
 
 /// The best axis, or any along which the two are farther apart than `reach`; `None` if this is not
 /// known of such polytopes without a search. `hint` is the normal of last time, or zero.
@@ -51,11 +34,7 @@ pub fn best_axis(
         (Polytope::Segment(segment), Polytope::Cuboid(cuboid)) => {
             let pos21 = pos12.inverse();
             let best = box_segment(&pos21, cuboid, segment, reach, pos21.rotation * -hint)?;
-            let face = best.face.map(|side| match side {
-                Side::First => Side::Second,
-                Side::Second => Side::First,
-            });
-            Some(BestAxis { gap: best.gap, normal: pos12.rotation * -best.normal, face })
+            Some(best.exchanged(pos12))
         }
         _ => None,
     }

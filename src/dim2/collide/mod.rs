@@ -12,7 +12,7 @@ mod reduce;
 #[cfg(test)]
 pub mod samples;
 
-pub use axes::{BestAxis, Side, best_axis};
+pub use axes::best_axis;
 pub use capsule_triangle::capsule_triangle;
 pub use cells::{flat_corners, for_each_cell, with_cell};
 pub use clip::{FaceContact, clip_faces};

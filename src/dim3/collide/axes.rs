@@ -7,6 +7,7 @@
 //! from nothing would take ten times as long.
 
 use super::polytope::Polytope;
+use crate::base::axis::{BestAxis, Side};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Cuboid, Triangle};
 
@@ -20,24 +21,6 @@ const SAME_AXIS: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
 const PARALLEL: Real = 1.0e-4;
-
-/// One of two polytopes.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Side {
-    First,
-    Second,
-}
-
-/// An axis, and how far two polytopes are apart along it.
-#[derive(Copy, Clone, Debug)]
-pub struct BestAxis {
-    /// Negative if they overlap.
-    pub gap: Real,
-    /// From the first to the second, in the frame of the first.
-    pub normal: Vector,
-    /// Whose face is at right angles to it; `None` if an edge of each is.
-    pub face: Option<Side>,
-}
 
 /// The best axis, or any along which the two are farther apart than `reach`; `None` if this is not
 /// known of such polytopes without a search. `hint` is the normal of last time, or zero.
@@ -56,11 +39,7 @@ pub fn best_axis(
             let pos21 = pos12.inverse();
             let hint = pos21.rotation * -hint;
             let best = box_triangle(&pos21, cuboid, (triangle, *normal), reach, hint);
-            let face = best.face.map(|side| match side {
-                Side::First => Side::Second,
-                Side::Second => Side::First,
-            });
-            Some(BestAxis { gap: best.gap, normal: pos12.rotation * -best.normal, face })
+            Some(best.exchanged(pos12))
         }
         _ => None,
     }

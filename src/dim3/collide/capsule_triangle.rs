@@ -7,6 +7,7 @@
 use super::clip::{FaceContact, clip_faces};
 use super::polytope::Polytope;
 use super::{RawManifold, RawPoint};
+use crate::base::segments::Segments;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Capsule, PackedFeatureId, Triangle};
 
@@ -108,19 +109,11 @@ fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest 
     Nearest { on_axis, on_triangle, edge: PackedFeatureId::edge(index) }
 }
 
-/// The nearest points of two segments (Ericson 2005, section 5.1.9).
+/// The nearest points of two segments.
 fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector, Vector) {
-    let (along1, along2, offset) = (q1 - p1, q2 - p2, p1 - p2);
-    let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
-    let (d, e) = (along1.dot(offset), along2.dot(offset));
-    let clamped = |x: Real, length_squared: Real| {
-        if length_squared > 0.0 { (x / length_squared).clamp(0.0, 1.0) } else { 0.0 }
-    };
-    let share1 = clamped(b * e - c * d, a * c - b * b);
-    // Each share in turn is the best for the other; twice, because the first was not clamped yet.
-    let share2 = clamped(b * share1 + e, c);
-    let share1 = clamped(b * share2 - d, a);
-    let share2 = clamped(b * share1 + e, c);
+    let (along1, along2) = (q1 - p1, q2 - p2);
+    let segments = Segments::new([p1, p2], [along1, along2]);
+    let [share1, share2] = segments.nearest_from(segments.crossing());
     (p1 + along1 * share1, p2 + along2 * share2)
 }
 

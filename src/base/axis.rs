@@ -1,0 +1,33 @@
+//! The axis that separates two polytopes best.
+
+use parry::math::{Pose, Real, Vector};
+
+/// One of two polytopes.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Side {
+    First,
+    Second,
+}
+
+/// An axis, and how far two polytopes are apart along it.
+#[derive(Copy, Clone, Debug)]
+pub struct BestAxis {
+    /// Negative if they overlap.
+    pub gap: Real,
+    /// From the first to the second, in the frame of the first.
+    pub normal: Vector,
+    /// Whose face is at right angles to it; `None` if an edge of each is.
+    pub face: Option<Side>,
+}
+
+impl BestAxis {
+    /// The same axis with the roles of the two exchanged. `pose` is that of the first, as it was, in the frame of the
+    /// second.
+    pub fn exchanged(self, pose: &Pose) -> Self {
+        let face = self.face.map(|side| match side {
+            Side::First => Side::Second,
+            Side::Second => Side::First,
+        });
+        Self { gap: self.gap, normal: pose.rotation * -self.normal, face }
+    }
+}
