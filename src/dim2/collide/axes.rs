@@ -164,3 +164,58 @@ fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
     let one = W::splat(1.0);
     (above.max(below), W::select(below.le(above), one, -one))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use crate::base::random::Random;
+    use crate::base::wide::{LANES, Simd};
+    use crate::dim::math::{Pose, Real, Vector};
+    use crate::dim2::collide::samples;
+    use parry::bounding_volume::Aabb;
+    use parry::shape::Segment;
+
+    /// How far a box and a segment are apart along the best of all axes, one after the other.
+    fn gap(half: Vector, pose: &Pose, segment: &Segment) -> Real {
+        let [a, b] = [segment.a, segment.b].map(|end| *pose * end);
+        let normal = (b - a).perp().normalize();
+        let apart = |axis: Vector| {
+            let (first, second) = (axis.dot(a), axis.dot(b));
+            let reach = axis.abs().dot(half);
+            (first.min(second) - reach).max(-reach - first.max(second))
+        };
+        Vector::AXES.into_iter().chain([normal]).map(apart).fold(Real::MIN, Real::max)
+    }
+
+    #[test]
+    fn lanes_find_the_best_axis_of_each_segment() {
+        let mut random = Random(7);
+        for _ in 0..500 {
+            let half = Vector::new(random.within(0.1, 1.0), random.within(0.1, 1.0));
+            let pose = samples::pose(&mut random, 1.0);
+            let mut end = || samples::vector(&mut random, 1.5);
+            let segments: [Segment; LANES] = core::array::from_fn(|_| Segment::new(end(), end()));
+            let mut block = FlatBlock::default();
+            for (lane, segment) in segments.iter().enumerate() {
+                set_flat_lane(&mut block, lane, segment);
+            }
+            let reach = 0.05;
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
+            let near = sieve.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            for (lane, segment) in segments.iter().enumerate() {
+                let expected = gap(half, &pose, segment);
+                let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
+                assert!((found - expected).abs() < 1.0e-4, "{found} instead of {expected}");
+                assert_eq!(near >> lane & 1 == 1, found <= reach);
+                for kind in 0..2 {
+                    assert_eq!(
+                        wide.gaps[kind].0[lane].to_bits(),
+                        baseline.gaps[kind].0[lane].to_bits()
+                    );
+                }
+            }
+        }
+    }
+}

@@ -8,6 +8,7 @@ mod cuboid;
 mod edges;
 mod features;
 mod flat;
+mod hull_nearest;
 mod polytope;
 mod reduce;
 #[cfg(test)]
@@ -21,6 +22,7 @@ pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
 pub use flat::{Flat, FlatShape, as_flat, flat_corners};
+pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
 

@@ -288,3 +288,68 @@ fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
     let one = W::splat(1.0);
     (above.max(below), W::select(below.le(above), one, -one))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use crate::base::random::Random;
+    use crate::base::wide::{LANES, Simd};
+    use crate::dim::math::{Pose, Real, Vector};
+    use crate::dim3::collide::samples;
+    use parry::bounding_volume::Aabb;
+    use parry::shape::Triangle;
+
+    /// How far a box and a triangle are apart along the best of all axes, one after the other.
+    fn gap(half: Vector, pose: &Pose, triangle: &Triangle) -> Real {
+        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| *pose * corner);
+        let edges = [b - a, c - b, a - c];
+        let products = Vector::AXES.into_iter().flat_map(|axis| edges.map(|edge| axis.cross(edge)));
+        let axes = Vector::AXES.into_iter().chain([edges[0].cross(edges[1])]).chain(products);
+        let apart = |axis: Vector| {
+            let heights = [a, b, c].map(|corner| axis.dot(corner));
+            let (low, high) =
+                (heights.into_iter().reduce(Real::min), heights.into_iter().reduce(Real::max));
+            let reach = axis.abs().dot(half);
+            (low.unwrap() - reach).max(-reach - high.unwrap())
+        };
+        let gaps = axes.filter_map(|axis| axis.try_normalize()).map(apart);
+        gaps.fold(Real::NEG_INFINITY, Real::max)
+    }
+
+    #[test]
+    fn lanes_find_the_best_axis_of_each_triangle() {
+        let mut random = Random(7);
+        for _ in 0..500 {
+            let half = Vector::from_array([(); 3].map(|()| random.within(0.1, 1.0)));
+            let pose = samples::pose(&mut random, 1.0);
+            let mut corner = || samples::vector(&mut random, 1.5);
+            let triangles: [Triangle; LANES] =
+                core::array::from_fn(|_| Triangle::new(corner(), corner(), corner()));
+            let mut block = FlatBlock::default();
+            for (lane, triangle) in triangles.iter().enumerate() {
+                set_flat_lane(&mut block, lane, triangle);
+            }
+            let reach = 0.05;
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
+            let near = sieve.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            for (lane, triangle) in triangles.iter().enumerate() {
+                let expected = gap(half, &pose, triangle);
+                let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
+                assert!((found - expected).abs() < 1.0e-4, "{found} instead of {expected}");
+                assert_eq!(near >> lane & 1 == 1, found <= reach);
+                for kind in 0..3 {
+                    assert_eq!(
+                        wide.gaps[kind].0[lane].to_bits(),
+                        baseline.gaps[kind].0[lane].to_bits()
+                    );
+                }
+                // A face may be preferred that is worse by a hundredth of the smallest half extent.
+                let best = wide.best(lane, half, Vector::ZERO);
+                assert!(best.gap > found - 0.011 * half.min_element());
+                assert!((best.normal.length() - 1.0).abs() < 1.0e-4);
+            }
+        }
+    }
+}
