@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contacts;
+mod groups;
 #[cfg(test)]
 mod tests;
 
@@ -31,12 +32,14 @@ use crate::model::island::IslandManager;
 use crate::model::params::{ContactPass, IntegrationParameters};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
+use groups::Groups;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
     bodies: SolverBodies,
     contacts: SolverContacts,
+    groups: Groups,
     simd: Simd,
 }
 
@@ -57,17 +60,46 @@ pub(crate) fn solve(
     scratch: &mut SolverScratch,
     counters: &mut SolverCounters,
 ) {
-    let SolverScratch { bodies: states, contacts, simd } = scratch;
-    let tasks = Tasks::current();
-
+    let SolverScratch { bodies: states, contacts, groups, simd } = scratch;
     counters.velocity_assembly_time.resume();
-    let extra = states.load(&islands.awake, bodies, gravity, params);
-    let substeps = params.num_solver_iterations + extra;
+    groups.divide(islands, bodies, narrow_phase, params);
+    states.load(groups, bodies, gravity, params);
+    counters.velocity_assembly_time.pause();
+    (counters.nconstraints, counters.ncontacts) = (0, 0);
+    for group in groups.iter() {
+        counters.velocity_assembly_time.resume();
+        states.enter(group, groups);
+        contacts.load(&islands.graph, narrow_phase, states, groups.len() == 1);
+        counters.velocity_assembly_time.pause();
+
+        solve_group(group.substeps, params, states, contacts, *simd, counters);
+
+        counters.velocity_writeback_time.resume();
+        contacts.store(narrow_phase);
+        counters.velocity_writeback_time.pause();
+        counters.nconstraints += contacts.len();
+        counters.ncontacts += contacts.point_count();
+    }
+    counters.velocity_writeback_time.resume();
+    states.store(groups, islands, bodies, params);
+    counters.velocity_writeback_time.pause();
+}
+
+/// Solves one step for some bodies, in substeps.
+fn solve_group(
+    substeps: usize,
+    params: &IntegrationParameters,
+    states: &mut SolverBodies,
+    contacts: &mut SolverContacts,
+    simd: Simd,
+    counters: &mut SolverCounters,
+) {
+    let tasks = Tasks::current();
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
-    contacts.load(&islands.graph, narrow_phase, states);
-    contacts.prepare(states, params, *simd, tasks);
+    counters.velocity_assembly_time.resume();
+    contacts.prepare(states, params, simd, tasks);
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
@@ -75,21 +107,14 @@ pub(crate) fn solve(
         states.integrate_velocities(h, params, substep == 0);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
-            contacts.solve(states, &pass, *simd, tasks);
+            contacts.solve(states, &pass, simd, tasks);
         }
         states.integrate_positions(h);
         for _ in 0..params.num_additional_friction_iterations {
-            contacts.relax(states, &early_pass, *simd, tasks);
+            contacts.relax(states, &early_pass, simd, tasks);
         }
-        contacts.relax(states, &pass, *simd, tasks);
+        contacts.relax(states, &pass, simd, tasks);
     }
-    contacts.restitute(states, &pass, *simd, tasks);
+    contacts.restitute(states, &pass, simd, tasks);
     counters.velocity_resolution_time.pause();
-
-    counters.velocity_writeback_time.resume();
-    contacts.store(&islands.graph, narrow_phase);
-    states.store(islands, bodies, params);
-    counters.velocity_writeback_time.pause();
-    counters.nconstraints = contacts.len();
-    counters.ncontacts = contacts.point_count();
 }
