@@ -37,9 +37,10 @@ enum Room<'a> {
 const NOTES: [&str; 1] = ["notes"];
 
 /// Files that may use globs, and why.
-const GLOBS: [(&str, &str); 3] = [
+const GLOBS: [(&str, &str); 4] = [
     ("src/api/prelude.rs", "gathers all public names"),
     ("src/api/control.rs", "gathers the names of vehicles, which are in 3D only"),
+    ("src/api/dynamics.rs", "gathers the joints that one dimension alone has"),
     ("src/api/geometry.rs", "gathers the shapes' names, which differ by dimension"),
 ];
 
