@@ -19,6 +19,7 @@ pub use crate::model::joint::{
 // A glob, because each of the two dimensions has a joint of its own.
 pub use crate::dim::surface::joint::*;
 pub use crate::model::params::{
-    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters, Softness,
+    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,
+    JOINT_SHARE, Softness,
 };
 pub use parry::mass_properties::MassProperties;

@@ -1,7 +1,7 @@
 //! # Solver — make velocities obey
 //!
-//! Reads:   manifolds, the constraint graph, parameters
-//! Writes:  velocities and poses of awake bodies, impulses of manifolds
+//! Reads:   manifolds, joints, the constraint graphs, parameters
+//! Writes:  velocities and poses of awake bodies, impulses of manifolds and joints; breaks joints
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contacts;
+mod joints;
 #[cfg(test)]
 mod tests;
 
@@ -27,16 +28,20 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
+use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
-use crate::model::params::{ContactPass, IntegrationParameters};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
+use joints::SolverJoints;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
     bodies: SolverBodies,
     contacts: SolverContacts,
+    joints: SolverJoints,
     simd: Simd,
 }
 
@@ -47,17 +52,22 @@ impl SolverScratch {
     }
 }
 
+/// What the solver reads and writes.
+pub(crate) struct Scene<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
+    pub bodies: &'a mut RigidBodySet,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub joints: &'a mut ImpulseJointSet,
+    pub islands: &'a mut IslandManager,
+    /// Gets the joints that break.
+    pub broken: &'a mut Vec<JointBreakEvent>,
+}
+
 /// Solves one step for all awake bodies.
-pub(crate) fn solve(
-    gravity: Vector,
-    params: &IntegrationParameters,
-    bodies: &mut RigidBodySet,
-    narrow_phase: &mut NarrowPhase,
-    islands: &mut IslandManager,
-    scratch: &mut SolverScratch,
-    counters: &mut SolverCounters,
-) {
-    let SolverScratch { bodies: states, contacts, simd } = scratch;
+pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
+    let Scene { gravity, params, bodies, narrow_phase, joints: set, islands, broken } = scene;
+    let SolverScratch { bodies: states, contacts, joints, simd } = scratch;
     let tasks = Tasks::current();
 
     counters.velocity_assembly_time.resume();
@@ -66,6 +76,10 @@ pub(crate) fn solve(
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let joint_pass = JointPass::new(params, h);
+    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
+    joints.load(islands, set, bodies, states, &joint_pass);
+    joints.warm_start(states, *simd, tasks);
     contacts.load(&islands.graph, narrow_phase, states);
     contacts.prepare(states, params, *simd, tasks);
     counters.velocity_assembly_time.pause();
@@ -73,14 +87,18 @@ pub(crate) fn solve(
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
+        joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
+            joints.solve(states, &joint_pass, *simd, tasks);
             contacts.solve(states, &pass, *simd, tasks);
         }
         states.integrate_positions(h);
         for _ in 0..params.num_additional_friction_iterations {
+            joints.relax(states, &early_joint_pass, *simd, tasks);
             contacts.relax(states, &early_pass, *simd, tasks);
         }
+        joints.relax(states, &joint_pass, *simd, tasks);
         contacts.relax(states, &pass, *simd, tasks);
     }
     contacts.restitute(states, &pass, *simd, tasks);
@@ -88,8 +106,9 @@ pub(crate) fn solve(
 
     counters.velocity_writeback_time.resume();
     contacts.store(&islands.graph, narrow_phase);
+    joints.store(islands, set, params.inv_dt(), broken);
     states.store(islands, bodies, params);
     counters.velocity_writeback_time.pause();
-    counters.nconstraints = contacts.len();
+    counters.nconstraints = contacts.len() + joints.len();
     counters.ncontacts = contacts.point_count();
 }
