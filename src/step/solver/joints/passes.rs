@@ -8,12 +8,13 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
 use crate::dim::wide::{ANG_ZERO_LANES, WideVector, ang_dot, load_ang, store_ang, torque};
 use crate::model::params::JointPass;
 
-/// Velocities and displacements of a block's two bodies.
+/// Velocities and displacements of a block's two bodies, and their velocities before any impulse.
 pub(super) struct Bodies<W> {
+    pub before: [WideMotion<W>; 2],
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideMotion<W>; 2],
 }
@@ -22,12 +23,20 @@ impl<W: Wide> Bodies<W> {
     /// # Safety
     /// As [`gather_states`], for both bodies.
     #[inline(always)]
-    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
+    pub unsafe fn gather(
+        states: &DisjointMut<BodyState>,
+        before: &[BodyState],
+        block: &JointBlock,
+    ) -> Self {
         // SAFETY: the caller's promise.
         let ([v1, d1], [v2, d2]) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
         };
-        Self { velocities: [v1, v2], displacements: [d1, d2] }
+        let before = [
+            gather_velocities(before, &block.bodies[0]),
+            gather_velocities(before, &block.bodies[1]),
+        ];
+        Self { before, velocities: [v1, v2], displacements: [d1, d2] }
     }
 
     /// # Safety
@@ -79,9 +88,10 @@ pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
@@ -96,6 +106,15 @@ pub(super) unsafe fn warm_start<W: Wide>(
     bodies.velocities = Masses::load(block).push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
+}
+
+/// Taut joints start without impulses.
+#[inline(always)]
+fn forget_taut<W: Wide>(block: &mut JointBlock) {
+    let kept = W::splat(1.0) - W::load(&block.is_taut);
+    for impulse in &mut block.impulses {
+        (W::load(impulse) * kept).store(impulse);
+    }
 }
 
 /// What the impulses of all rows do as the rows stand now.
@@ -134,20 +153,22 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let masses = Masses::load(block);
     let locked = Locked::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
     if AHEAD {
+        forget_taut::<W>(block);
         // SAFETY: the caller's promise.
-        let now = unsafe { wrench_of(block, rows, &geometry, &locked) };
-        bodies.velocities = masses.push(&now.minus(&wrench), bodies.velocities);
-        wrench = now;
+        let turned = unsafe { wrench_of(block, rows, &geometry, &locked) };
+        bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
+        wrench = turned;
     }
     for index in block.first_row..block.first_row + block.row_count {
         // SAFETY: the caller's promise.
@@ -207,7 +228,7 @@ fn solve_locked<W: Wide, const AHEAD: bool>(
         *wanted = row.rate(&bodies.velocities);
     }
     if AHEAD {
-        add_bias(&mut wanted, block, geometry, bodies, pass);
+        add_bias(&mut wanted, block, rows, geometry, bodies, false, pass);
     } else {
         add_held_bias(&mut wanted, block);
     }
@@ -239,25 +260,27 @@ fn solve_locked<W: Wide, const AHEAD: bool>(
 pub(super) fn add_bias<W: Wide>(
     rates: &mut [W; SPATIAL_DIM],
     block: &mut JointBlock,
+    rows: &[Row<W>; SPATIAL_DIM],
     geometry: &Geometry<W>,
     bodies: &Bodies<W>,
+    again: bool,
     pass: &JointPass,
 ) {
     let h = W::splat(pass.substep);
     let inv_h = W::splat(pass.inv_substep);
+    let velocities = if again { &bodies.velocities } else { &bodies.before };
     let ahead = [
-        advanced(&bodies.displacements[0], &bodies.velocities[0], h),
-        advanced(&bodies.displacements[1], &bodies.velocities[1], h),
+        advanced(&bodies.displacements[0], &velocities[0], h),
+        advanced(&bodies.displacements[1], &velocities[1], h),
     ];
     let then = Geometry::new(block, &ahead).errors();
     let now = geometry.errors();
     let bias_rate = W::load(&block.bias_rate);
     for k in 0..SPATIAL_DIM {
-        // Ċ and the curvature together: all that the substep would change.
-        let change = (then[k] - now[k]) * inv_h;
+        let curvature = (then[k] - now[k]) * inv_h - rows[k].rate(velocities);
         let bias = now[k] * bias_rate;
         bias.store(&mut block.held_bias[k]);
-        rates[k] = change + bias;
+        rates[k] = rates[k] + curvature + bias;
     }
 }
 
@@ -278,7 +301,7 @@ pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
 }
 
 #[inline(always)]
-fn advanced<W: Wide>(
+pub(super) fn advanced<W: Wide>(
     displacement: &WideMotion<W>,
     velocity: &WideMotion<W>,
     h: W,

@@ -2,7 +2,9 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, Locked, add_bias, add_held_bias, store_couple, yields_of};
+use super::super::passes::{
+    Bodies, Locked, add_bias, add_held_bias, advanced, store_couple, yields_of,
+};
 use super::super::rows::{Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
@@ -50,11 +52,19 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+    again: bool,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, block) };
-    let geometry = Geometry::new(block, &bodies.displacements);
+    let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let is_taut = if AHEAD { W::load(&block.is_taut) } else { W::zero() };
+    let ahead = is_taut * W::splat(pass.substep);
+    let places = [
+        advanced(&bodies.displacements[0], &bodies.velocities[0], ahead),
+        advanced(&bodies.displacements[1], &bodies.velocities[1], ahead),
+    ];
+    let geometry = Geometry::new(block, &places);
     let masses = Masses::load(block);
     let Locked { rows, .. } = Locked::new(block, &geometry);
     let mut rates = [W::zero(); SPATIAL_DIM];
@@ -62,7 +72,14 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
         *rate = row.rate(&bodies.velocities);
     }
     if AHEAD {
-        add_bias(&mut rates, block, &geometry, &bodies, pass);
+        add_bias(&mut rates, block, &rows, &geometry, &bodies, again, pass);
+        // Where taut joints would be at the end of the substep, they are to have no error at all.
+        let errors = geometry.errors();
+        let taut = W::zero().lt(is_taut);
+        for k in 0..SPATIAL_DIM {
+            let closing = errors[k] * W::splat(pass.inv_substep);
+            rates[k] = W::select(taut, closing, rates[k]);
+        }
     } else {
         add_held_bias(&mut rates, block);
     }
@@ -111,10 +128,8 @@ pub(in super::super) fn finish<W: Wide>(
     let mut moment = load_ang::<W>(&block.total_moment);
     let mut rows = [Row::zero(); SPATIAL_DIM];
     for k in 0..SPATIAL_DIM {
-        let [(_, first), (linear, second)] = [
-            from_components(load_all(&memory.rows[k][0])),
-            from_components(load_all(&memory.rows[k][1])),
-        ];
+        let (_, first) = from_components::<W>(load_all(&memory.rows[k][0]));
+        let (linear, second) = from_components::<W>(load_all(&memory.rows[k][1]));
         rows[k] = Row { linear, angular: [-first, second] };
         let change = W::load(&memory.changes[k]);
         (W::load(&block.impulses[k]) + change).store(&mut block.impulses[k]);
