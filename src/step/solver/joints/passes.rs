@@ -177,7 +177,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
         bodies.velocities = masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
-    let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies, pass);
+    let added = solve_locked::<W, AHEAD>(block, &masses, &locked, &bodies, pass);
     bodies.velocities = masses.push(&added, bodies.velocities);
     wrench = wrench.plus(&added);
 
@@ -217,21 +217,16 @@ fn solve_free<W: Wide, const AHEAD: bool>(
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
-    geometry: &Geometry<W>,
     masses: &Masses<W>,
     Locked { rows, locked }: &Locked<W>,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
-    let mut wanted = [W::zero(); SPATIAL_DIM];
-    for (wanted, row) in wanted.iter_mut().zip(rows) {
-        *wanted = row.rate(&bodies.velocities);
-    }
-    if AHEAD {
-        add_bias(&mut wanted, block, rows, geometry, bodies, false, pass);
+    let mut wanted = if AHEAD {
+        LookAhead::new(block, bodies, bodies.before, pass).rates(block, rows, bodies, pass)
     } else {
-        add_held_bias(&mut wanted, block);
-    }
+        rates_here(block, rows, bodies)
+    };
     let swept = W::load(&block.swept);
     let mut solved = [W::zero(); SPATIAL_DIM];
     for k in 0..SPATIAL_DIM {
@@ -255,42 +250,69 @@ fn solve_locked<W: Wide, const AHEAD: bool>(
     wrench
 }
 
-/// Adds errors and the curvature ahead to the rates: see the module's head.
-#[inline(always)]
-pub(super) fn add_bias<W: Wide>(
-    rates: &mut [W; SPATIAL_DIM],
-    block: &mut JointBlock,
-    rows: &[Row<W>; SPATIAL_DIM],
-    geometry: &Geometry<W>,
-    bodies: &Bodies<W>,
-    again: bool,
-    pass: &JointPass,
-) {
-    let h = W::splat(pass.substep);
-    let inv_h = W::splat(pass.inv_substep);
-    let velocities = if again { &bodies.velocities } else { &bodies.before };
-    let ahead = [
-        advanced(&bodies.displacements[0], &velocities[0], h),
-        advanced(&bodies.displacements[1], &velocities[1], h),
-    ];
-    let then = Geometry::new(block, &ahead).errors();
-    let now = geometry.errors();
-    let bias_rate = W::load(&block.bias_rate);
-    for k in 0..SPATIAL_DIM {
-        let curvature = (then[k] - now[k]) * inv_h - rows[k].rate(velocities);
-        let bias = now[k] * bias_rate;
-        bias.store(&mut block.held_bias[k]);
-        rates[k] = rates[k] + curvature + bias;
+/// Where the joints of a block are now, and where their bodies' velocities would lead them by the end of the
+/// substep.
+pub(super) struct LookAhead<W> {
+    pub now: Geometry<W>,
+    pub then: Geometry<W>,
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> LookAhead<W> {
+    /// With these velocities.
+    #[inline(always)]
+    pub fn new(
+        block: &JointBlock,
+        bodies: &Bodies<W>,
+        velocities: [WideMotion<W>; 2],
+        pass: &JointPass,
+    ) -> Self {
+        let h = W::splat(pass.substep);
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        let now = Geometry::new(block, &bodies.displacements);
+        Self { now, then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of the rows (those of now, or of then) by the end of the substep, with the bias of the errors:
+    /// see the module's head.
+    #[inline(always)]
+    pub fn rates(
+        &self,
+        block: &mut JointBlock,
+        rows: &[Row<W>; SPATIAL_DIM],
+        bodies: &Bodies<W>,
+        pass: &JointPass,
+    ) -> [W; SPATIAL_DIM] {
+        let (now, then) = (self.now.errors(), self.then.errors());
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); SPATIAL_DIM];
+        for k in 0..SPATIAL_DIM {
+            let bias = now[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            // All that the substep would change, and what has changed since that was foreseen.
+            let foreseen = (then[k] - now[k]) * inv_h - rows[k].rate(&self.velocities);
+            rates[k] = foreseen + rows[k].rate(&bodies.velocities) + bias;
+        }
+        rates
     }
 }
 
-/// What the relax pass adds to the rates: nothing, but for springs, which pull as they did.
+/// The rates of the rows in the relax pass; springs pull as they did in the solve pass.
 #[inline(always)]
-pub(super) fn add_held_bias<W: Wide>(rates: &mut [W; SPATIAL_DIM], block: &JointBlock) {
+pub(super) fn rates_here<W: Wide>(
+    block: &JointBlock,
+    rows: &[Row<W>; SPATIAL_DIM],
+    bodies: &Bodies<W>,
+) -> [W; SPATIAL_DIM] {
     let is_spring = W::load(&block.is_spring);
-    for (rate, bias) in rates.iter_mut().zip(&block.held_bias) {
-        *rate = *rate + W::load(bias) * is_spring;
+    let mut rates = [W::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        rates[k] = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]) * is_spring;
     }
+    rates
 }
 
 /// How much the rows yield in a pass: in the relax pass only springs do.
@@ -301,7 +323,7 @@ pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
 }
 
 #[inline(always)]
-pub(super) fn advanced<W: Wide>(
+fn advanced<W: Wide>(
     displacement: &WideMotion<W>,
     velocity: &WideMotion<W>,
     h: W,
