@@ -66,7 +66,7 @@ pub(crate) fn step(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     take_in_user_changes(&mut parts, joints, scratch);
-    joints.settle(&mut parts.islands.joints.orphans);
+    joints.settle(&mut parts.islands.joints);
     find_contacts(&mut parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {

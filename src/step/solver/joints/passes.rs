@@ -68,6 +68,16 @@ impl<W: Wide> Locked<W> {
         Self { rows: geometry.rows(), locked }
     }
 
+    /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
+    #[inline(always)]
+    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>) -> [W; SPATIAL_DIM] {
+        let mut coupled = masses.couplings(&self.rows, row);
+        for k in 0..SPATIAL_DIM {
+            coupled[k] = coupled[k] * self.locked[k];
+        }
+        solve_symmetric(masses.coupling(&self.rows, &self.locked), coupled)
+    }
+
     /// The wrench of all impulses as the rows stand now.
     #[inline(always)]
     fn wrench(&self, block: &JointBlock) -> Wrench<W> {
@@ -173,7 +183,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     for index in block.first_row..block.first_row + block.row_count {
         // SAFETY: the caller's promise.
         let row = unsafe { rows.get_mut(index) };
-        let added = solve_free::<W, AHEAD>(row, &geometry, &masses, &bodies.velocities, pass);
+        let added = solve_free::<W, AHEAD>(row, block, &geometry, &masses, &locked, &bodies, pass);
         bodies.velocities = masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
@@ -191,25 +201,39 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 }
 
 /// Solves motor and limits of a free axis; returns what they add.
+///
+/// What they push, the locked axes hold: `J - K_fl K_ll⁻¹ J_l` in place of the axis's own row `J` moves the
+/// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
+/// the other in sweeps.
 #[inline(always)]
 fn solve_free<W: Wide, const AHEAD: bool>(
     row: &mut AxisRow,
+    block: &mut JointBlock,
     geometry: &Geometry<W>,
     masses: &Masses<W>,
-    velocities: &[WideMotion<W>; 2],
+    locked: &Locked<W>,
+    bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
-    let (along, position) = geometry.free_row(row);
+    let (mut along, position) = geometry.free_row(row);
+    let shares = locked.shares_of(&along, masses);
+    for (locked, share) in locked.rows.iter().zip(shares) {
+        along = along.minus(locked, share);
+    }
     let effective = masses.effective(&along);
     let (zero, one) = (W::zero(), W::splat(1.0));
     let movable = zero.lt(effective);
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
-    let rate = along.rate(velocities);
+    let rate = along.rate(&bodies.velocities);
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
     let limited = solve_limits::<W, AHEAD>(row, &axis, rate + effective * driven, pass);
+    let added = driven + limited;
+    for (impulse, share) in block.impulses.iter_mut().zip(shares) {
+        (W::load(impulse) - share * added).store(impulse);
+    }
     let mut wrench = Wrench::zero();
-    wrench.add(&along, driven + limited);
+    wrench.add(&along, added);
     wrench
 }
 
