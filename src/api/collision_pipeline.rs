@@ -55,7 +55,7 @@ impl CollisionPipeline {
         events: &dyn EventHandler,
         handle_user_changes: bool,
     ) {
-        debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
+        debug_assert!(multibody_joints.is_empty());
         if let Err(error) = integration_parameters.validate() {
             log::error!("collision detection refused: {error}");
             return;
@@ -72,6 +72,6 @@ impl CollisionPipeline {
             events,
             counters: &mut self.counters,
         };
-        step::detect_collisions(parts, &mut self.scratch, handle_user_changes);
+        step::detect_collisions(parts, impulse_joints, &mut self.scratch, handle_user_changes);
     }
 }

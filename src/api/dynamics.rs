@@ -1,6 +1,7 @@
 //! Bodies, islands, joints, and the parameters of a step.
 
 pub use crate::dim::axes::LockedAxes;
+pub use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 pub use crate::model::body::{
     InvalidRigidBody, RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps,
     RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle, RigidBodyMassProps, RigidBodySet,
@@ -8,8 +9,17 @@ pub use crate::model::body::{
 };
 pub use crate::model::collider::CoefficientCombineRule;
 pub use crate::model::island::IslandManager;
-pub use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+pub use crate::model::joint::{
+    FixedJoint, FixedJointBuilder, GenericJoint, GenericJointBuilder, ImpulseJoint,
+    ImpulseJointHandle, ImpulseJointSet, InvalidJoint, JointEnabled, JointLimits, JointMotor,
+    MotorModel, MultibodyJointSet, PrismaticJoint, PrismaticJointBuilder, RevoluteJoint,
+    RevoluteJointBuilder, RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint,
+    SpringJointBuilder,
+};
+// A glob, because each of the two dimensions has a joint of its own.
+pub use crate::dim::surface::joint::*;
 pub use crate::model::params::{
-    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters, Softness,
+    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,
+    JOINT_SHARE, Softness,
 };
 pub use parry::mass_properties::MassProperties;

@@ -2,7 +2,7 @@
 
 pub use crate::dim::math::{
     ANG_DIM, AngVector, AngularInertia, DIM, Int, Isometry, MAX_MANIFOLD_POINTS, Matrix,
-    Orientation, Point, Pose, Real, Rotation, SPATIAL_DIM, Vector,
+    Orientation, Point, Pose, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
 };
 
 /// The components of a vector as a slice.

@@ -12,6 +12,8 @@ pub type Isometry = Pose;
 pub const ANG_DIM: usize = 1;
 /// Number of degrees of freedom of a free rigid body.
 pub const SPATIAL_DIM: usize = 3;
+/// A number per degree of freedom: the linear ones first.
+pub type SpatialVector = [Real; SPATIAL_DIM];
 /// Most points that one contact manifold carries.
 pub const MAX_MANIFOLD_POINTS: usize = 2;
 

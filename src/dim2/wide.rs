@@ -62,6 +62,11 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
     target.0[lane] = *value;
 }
 
+/// No angular vector in any lane.
+pub const ANG_ZERO_LANES: WideAngVector<Lane> = Lane::ZERO;
+/// No inverse inertia in any lane.
+pub const ZERO_INERTIA: WideSymmetric<Lane> = Lane::ZERO;
+
 impl WideRotation<Lane> {
     /// No rotation in any lane.
     pub const IDENTITY: Self = Self { re: Lane::splat(1.0), im: Lane::ZERO };
@@ -177,6 +182,16 @@ pub fn load_ang<W: Wide>(from: &WideAngVector<Lane>) -> WideAngVector<W> {
 #[inline(always)]
 pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>) {
     value.store(to);
+}
+
+/// `yes` in the lanes where the mask says yes, `no` in the others.
+#[inline(always)]
+pub fn select_ang<W: Wide>(
+    mask: W::Mask,
+    yes: WideAngVector<W>,
+    no: WideAngVector<W>,
+) -> WideAngVector<W> {
+    W::select(mask, yes, no)
 }
 
 /// Reads an inertia per lane from memory.

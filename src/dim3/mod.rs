@@ -8,6 +8,7 @@ pub mod axes;
 pub mod facets;
 pub mod field;
 pub mod hull;
+pub mod joint_axes;
 pub mod names;
 pub mod mask;
 pub mod mass;
@@ -16,9 +17,10 @@ pub mod shapes;
 pub mod vehicle;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;
-mod surface;
+pub mod surface;
 
 pub(crate) mod contact;
+pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod gyro;
 #[cfg(feature = "debug-render")]

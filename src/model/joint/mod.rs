@@ -1,59 +1,39 @@
-//! Joints between bodies.
+//! Joints between bodies: what they lock, limit and drive, and the sets that hold them.
 //!
-//! This version has no joints yet: the two sets exist because the step takes them, and are always
-//! empty. What they hold has no value, so the compiler knows it too.
+//! Everything is a [`GenericJoint`] underneath. The joints with a name choose its axes and offer methods
+//! for those that are left. An [`ImpulseJoint`] is one of them between two bodies of a world.
 
-use crate::base::arena::Arena;
+mod builder;
+mod error;
+mod fixed;
+mod generic;
+mod impulse_joint;
+pub(crate) mod kind;
+mod limits;
+mod links;
+mod motor;
+mod multibody;
+mod prismatic;
+mod revolute;
+mod rope;
+mod set;
+mod spring;
+mod spring_joint;
+pub(crate) mod views;
 
-/// The joint that cannot be made.
-#[derive(Copy, Clone, Debug)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-enum Never {}
-
-/// The joints that hold bodies together by impulses.
-#[derive(Clone, Debug, Default)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub struct ImpulseJointSet {
-    joints: Arena<Never>,
-}
-
-impl ImpulseJointSet {
-    /// An empty set.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Number of joints.
-    pub fn len(&self) -> usize {
-        self.joints.len()
-    }
-
-    /// Is there no joint?
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty()
-    }
-}
-
-/// The joints that make bodies links of an articulated whole.
-#[derive(Clone, Debug, Default)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub struct MultibodyJointSet {
-    joints: Arena<Never>,
-}
-
-impl MultibodyJointSet {
-    /// An empty set.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Number of joints.
-    pub fn len(&self) -> usize {
-        self.joints.len()
-    }
-
-    /// Is there no joint?
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty()
-    }
-}
+pub use builder::GenericJointBuilder;
+pub use error::InvalidJoint;
+pub use fixed::{FixedJoint, FixedJointBuilder};
+pub use generic::{GenericJoint, JointEnabled};
+pub(crate) use generic::{mask_of, relative_rotation};
+pub use impulse_joint::{ImpulseJoint, ImpulseJointHandle};
+pub use limits::JointLimits;
+pub(crate) use links::{JointLink, JointLinks};
+pub use motor::{JointMotor, MotorModel};
+pub use multibody::MultibodyJointSet;
+pub use prismatic::{PrismaticJoint, PrismaticJointBuilder};
+pub use revolute::{RevoluteJoint, RevoluteJointBuilder};
+pub use rope::{RopeJoint, RopeJointBuilder};
+pub use set::ImpulseJointSet;
+pub use spring::SpringCoefficients;
+pub use spring_joint::{SpringJoint, SpringJointBuilder};

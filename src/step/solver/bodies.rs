@@ -108,6 +108,11 @@ impl SolverBodies {
         self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
     }
 
+    /// Does the group that is solved have all bodies?
+    pub fn are_one_group(&self) -> bool {
+        self.moving[1] == (1..self.states.len())
+    }
+
     /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
     pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
         let [_, members] = &self.moving;

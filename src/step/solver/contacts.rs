@@ -49,7 +49,6 @@ impl SolverContacts {
         graph: &ConstraintGraph,
         narrow_phase: &NarrowPhase,
         bodies: &SolverBodies,
-        is_only_group: bool,
     ) {
         self.colors.clear();
         self.manifolds.clear();
@@ -58,7 +57,7 @@ impl SolverContacts {
         let slots = |manifold: &ManifoldRef| narrow_phase.contacts.bodies(manifold.pair);
         for (color, list) in graph.in_solving_order() {
             let start = self.manifolds.len();
-            if is_only_group {
+            if bodies.are_one_group() {
                 self.manifolds.extend_from_slice(list);
             } else {
                 let members = list.iter().filter(|manifold| bodies.has_one_of(slots(manifold)));
@@ -291,7 +290,11 @@ fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count:
 }
 
 /// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
-fn for_each_color(colors: &[Range<usize>], tasks: Tasks, work: impl Fn(Range<usize>) + Sync) {
+pub(super) fn for_each_color(
+    colors: &[Range<usize>],
+    tasks: Tasks,
+    work: impl Fn(Range<usize>) + Sync,
+) {
     for color in colors {
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             work(color.start + range.start..color.start + range.end);

@@ -90,10 +90,6 @@ impl Groups {
         &self.order
     }
 
-    pub fn len(&self) -> usize {
-        self.groups.len()
-    }
-
     pub fn iter(&self) -> impl Iterator<Item = &Group> {
         self.groups.iter()
     }

@@ -1,7 +1,7 @@
 //! # Solver — make velocities obey
 //!
-//! Reads:   manifolds, the constraint graph, parameters
-//! Writes:  velocities and poses of awake bodies, impulses of manifolds
+//! Reads:   manifolds, joints, the constraint graphs, parameters
+//! Writes:  velocities and poses of awake bodies, impulses of manifolds and joints; breaks joints
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
@@ -19,6 +19,7 @@
 mod bodies;
 mod contacts;
 mod groups;
+mod joints;
 #[cfg(test)]
 mod tests;
 
@@ -28,19 +29,29 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
+use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
-use crate::model::params::{ContactPass, IntegrationParameters};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
+use joints::SolverJoints;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
-    bodies: SolverBodies,
-    contacts: SolverContacts,
     groups: Groups,
+    bodies: SolverBodies,
+    constraints: Constraints,
     simd: Simd,
+}
+
+/// What holds bodies.
+#[derive(Default)]
+struct Constraints {
+    joints: SolverJoints,
+    contacts: SolverContacts,
 }
 
 impl SolverScratch {
@@ -50,17 +61,22 @@ impl SolverScratch {
     }
 }
 
+/// What the solver reads and writes.
+pub(crate) struct Scene<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
+    pub bodies: &'a mut RigidBodySet,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub joints: &'a mut ImpulseJointSet,
+    pub islands: &'a mut IslandManager,
+    /// Gets the joints that break.
+    pub broken: &'a mut Vec<JointBreakEvent>,
+}
+
 /// Solves one step for all awake bodies.
-pub(crate) fn solve(
-    gravity: Vector,
-    params: &IntegrationParameters,
-    bodies: &mut RigidBodySet,
-    narrow_phase: &mut NarrowPhase,
-    islands: &mut IslandManager,
-    scratch: &mut SolverScratch,
-    counters: &mut SolverCounters,
-) {
-    let SolverScratch { bodies: states, contacts, groups, simd } = scratch;
+pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
+    let Scene { gravity, params, bodies, narrow_phase, joints: set, islands, broken } = scene;
+    let SolverScratch { groups, bodies: states, constraints, simd } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, params);
     states.load(groups, bodies, gravity, params);
@@ -69,15 +85,19 @@ pub(crate) fn solve(
     for group in groups.iter() {
         counters.velocity_assembly_time.resume();
         states.enter(group, groups);
-        contacts.load(&islands.graph, narrow_phase, states, groups.len() == 1);
+        let pass = JointPass::new(params, params.dt / group.substeps as Real);
+        constraints.joints.load(islands, set, bodies, states, &pass);
+        constraints.contacts.load(&islands.graph, narrow_phase, states);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, params, states, contacts, *simd, counters);
+        solve_group(group.substeps, params, states, constraints, *simd, counters);
 
         counters.velocity_writeback_time.resume();
+        let Constraints { joints, contacts } = constraints;
         contacts.store(narrow_phase);
+        joints.store(islands, set, params.inv_dt(), broken);
         counters.velocity_writeback_time.pause();
-        counters.nconstraints += contacts.len();
+        counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
@@ -90,29 +110,38 @@ fn solve_group(
     substeps: usize,
     params: &IntegrationParameters,
     states: &mut SolverBodies,
-    contacts: &mut SolverContacts,
+    constraints: &mut Constraints,
     simd: Simd,
     counters: &mut SolverCounters,
 ) {
+    let Constraints { joints, contacts } = constraints;
     let tasks = Tasks::current();
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let joint_pass = JointPass::new(params, h);
+    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
+    joints.warm_start(states, simd, tasks);
     contacts.prepare(states, params, simd, tasks);
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
+        joints.tighten(&joint_pass);
+        joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
+            joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);
         }
         states.integrate_positions(h);
         for _ in 0..params.num_additional_friction_iterations {
+            joints.relax(states, &early_joint_pass, simd, tasks);
             contacts.relax(states, &early_pass, simd, tasks);
         }
+        joints.relax(states, &joint_pass, simd, tasks);
         contacts.relax(states, &pass, simd, tasks);
     }
     contacts.restitute(states, &pass, simd, tasks);

@@ -1,0 +1,63 @@
+//! Why a joint, or a value of one, is refused.
+
+use crate::dim::joint_axes::JointAxis;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::RigidBodyHandle;
+
+/// Why a joint, or a value of one, is refused, with the value that stands in the way.
+#[derive(Copy, Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InvalidJoint {
+    /// An anchor has a coordinate that is not finite, or too large to calculate with.
+    #[error("the anchor {anchor} is not a point with finite coordinates of at most 1e15")]
+    Anchor {
+        /// The anchor.
+        anchor: Vector,
+    },
+    /// An axis has no direction: it is zero, not finite, or too long or short to calculate with.
+    #[error("the axis {axis} has no direction")]
+    Axis {
+        /// The axis.
+        axis: Vector,
+    },
+    /// A frame is not a finite translation and a rotation of unit length.
+    #[error("the frame {frame:?} is not a finite translation and a rotation of unit length")]
+    Frame {
+        /// The frame.
+        frame: Pose,
+    },
+    /// The lower limit is above the upper one, or one of them is NaN.
+    #[error(
+        "the limits of {axis:?} are {min} to {max}, but the first must not be above the second"
+    )]
+    Limits {
+        /// The axis.
+        axis: JointAxis,
+        /// The lower limit.
+        min: Real,
+        /// The upper limit.
+        max: Real,
+    },
+    /// A number of a motor, a spring or a threshold is out of its range.
+    #[error("{parameter} is {value}, but must be {expected}")]
+    Number {
+        /// The parameter.
+        parameter: &'static str,
+        /// What it was set to.
+        value: Real,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// Both ends are at the same body.
+    #[error("a joint cannot join {body:?} to itself")]
+    SameBody {
+        /// The body.
+        body: RigidBodyHandle,
+    },
+    /// A handle finds no body.
+    #[error("{body:?} finds no rigid body")]
+    MissingBody {
+        /// The handle.
+        body: RigidBodyHandle,
+    },
+}

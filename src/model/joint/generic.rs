@@ -1,0 +1,455 @@
+//! What every joint is underneath: frames, and what happens on each axis.
+
+use super::motor::check_threshold;
+use super::{InvalidJoint, JointLimits, JointMotor, MotorModel, SpringCoefficients};
+use crate::base::measure::is_point;
+use crate::dim::joint_axes::{JointAxesMask, JointAxis, frame_along};
+use crate::dim::math::{DIM, Pose, Real, Rotation, SPATIAL_DIM, Vector};
+use crate::model::check::checked_pose;
+
+/// Does a joint act?
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum JointEnabled {
+    /// It does.
+    #[default]
+    Enabled,
+    /// It does not, because one of its bodies does not take part. It will when the body does.
+    DisabledByAttachedBody,
+    /// It does not: switched off, or broken.
+    Disabled,
+}
+
+/// A joint between two bodies, in full generality: which axes are locked, limited or driven.
+///
+/// A frame on each body; the axes are those of the first body's frame. Positions along them are those
+/// of the second frame's origin, and angles those by which the second frame is turned against the first.
+/// Where several rotations are free, the second frame's X axis is *swung* away from the first's, and
+/// turned about itself, the *twist*: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
+///
+/// Setters refuse values that no simulation could survive: they say so in the log, and the old value
+/// stays. The methods called `try_…` return the error instead.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// // A joint that lets one body slide a metre along X and turn about it: a piston.
+/// let piston = GenericJointBuilder::new(
+///     JointAxesMask::LOCKED_FIXED_AXES - JointAxesMask::LIN_X - JointAxesMask::ANG_X,
+/// )
+/// .limits(JointAxis::LinX, [0.0, 1.0])
+/// .build();
+/// assert_eq!(piston.limits(JointAxis::LinX).map(|limits| limits.max), Some(1.0));
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct GenericJoint {
+    /// The joint's frame on the first body, in that body's frame.
+    pub local_frame1: Pose,
+    /// The joint's frame on the second body, in that body's frame.
+    pub local_frame2: Pose,
+    /// Axes along or about which the bodies cannot move against each other.
+    pub locked_axes: JointAxesMask,
+    /// Axes whose [`Self::limits`](#structfield.limits) hold.
+    pub limit_axes: JointAxesMask,
+    /// Axes whose [`Self::motors`] drive.
+    pub motor_axes: JointAxesMask,
+    /// Axes that are measured together: two or three translations as one distance, two or three rotations
+    /// as one angle. Limits and motor of the first of them are those of all.
+    pub coupled_axes: JointAxesMask,
+    /// By axis: how far it reaches.
+    pub limits: [JointLimits; SPATIAL_DIM],
+    /// By axis: what drives it.
+    pub motors: [JointMotor; SPATIAL_DIM],
+    /// How soft the locked axes are (default `None`: as stiff as the solver can make them, see
+    /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
+    pub softness: Option<SpringCoefficients>,
+    /// The joint breaks when the force between the bodies is larger (default: infinite).
+    pub break_force: Real,
+    /// The joint breaks when the torque between the bodies is larger (default: infinite).
+    pub break_torque: Real,
+    /// Do the two bodies' colliders touch each other (default: yes)?
+    pub contacts_enabled: bool,
+    /// Does the joint act?
+    pub enabled: JointEnabled,
+    /// Whatever the user wants to find again.
+    pub user_data: u128,
+}
+
+impl Default for GenericJoint {
+    fn default() -> Self {
+        Self {
+            local_frame1: Pose::IDENTITY,
+            local_frame2: Pose::IDENTITY,
+            locked_axes: JointAxesMask::empty(),
+            limit_axes: JointAxesMask::empty(),
+            motor_axes: JointAxesMask::empty(),
+            coupled_axes: JointAxesMask::empty(),
+            limits: [JointLimits::default(); SPATIAL_DIM],
+            motors: [JointMotor::default(); SPATIAL_DIM],
+            softness: None,
+            break_force: Real::INFINITY,
+            break_torque: Real::INFINITY,
+            contacts_enabled: true,
+            enabled: JointEnabled::Enabled,
+            user_data: 0,
+        }
+    }
+}
+
+/// The axis as a set of one.
+pub(crate) fn mask_of(axis: JointAxis) -> JointAxesMask {
+    JointAxesMask::from_bits_truncate(1 << axis as u8)
+}
+
+/// What a plain setter does with a value that is refused.
+#[cold]
+fn log_refusal(error: InvalidJoint) {
+    log::warn!("{error}; the old value stays");
+}
+
+/// The direction of an axis that a user gave.
+fn direction(axis: Vector) -> Result<Vector, InvalidJoint> {
+    let unit = if is_point(axis) { axis.normalize_or_zero() } else { Vector::ZERO };
+    if unit == Vector::ZERO { Err(InvalidJoint::Axis { axis }) } else { Ok(unit) }
+}
+
+impl GenericJoint {
+    /// A joint that locks some axes and leaves the others free.
+    pub fn new(locked_axes: JointAxesMask) -> Self {
+        Self { locked_axes, ..Self::default() }
+    }
+
+    /// Locks more axes.
+    pub fn lock_axes(&mut self, axes: JointAxesMask) -> &mut Self {
+        self.locked_axes |= axes;
+        self
+    }
+
+    /// Does the joint act?
+    pub fn is_enabled(&self) -> bool {
+        self.enabled == JointEnabled::Enabled
+    }
+
+    /// Switches the joint on or off. Switching it on does not make it act while one of its bodies does
+    /// not take part.
+    pub fn set_enabled(&mut self, enabled: bool) {
+        self.enabled = match (self.enabled, enabled) {
+            (JointEnabled::Disabled, true) => JointEnabled::Enabled,
+            (unchanged, true) => unchanged,
+            (_, false) => JointEnabled::Disabled,
+        };
+    }
+
+    // ---- Frames ----
+
+    /// Sets the joint's frame on the first body, in that body's frame.
+    pub fn set_local_frame1(&mut self, frame: Pose) -> &mut Self {
+        set_frame(&mut self.local_frame1, frame);
+        self
+    }
+
+    /// Sets the joint's frame on the second body, in that body's frame.
+    pub fn set_local_frame2(&mut self, frame: Pose) -> &mut Self {
+        set_frame(&mut self.local_frame2, frame);
+        self
+    }
+
+    /// The joint's first axis on the first body, in that body's frame: of unit length.
+    pub fn local_axis1(&self) -> Vector {
+        self.local_frame1.rotation * Vector::X
+    }
+
+    /// The joint's first axis on the second body, in that body's frame: of unit length.
+    pub fn local_axis2(&self) -> Vector {
+        self.local_frame2.rotation * Vector::X
+    }
+
+    /// Sets the joint's first axis on the first body, in that body's frame. Its length does not matter.
+    pub fn set_local_axis1(&mut self, axis: Vector) -> &mut Self {
+        let _ = self.try_set_local_axis1(axis).map_err(log_refusal);
+        self
+    }
+
+    /// Sets the joint's first axis on the second body, in that body's frame. Its length does not matter.
+    pub fn set_local_axis2(&mut self, axis: Vector) -> &mut Self {
+        let _ = self.try_set_local_axis2(axis).map_err(log_refusal);
+        self
+    }
+
+    /// [`Self::set_local_axis1`].
+    ///
+    /// # Errors
+    /// If the axis has no direction; the old one stays.
+    pub fn try_set_local_axis1(&mut self, axis: Vector) -> Result<(), InvalidJoint> {
+        self.local_frame1.rotation = frame_along(direction(axis)?);
+        Ok(())
+    }
+
+    /// [`Self::set_local_axis2`].
+    ///
+    /// # Errors
+    /// If the axis has no direction; the old one stays.
+    pub fn try_set_local_axis2(&mut self, axis: Vector) -> Result<(), InvalidJoint> {
+        self.local_frame2.rotation = frame_along(direction(axis)?);
+        Ok(())
+    }
+
+    /// Where the joint holds the first body, in that body's frame.
+    pub fn local_anchor1(&self) -> Vector {
+        self.local_frame1.translation
+    }
+
+    /// Where the joint holds the second body, in that body's frame.
+    pub fn local_anchor2(&self) -> Vector {
+        self.local_frame2.translation
+    }
+
+    /// Sets where the joint holds the first body, in that body's frame.
+    pub fn set_local_anchor1(&mut self, anchor: Vector) -> &mut Self {
+        let _ = self.try_set_local_anchor1(anchor).map_err(log_refusal);
+        self
+    }
+
+    /// Sets where the joint holds the second body, in that body's frame.
+    pub fn set_local_anchor2(&mut self, anchor: Vector) -> &mut Self {
+        let _ = self.try_set_local_anchor2(anchor).map_err(log_refusal);
+        self
+    }
+
+    /// [`Self::set_local_anchor1`].
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, or too large to calculate with; the old anchor stays.
+    pub fn try_set_local_anchor1(&mut self, anchor: Vector) -> Result<(), InvalidJoint> {
+        set_anchor(&mut self.local_frame1, anchor)
+    }
+
+    /// [`Self::set_local_anchor2`].
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, or too large to calculate with; the old anchor stays.
+    pub fn try_set_local_anchor2(&mut self, anchor: Vector) -> Result<(), InvalidJoint> {
+        set_anchor(&mut self.local_frame2, anchor)
+    }
+
+    /// Exchanges the roles of the two bodies.
+    ///
+    /// Positions and angles change their signs, and so do the limits and targets that are made of them.
+    pub fn flip(&mut self) {
+        core::mem::swap(&mut self.local_frame1, &mut self.local_frame2);
+        for axis in JointAxis::ALL {
+            if self.coupled_axes.contains(mask_of(axis)) {
+                continue; // distances have no sign
+            }
+            let limits = &mut self.limits[axis as usize];
+            (limits.min, limits.max) = (-limits.max, -limits.min);
+            limits.impulse = -limits.impulse;
+            let motor = &mut self.motors[axis as usize];
+            motor.target_pos = -motor.target_pos;
+            motor.target_vel = -motor.target_vel;
+            motor.impulse = -motor.impulse;
+        }
+    }
+
+    // ---- Contacts, softness, breaking ----
+
+    /// Do the two bodies' colliders touch each other?
+    pub fn contacts_enabled(&self) -> bool {
+        self.contacts_enabled
+    }
+
+    /// Says whether the two bodies' colliders touch each other.
+    ///
+    /// Of several joints between the same bodies, one that says no is enough.
+    pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
+        self.contacts_enabled = enabled;
+        self
+    }
+
+    /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
+    pub fn set_softness(&mut self, softness: Option<SpringCoefficients>) -> &mut Self {
+        match softness.map_or(Ok(()), |spring| spring.check()) {
+            Ok(()) => self.softness = softness,
+            Err(error) => log_refusal(error),
+        }
+        self
+    }
+
+    /// Lets the joint break at a force larger than the first number, or a torque larger than the second.
+    ///
+    /// They are compared after each step with [`ImpulseJoint::force`](super::ImpulseJoint::force) and
+    /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint
+    /// that breaks is disabled, and the
+    /// [`EventHandler`](crate::model::event::EventHandler) hears of it.
+    pub fn set_break_thresholds(&mut self, force: Real, torque: Real) -> &mut Self {
+        let force_is_usable = check_threshold("the force at which a joint breaks", force);
+        match force_is_usable
+            .and_then(|()| check_threshold("the torque at which a joint breaks", torque))
+        {
+            Ok(()) => (self.break_force, self.break_torque) = (force, torque),
+            Err(error) => log_refusal(error),
+        }
+        self
+    }
+
+    // ---- Limits and motors ----
+
+    /// How far an axis reaches; `None` if it has no limits.
+    pub fn limits(&self, axis: JointAxis) -> Option<&JointLimits> {
+        let has_limits = self.limit_axes.contains(mask_of(axis));
+        has_limits.then(|| &self.limits[axis as usize])
+    }
+
+    /// Says how far an axis reaches (length units, or radians).
+    pub fn set_limits(&mut self, axis: JointAxis, limits: [Real; 2]) -> &mut Self {
+        let _ = self.try_set_limits(axis, limits).map_err(log_refusal);
+        self
+    }
+
+    /// [`Self::set_limits`].
+    ///
+    /// # Errors
+    /// If the first limit is above the second, or one is NaN; the old limits stay.
+    pub fn try_set_limits(
+        &mut self,
+        axis: JointAxis,
+        limits: [Real; 2],
+    ) -> Result<(), InvalidJoint> {
+        let limits = JointLimits::from(limits);
+        limits.check(axis)?;
+        let impulse = self.limits[axis as usize].impulse;
+        self.limits[axis as usize] = JointLimits { impulse, ..limits };
+        self.limit_axes |= mask_of(axis);
+        Ok(())
+    }
+
+    /// What drives an axis; `None` if it has no motor.
+    pub fn motor(&self, axis: JointAxis) -> Option<&JointMotor> {
+        self.motor_axes.contains(mask_of(axis)).then(|| &self.motors[axis as usize])
+    }
+
+    /// What a motor's stiffness and damping are measured in; `None` if the axis has no motor.
+    pub fn motor_model(&self, axis: JointAxis) -> Option<MotorModel> {
+        self.motor(axis).map(|motor| motor.model)
+    }
+
+    /// Says what the stiffness and damping of an axis's motor are measured in.
+    pub fn set_motor_model(&mut self, axis: JointAxis, model: MotorModel) -> &mut Self {
+        self.motors[axis as usize].model = model;
+        self
+    }
+
+    /// Drives an axis at a velocity. `factor` is the motor's damping: how hard it tries.
+    pub fn set_motor_velocity(
+        &mut self,
+        axis: JointAxis,
+        target_vel: Real,
+        factor: Real,
+    ) -> &mut Self {
+        let target_pos = self.motors[axis as usize].target_pos;
+        self.set_motor(axis, target_pos, target_vel, 0.0, factor)
+    }
+
+    /// Drives an axis to a position, like a spring with a damper.
+    pub fn set_motor_position(
+        &mut self,
+        axis: JointAxis,
+        target_pos: Real,
+        stiffness: Real,
+        damping: Real,
+    ) -> &mut Self {
+        self.set_motor(axis, target_pos, 0.0, stiffness, damping)
+    }
+
+    /// Sets the largest force (or torque) of an axis's motor.
+    pub fn set_motor_max_force(&mut self, axis: JointAxis, max_force: Real) -> &mut Self {
+        match check_threshold("the maximum force of a motor", max_force) {
+            Ok(()) => self.motors[axis as usize].max_force = max_force,
+            Err(error) => log_refusal(error),
+        }
+        self
+    }
+
+    /// Drives an axis: to a position as far as `stiffness` is large, at a velocity as far as `damping` is.
+    pub fn set_motor(
+        &mut self,
+        axis: JointAxis,
+        target_pos: Real,
+        target_vel: Real,
+        stiffness: Real,
+        damping: Real,
+    ) -> &mut Self {
+        let old = self.motors[axis as usize];
+        let motor = JointMotor { target_pos, target_vel, stiffness, damping, ..old };
+        let _ = self.try_set_motor(axis, motor).map_err(log_refusal);
+        self
+    }
+
+    /// Replaces an axis's motor.
+    ///
+    /// # Errors
+    /// If one of its numbers is out of its range; the old motor stays.
+    pub fn try_set_motor(
+        &mut self,
+        axis: JointAxis,
+        motor: JointMotor,
+    ) -> Result<(), InvalidJoint> {
+        motor.check()?;
+        self.motors[axis as usize] = motor;
+        self.motor_axes |= mask_of(axis);
+        Ok(())
+    }
+
+    /// Is every number usable? The setters see to it; the fields are open.
+    ///
+    /// A joint that is not valid does not act, until it is.
+    ///
+    /// # Errors
+    /// The first value that is not.
+    pub fn validate(&self) -> Result<(), InvalidJoint> {
+        for frame in [self.local_frame1, self.local_frame2] {
+            checked_pose(frame).ok_or(InvalidJoint::Frame { frame })?;
+        }
+        for axis in JointAxis::ALL {
+            self.limits(axis).map_or(Ok(()), |limits| limits.check(axis))?;
+            self.motor(axis).map_or(Ok(()), JointMotor::check)?;
+        }
+        self.softness.map_or(Ok(()), |spring| spring.check())?;
+        check_threshold("the force at which a joint breaks", self.break_force)?;
+        check_threshold("the torque at which a joint breaks", self.break_torque)
+    }
+
+    /// The free axes that have a motor or limits: of coupled ones the first.
+    pub(crate) fn driven_axes(&self) -> impl Iterator<Item = JointAxis> + use<> {
+        let free = !self.locked_axes;
+        let driven = free & (self.limit_axes | self.motor_axes);
+        let coupled_axes = self.coupled_axes;
+        let (linear, angular) = (JointAxesMask::LIN_AXES, JointAxesMask::ANG_AXES);
+        JointAxis::ALL.into_iter().filter(move |&axis| {
+            let group = if (axis as usize) < DIM { linear } else { angular };
+            let coupled = coupled_axes & free & group;
+            let is_first = mask_of(axis).bits() == coupled.bits() & coupled.bits().wrapping_neg();
+            driven.contains(mask_of(axis)) && (!coupled.contains(mask_of(axis)) || is_first)
+        })
+    }
+}
+
+fn set_frame(target: &mut Pose, frame: Pose) {
+    match checked_pose(frame) {
+        Some(frame) => *target = frame,
+        None => log_refusal(InvalidJoint::Frame { frame }),
+    }
+}
+
+fn set_anchor(frame: &mut Pose, anchor: Vector) -> Result<(), InvalidJoint> {
+    if !is_point(anchor) {
+        return Err(InvalidJoint::Anchor { anchor });
+    }
+    frame.translation = anchor;
+    Ok(())
+}
+
+/// The rotation of a frame against another: `rotation1⁻¹ · rotation2`.
+pub(crate) fn relative_rotation(rotation1: &Rotation, rotation2: &Rotation) -> Rotation {
+    rotation1.inverse() * *rotation2
+}

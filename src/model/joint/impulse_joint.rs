@@ -1,0 +1,101 @@
+//! A joint in the world, and what finds it.
+
+use super::GenericJoint;
+use crate::base::arena::Index;
+use crate::dim::math::{
+    ANG_DIM, ANG_ZERO, AngVector, SPATIAL_DIM, SpatialVector, Vector, ang_is_finite,
+};
+use crate::model::body::RigidBodyHandle;
+
+/// Finds a joint in its set until the joint is removed, and nothing after that.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(transparent)]
+pub struct ImpulseJointHandle(pub Index);
+
+impl ImpulseJointHandle {
+    /// A handle that finds nothing in any set.
+    pub const fn invalid() -> Self {
+        Self(Index::INVALID)
+    }
+
+    /// Puts a handle together again from [`Self::into_raw_parts`].
+    pub const fn from_raw_parts(id: u32, generation: u32) -> Self {
+        Self(Index::from_raw_parts(id, generation))
+    }
+
+    /// The slot in the set, and which of the slot's successive tenants is meant.
+    pub const fn into_raw_parts(self) -> (u32, u32) {
+        self.0.into_raw_parts()
+    }
+}
+
+/// A joint between two bodies, held by impulses.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ImpulseJoint {
+    pub(super) body1: RigidBodyHandle,
+    pub(super) body2: RigidBodyHandle,
+    /// What the joint locks, limits and drives.
+    pub data: GenericJoint,
+    /// Impulses on the locked axes in the last substep, on the second body. The next step starts with
+    /// them.
+    pub impulses: SpatialVector,
+    /// Mean force and torque of the last step, in world space.
+    pub(crate) force: Vector,
+    pub(crate) torque: AngVector,
+    /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
+    pub(crate) angles: Option<[crate::dim::math::Real; ANG_DIM]>,
+}
+
+impl ImpulseJoint {
+    pub(super) fn new(body1: RigidBodyHandle, body2: RigidBodyHandle, data: GenericJoint) -> Self {
+        let (force, torque) = (Vector::ZERO, ANG_ZERO);
+        Self { body1, body2, data, impulses: [0.0; SPATIAL_DIM], force, torque, angles: None }
+    }
+
+    /// The first body.
+    pub fn body1(&self) -> RigidBodyHandle {
+        self.body1
+    }
+
+    /// The second body.
+    pub fn body2(&self) -> RigidBodyHandle {
+        self.body2
+    }
+
+    /// The force (world space, mean of the last step) with which the joint pushes the second body, at the
+    /// joint's anchor; the first body gets the opposite. Locked axes, limits and motors together.
+    pub fn force(&self) -> Vector {
+        self.force
+    }
+
+    /// The torque (world space, mean of the last step) with which the joint turns the second body, about
+    /// the joint's anchor; the first body gets the opposite. Locked axes, limits and motors together.
+    pub fn torque(&self) -> AngVector {
+        self.torque
+    }
+
+    /// Forgets impulses and turns, which were other bodies'.
+    pub(super) fn forget_past(&mut self) {
+        self.angles = None;
+        self.forget_impulses();
+    }
+
+    /// Forgets all impulses. The next step starts without.
+    pub(crate) fn forget_impulses(&mut self) {
+        self.impulses = [0.0; SPATIAL_DIM];
+        (self.force, self.torque) = (Vector::ZERO, ANG_ZERO);
+        self.data.limits.iter_mut().for_each(|limits| limits.impulse = 0.0);
+        self.data.motors.iter_mut().for_each(|motor| motor.impulse = 0.0);
+    }
+
+    /// Are the impulses with which the next step would start numbers?
+    pub(crate) fn is_sound(&self) -> bool {
+        self.impulses.iter().all(|impulse| impulse.is_finite())
+            && self.data.limits.iter().all(|limits| limits.impulse.is_finite())
+            && self.data.motors.iter().all(|motor| motor.impulse.is_finite())
+            && self.force.is_finite()
+            && ang_is_finite(self.torque)
+    }
+}

@@ -1,0 +1,245 @@
+//! What the joints with a name have in common: macros that write their methods.
+//!
+//! A named joint is a [`GenericJoint`](super::GenericJoint) whose axes are chosen, and methods for those
+//! that are left.
+
+/// A named joint, its builder, and the way from both to the generic joint.
+macro_rules! joint_kind {
+    ($(#[$doc:meta])* $joint:ident, $builder:ident) => {
+        $(#[$doc])*
+        #[derive(Copy, Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+        #[repr(transparent)]
+        pub struct $joint {
+            /// The generic joint underneath.
+            pub data: $crate::model::joint::GenericJoint,
+        }
+
+        #[doc = concat!("Describes a [`", stringify!($joint), "`].")]
+        #[derive(Copy, Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+        #[must_use = "a builder does nothing until its joint is built or inserted"]
+        pub struct $builder(pub $joint);
+
+        impl $joint {
+            /// The generic joint underneath.
+            pub fn data(&self) -> &$crate::model::joint::GenericJoint {
+                &self.data
+            }
+
+            /// The generic joint.
+            #[allow(
+                clippy::should_implement_trait,
+                reason = "so that `joint.into()` needs no type; `From` does the same"
+            )]
+            pub fn into(self) -> $crate::model::joint::GenericJoint {
+                self.data
+            }
+        }
+
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder;
+            /// Where the joint holds the first body, in that body's frame.
+            local_anchor1() -> crate::dim::math::Vector;
+            /// Sets where the joint holds the first body, in that body's frame.
+            local_anchor1, set_local_anchor1(anchor: crate::dim::math::Vector);
+            /// Where the joint holds the second body, in that body's frame.
+            local_anchor2() -> crate::dim::math::Vector;
+            /// Sets where the joint holds the second body, in that body's frame.
+            local_anchor2, set_local_anchor2(anchor: crate::dim::math::Vector);
+            /// Do the two bodies' colliders touch each other?
+            contacts_enabled() -> bool;
+            /// Says whether the two bodies' colliders touch each other.
+            contacts_enabled, set_contacts_enabled(enabled: bool);
+        }
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder;
+            /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
+            softness, set_softness(softness: Option<$crate::model::joint::SpringCoefficients>);
+            /// Lets the joint break at a force larger than the first number, or a torque larger than
+            /// the second: see
+            /// [`GenericJoint::set_break_thresholds`](crate::dynamics::GenericJoint::set_break_thresholds).
+            break_thresholds, set_break_thresholds(
+                force: $crate::dim::math::Real, torque: $crate::dim::math::Real
+            );
+        }
+
+        // SAFETY: the struct above is transparent, and has no rules of its own.
+        unsafe impl $crate::model::joint::views::Named for $joint {}
+
+        impl $builder {
+            /// The joint.
+            #[must_use]
+            pub fn build(self) -> $joint {
+                self.0
+            }
+
+            /// The generic joint.
+            #[allow(
+                clippy::should_implement_trait,
+                reason = "so that `builder.into()` needs no type; `From` does the same"
+            )]
+            pub fn into(self) -> $crate::model::joint::GenericJoint {
+                self.0.data
+            }
+        }
+
+        impl From<$joint> for $crate::model::joint::GenericJoint {
+            fn from(joint: $joint) -> Self {
+                joint.data
+            }
+        }
+
+        impl From<$builder> for $crate::model::joint::GenericJoint {
+            fn from(builder: $builder) -> Self {
+                builder.0.data
+            }
+        }
+
+        impl From<$builder> for $joint {
+            fn from(builder: $builder) -> Self {
+                builder.0
+            }
+        }
+    };
+}
+
+/// Methods that hand their arguments to the generic joint: getters of the joint, setters of the joint
+/// and of its builder. What stands before the semicolon in brackets is handed over first.
+macro_rules! joint_methods {
+    ($joint:ident, $builder:ident $([$($first:expr),*])?;) => {};
+    (
+        $joint:ident, $builder:ident $([$($first:expr),*])?;
+        $(#[$doc:meta])* $getter:ident($($argument:ident: $type:ty),*) -> $result:ty;
+        $($rest:tt)*
+    ) => {
+        impl $joint {
+            $(#[$doc])*
+            pub fn $getter(&self, $($argument: $type),*) -> $result {
+                self.data.$getter($($($first,)*)? $($argument),*)
+            }
+        }
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder $([$($first),*])?; $($rest)*
+        }
+    };
+    (
+        $joint:ident, $builder:ident $([$($first:expr),*])?;
+        $(#[$doc:meta])* $building:ident, $setter:ident($($argument:ident: $type:ty),* $(,)?);
+        $($rest:tt)*
+    ) => {
+        impl $joint {
+            $(#[$doc])*
+            pub fn $setter(&mut self, $($argument: $type),*) -> &mut Self {
+                self.data.$setter($($($first,)*)? $($argument),*);
+                self
+            }
+        }
+        impl $builder {
+            $(#[$doc])*
+            pub fn $building(mut self, $($argument: $type),*) -> Self {
+                self.0.$setter($($argument),*);
+                self
+            }
+        }
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder $([$($first),*])?; $($rest)*
+        }
+    };
+}
+
+/// The joint's axis on each of its bodies.
+macro_rules! joint_axis_methods {
+    ($joint:ident, $builder:ident) => {
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder;
+            /// The joint's axis on the first body, in that body's frame: of unit length.
+            local_axis1() -> crate::dim::math::Vector;
+            /// Sets the joint's axis on the first body, in that body's frame. Its length does not matter.
+            local_axis1, set_local_axis1(axis: crate::dim::math::Vector);
+            /// The joint's axis on the second body, in that body's frame: of unit length.
+            local_axis2() -> crate::dim::math::Vector;
+            /// Sets the joint's axis on the second body, in that body's frame. Its length does not matter.
+            local_axis2, set_local_axis2(axis: crate::dim::math::Vector);
+        }
+    };
+}
+
+/// The joint's frame on each of its bodies.
+macro_rules! joint_frame_methods {
+    ($joint:ident, $builder:ident) => {
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder;
+            /// Sets the joint's frame on the first body, in that body's frame.
+            local_frame1, set_local_frame1(frame: crate::dim::math::Pose);
+            /// Sets the joint's frame on the second body, in that body's frame.
+            local_frame2, set_local_frame2(frame: crate::dim::math::Pose);
+        }
+        impl $joint {
+            /// The joint's frame on the first body, in that body's frame.
+            pub fn local_frame1(&self) -> crate::dim::math::Pose {
+                self.data.local_frame1
+            }
+
+            /// The joint's frame on the second body, in that body's frame.
+            pub fn local_frame2(&self) -> crate::dim::math::Pose {
+                self.data.local_frame2
+            }
+        }
+    };
+}
+
+/// The motor of the one free axis, or (without an axis) of the axis that the caller names.
+macro_rules! joint_motor_methods {
+    ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder [$($axis)?];
+            /// What drives it; `None`: it has no motor.
+            motor($($name: $type)?) -> Option<&$crate::model::joint::JointMotor>;
+            /// Says what stiffness and damping of the motor are measured in.
+            motor_model, set_motor_model(
+                $($name: $type,)? model: $crate::model::joint::MotorModel
+            );
+            /// Drives at a velocity; `factor` is the motor's damping.
+            motor_velocity, set_motor_velocity(
+                $($name: $type,)? target_vel: $crate::dim::math::Real, factor: $crate::dim::math::Real
+            );
+            /// Drives to a position, like a spring with a damper.
+            motor_position, set_motor_position(
+                $($name: $type,)? target_pos: $crate::dim::math::Real,
+                stiffness: $crate::dim::math::Real, damping: $crate::dim::math::Real
+            );
+            /// Drives to a position as far as `stiffness` is large, at a velocity as far as `damping` is.
+            set_motor, set_motor(
+                $($name: $type,)? target_pos: $crate::dim::math::Real,
+                target_vel: $crate::dim::math::Real,
+                stiffness: $crate::dim::math::Real, damping: $crate::dim::math::Real
+            );
+            /// Sets the largest force (or torque) of the motor.
+            motor_max_force, set_motor_max_force(
+                $($name: $type,)? max_force: $crate::dim::math::Real
+            );
+        }
+    };
+}
+
+/// Limits and motor of the one free axis, or (without an axis) of the axis that the caller names.
+macro_rules! joint_drive_methods {
+    ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
+        $crate::model::joint::kind::joint_methods! {
+            $joint, $builder [$($axis)?];
+            /// How far it reaches; `None`: it has no limits.
+            limits($($name: $type)?) -> Option<&$crate::model::joint::JointLimits>;
+            /// Says how far it reaches (length units, or radians).
+            limits, set_limits($($name: $type,)? limits: [$crate::dim::math::Real; 2]);
+        }
+        $crate::model::joint::kind::joint_motor_methods!(
+            $joint, $builder, [$($axis)?], ($($name: $type)?)
+        );
+    };
+}
+
+pub(crate) use {
+    joint_axis_methods, joint_drive_methods, joint_frame_methods, joint_kind, joint_methods,
+    joint_motor_methods,
+};

@@ -1,0 +1,86 @@
+//! What drives a free axis of a joint.
+
+use super::InvalidJoint;
+use crate::dim::math::Real;
+
+/// What the stiffness and damping of a motor are measured in.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum MotorModel {
+    /// They are accelerations: multiplied by the mass (or inertia) that the motor has to move. The motion
+    /// is the same whatever hangs on the joint.
+    #[default]
+    AccelerationBased,
+    /// They are forces (or torques). Heavier bodies move more slowly.
+    ForceBased,
+}
+
+/// Pulls a free axis of a joint towards a position, or to a velocity:
+///
+/// ```text
+/// force = stiffness · (target_pos - position) + damping · (target_vel - velocity)
+/// ```
+///
+/// within `±max_force`. Lengths along axes of translation, radians about axes of rotation, where the
+/// force is a torque.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct JointMotor {
+    /// The velocity to reach.
+    pub target_vel: Real,
+    /// The position to reach.
+    pub target_pos: Real,
+    /// Force (or acceleration) per unit of distance from the target position.
+    pub stiffness: Real,
+    /// Force (or acceleration) per unit of difference from the target velocity.
+    pub damping: Real,
+    /// The largest force, or torque, of the motor.
+    pub max_force: Real,
+    /// Impulse of the motor in the last substep. The next step starts with it.
+    pub impulse: Real,
+    /// What stiffness and damping are measured in.
+    pub model: MotorModel,
+}
+
+impl Default for JointMotor {
+    fn default() -> Self {
+        Self {
+            target_vel: 0.0,
+            target_pos: 0.0,
+            stiffness: 0.0,
+            damping: 0.0,
+            max_force: Real::MAX,
+            impulse: 0.0,
+            model: MotorModel::AccelerationBased,
+        }
+    }
+}
+
+impl JointMotor {
+    /// Are all numbers usable?
+    pub(crate) fn check(&self) -> Result<(), InvalidJoint> {
+        let finite = |parameter, value: Real| match value.is_finite() {
+            true => Ok(()),
+            false => Err(InvalidJoint::Number { parameter, value, expected: "finite" }),
+        };
+        finite("the target velocity of a motor", self.target_vel)?;
+        finite("the target position of a motor", self.target_pos)?;
+        check_factor("the stiffness of a motor", self.stiffness)?;
+        check_factor("the damping of a motor", self.damping)?;
+        check_threshold("the maximum force of a motor", self.max_force)
+    }
+}
+
+/// A number that is finite and not negative.
+pub(super) fn check_factor(parameter: &'static str, value: Real) -> Result<(), InvalidJoint> {
+    if value.is_finite() && value >= 0.0 {
+        return Ok(());
+    }
+    Err(InvalidJoint::Number { parameter, value, expected: "finite and not negative" })
+}
+
+/// A number that is not negative, and may be infinite.
+pub(super) fn check_threshold(parameter: &'static str, value: Real) -> Result<(), InvalidJoint> {
+    let expected = "not negative";
+    if value >= 0.0 { Ok(()) } else { Err(InvalidJoint::Number { parameter, value, expected }) }
+}

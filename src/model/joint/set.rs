@@ -1,0 +1,388 @@
+//! All impulse joints of a simulation, and the notes that the user's changes leave for the next step.
+
+use super::{
+    GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled, JointLinks,
+};
+use crate::base::arena::Arena;
+use crate::model::body::RigidBodyHandle;
+
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Entry {
+    joint: ImpulseJoint,
+    note: Note,
+    /// The bodies under which the joint is filed.
+    filed: [RigidBodyHandle; 2],
+}
+
+/// What is remembered of a joint's changes. It stays with the handle, whatever the user puts there.
+#[derive(Copy, Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Note {
+    /// Does the handle stand in the list of modified joints?
+    listed: bool,
+    /// Do the bodies wake when the step takes in what was changed?
+    wakes: bool,
+}
+
+/// The joints that hold bodies together by impulses, each found by its handle.
+///
+/// Iteration is in the order of the slots: the same insertions and removals give the same order.
+///
+/// A joint goes when one of its bodies is removed, at the latest in the next step or update.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct ImpulseJointSet {
+    joints: Arena<Entry>,
+    /// By body slot: the joints that are filed there, in the order of insertion.
+    of_body: Vec<Vec<ImpulseJointHandle>>,
+    /// Joints that the user may have changed since the last step, each once.
+    modified: Vec<ImpulseJointHandle>,
+    /// Joints that were removed since the last step, and whether their bodies wake.
+    removed: Vec<(ImpulseJointHandle, bool)>,
+}
+
+impl ImpulseJointSet {
+    /// An empty set.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of joints.
+    pub fn len(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// Is there no joint?
+    pub fn is_empty(&self) -> bool {
+        self.joints.is_empty()
+    }
+
+    /// Does the handle find a joint?
+    pub fn contains(&self, handle: ImpulseJointHandle) -> bool {
+        self.joints.contains(handle.0)
+    }
+
+    /// Joins two bodies, and wakes them if `wake_up`.
+    ///
+    /// A joint that joins a body to itself, or one of whose numbers is not usable, is logged and inserted
+    /// disabled; [`Self::try_insert`] returns the error instead. Whether the handles find bodies shows in the
+    /// next step: it removes joints without.
+    pub fn insert(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: impl Into<GenericJoint>,
+        wake_up: bool,
+    ) -> ImpulseJointHandle {
+        let mut data = data.into();
+        if let Err(error) = check(body1, body2, &data) {
+            log::warn!("a joint was inserted disabled: {error}");
+            data.set_enabled(false);
+        }
+        self.insert_new(body1, body2, data, wake_up)
+    }
+
+    /// Joins two bodies, and wakes them if `wake_up`.
+    ///
+    /// # Errors
+    /// If the two bodies are the same, or a number of the joint is not usable.
+    pub fn try_insert(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: impl Into<GenericJoint>,
+        wake_up: bool,
+    ) -> Result<ImpulseJointHandle, InvalidJoint> {
+        let data = data.into();
+        check(body1, body2, &data)?;
+        Ok(self.insert_new(body1, body2, data, wake_up))
+    }
+
+    fn insert_new(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: GenericJoint,
+        wake_up: bool,
+    ) -> ImpulseJointHandle {
+        let entry = Entry {
+            joint: ImpulseJoint::new(body1, body2, data),
+            note: Note { listed: true, wakes: wake_up },
+            filed: [body1, body2],
+        };
+        let handle = ImpulseJointHandle(self.joints.insert(entry));
+        self.file(handle, [body1, body2]);
+        self.modified.push(handle);
+        handle
+    }
+
+    /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
+    pub fn remove(&mut self, handle: ImpulseJointHandle, wake_up: bool) -> Option<ImpulseJoint> {
+        let Entry { joint, filed, .. } = self.joints.remove(handle.0)?;
+        self.unfile(handle, filed);
+        self.removed.push((handle, wake_up));
+        Some(joint)
+    }
+
+    /// Takes all joints of a body out of the set, wakes the bodies they held, and returns their handles.
+    ///
+    /// This need not be called for bodies that are removed: the next step does it.
+    pub fn remove_joints_attached_to_rigid_body(
+        &mut self,
+        body: RigidBodyHandle,
+    ) -> Vec<ImpulseJointHandle> {
+        let handles: Vec<_> = self.attached_joints(body).map(|(_, _, handle, _)| handle).collect();
+        for &handle in &handles {
+            self.remove(handle, true);
+        }
+        handles
+    }
+
+    /// The joint that a handle finds.
+    pub fn get(&self, handle: ImpulseJointHandle) -> Option<&ImpulseJoint> {
+        self.joints.get(handle.0).map(|entry| &entry.joint)
+    }
+
+    /// The joint that a handle finds, for changing it. Its bodies wake.
+    pub fn get_mut(&mut self, handle: ImpulseJointHandle) -> Option<&mut ImpulseJoint> {
+        let entry = self.joints.get_mut(handle.0)?;
+        note(&mut self.modified, handle, entry);
+        Some(&mut entry.joint)
+    }
+
+    /// Whatever joint stands in a slot (the first number of a handle) now, with its handle.
+    pub fn get_unknown_gen(&self, slot: u32) -> Option<(&ImpulseJoint, ImpulseJointHandle)> {
+        let (index, entry) = self.joints.at_slot(slot)?;
+        Some((&entry.joint, ImpulseJointHandle(index)))
+    }
+
+    /// Whatever joint stands in a slot (the first number of a handle) now, with its handle, for
+    /// changing it. Its bodies wake.
+    pub fn get_unknown_gen_mut(
+        &mut self,
+        slot: u32,
+    ) -> Option<(&mut ImpulseJoint, ImpulseJointHandle)> {
+        let (index, entry) = self.joints.at_slot_mut(slot)?;
+        let handle = ImpulseJointHandle(index);
+        note(&mut self.modified, handle, entry);
+        Some((&mut entry.joint, handle))
+    }
+
+    /// Joins other bodies by a joint than before. The old ones and the new ones wake. Nothing happens if
+    /// the handle finds no joint, or both bodies are the same.
+    pub fn set_bodies(
+        &mut self,
+        handle: ImpulseJointHandle,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ) {
+        if body1 == body2 {
+            return log::warn!("{}; the old bodies stay", InvalidJoint::SameBody { body: body1 });
+        }
+        if let Some(joint) = self.get_mut(handle) {
+            (joint.body1, joint.body2) = (body1, body2);
+            joint.forget_past();
+            self.refile(handle);
+        }
+    }
+
+    /// All joints with their handles, in the order of their slots.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &ImpulseJoint)> {
+        self.joints.iter().map(|(index, entry)| (ImpulseJointHandle(index), &entry.joint))
+    }
+
+    /// All joints with their handles, in the order of their slots, for changing them. The bodies of
+    /// every joint that the iteration comes by wake.
+    pub fn iter_mut(
+        &mut self,
+    ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
+        let modified = &mut self.modified;
+        self.joints.iter_mut().map(move |(index, entry)| {
+            let handle = ImpulseJointHandle(index);
+            note(modified, handle, entry);
+            (handle, &mut entry.joint)
+        })
+    }
+
+    /// The joints of a body, as (first body, second body, handle, joint), in the order of insertion.
+    pub fn attached_joints(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = (RigidBodyHandle, RigidBodyHandle, ImpulseJointHandle, &ImpulseJoint)>
+    {
+        self.handles_of(body.into_raw_parts().0).iter().filter_map(move |&handle| {
+            let joint = self.get(handle)?;
+            let is_own = joint.body1 == body || joint.body2 == body;
+            is_own.then_some((joint.body1, joint.body2, handle, joint))
+        })
+    }
+
+    /// Those of [`Self::attached_joints`] that are enabled.
+    pub fn attached_enabled_joints(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = (RigidBodyHandle, RigidBodyHandle, ImpulseJointHandle, &ImpulseJoint)>
+    {
+        self.attached_joints(body).filter(|(.., joint)| joint.data.is_enabled())
+    }
+
+    /// Changes each joint of a body, in the order of insertion. The joined bodies wake.
+    pub fn map_attached_joints_mut(
+        &mut self,
+        body: RigidBodyHandle,
+        mut change: impl FnMut(RigidBodyHandle, RigidBodyHandle, ImpulseJointHandle, &mut ImpulseJoint),
+    ) {
+        let handles: Vec<_> = self.attached_joints(body).map(|(_, _, handle, _)| handle).collect();
+        for handle in handles {
+            if let Some(joint) = self.get_mut(handle) {
+                change(joint.body1, joint.body2, handle, joint);
+            }
+        }
+    }
+
+    /// The joints between two bodies, given in either order.
+    pub fn joints_between(
+        &self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ) -> impl Iterator<Item = (ImpulseJointHandle, &ImpulseJoint)> {
+        self.attached_joints(body1)
+            .filter(move |&(first, second, ..)| first == body2 || second == body2)
+            .map(|(_, _, handle, joint)| (handle, joint))
+    }
+
+    // ---- For the step ----
+
+    /// The joints that the user may have changed, in the order of the first change, and whether their
+    /// bodies are to wake.
+    pub(crate) fn modified(&self) -> impl Iterator<Item = (ImpulseJointHandle, bool)> {
+        self.modified.iter().filter_map(|&handle| {
+            let entry = self.joints.get(handle.0)?;
+            Some((handle, entry.note.wakes))
+        })
+    }
+
+    /// The joints that were removed, in that order, and whether their bodies are to wake.
+    pub(crate) fn removed(&self) -> impl Iterator<Item = (ImpulseJointHandle, bool)> {
+        self.removed.iter().copied()
+    }
+
+    /// The step has taken in all changes: joints without a body go, and those of a body that takes no part are
+    /// told so.
+    pub(crate) fn settle(&mut self, links: &mut JointLinks) {
+        for handle in links.orphans.drain(..) {
+            self.remove(handle, false);
+        }
+        for (handle, blocked) in links.blocked.drain(..) {
+            if let Some(joint) = self.get_unnoted_mut(handle) {
+                joint.data.enabled = match (joint.data.enabled, blocked) {
+                    (JointEnabled::Enabled, true) => JointEnabled::DisabledByAttachedBody,
+                    (JointEnabled::DisabledByAttachedBody, false) => JointEnabled::Enabled,
+                    (unchanged, _) => unchanged,
+                };
+            }
+        }
+        self.removed.clear();
+        for handle in core::mem::take(&mut self.modified) {
+            self.refile(handle);
+            if let Some(entry) = self.joints.get_mut(handle.0) {
+                entry.note = Note::default();
+            }
+        }
+    }
+
+    /// The joints that are filed under a body slot, in the order of insertion.
+    fn handles_of(&self, body_slot: u32) -> &[ImpulseJointHandle] {
+        self.of_body.get(body_slot as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// A joint broke: its bodies learn of it in the next step.
+    pub(crate) fn note_broken(&mut self, handle: ImpulseJointHandle) {
+        let _ = self.get_mut(handle);
+    }
+
+    /// A joint for the step's own use: leaves no note.
+    pub(crate) fn get_unnoted_mut(
+        &mut self,
+        handle: ImpulseJointHandle,
+    ) -> Option<&mut ImpulseJoint> {
+        self.joints.get_mut(handle.0).map(|entry| &mut entry.joint)
+    }
+
+    /// Files a joint under the bodies that it says it joins.
+    fn refile(&mut self, handle: ImpulseJointHandle) {
+        let Some(entry) = self.joints.get_mut(handle.0) else { return };
+        let (old, new) = (entry.filed, [entry.joint.body1, entry.joint.body2]);
+        if old != new {
+            entry.filed = new;
+            self.unfile(handle, old);
+            self.file(handle, new);
+        }
+    }
+
+    fn file(&mut self, handle: ImpulseJointHandle, bodies: [RigidBodyHandle; 2]) {
+        for slot in slots_of(bodies) {
+            if slot >= self.of_body.len() {
+                self.of_body.resize(slot + 1, Vec::new());
+            }
+            self.of_body[slot].push(handle);
+        }
+    }
+
+    fn unfile(&mut self, handle: ImpulseJointHandle, bodies: [RigidBodyHandle; 2]) {
+        for slot in slots_of(bodies) {
+            self.of_body[slot].retain(|&other| other != handle);
+        }
+    }
+}
+
+/// The slots under which a joint of these bodies is filed: none for a handle that no set gave out.
+fn slots_of(bodies: [RigidBodyHandle; 2]) -> impl Iterator<Item = usize> {
+    let [slot1, slot2] = bodies.map(|body| body.into_raw_parts().0);
+    let second = (slot1 != slot2).then_some(slot2);
+    core::iter::once(slot1).chain(second).filter(|&slot| slot != u32::MAX).map(|slot| slot as usize)
+}
+
+fn check(
+    body1: RigidBodyHandle,
+    body2: RigidBodyHandle,
+    data: &GenericJoint,
+) -> Result<(), InvalidJoint> {
+    if body1 == body2 {
+        return Err(InvalidJoint::SameBody { body: body1 });
+    }
+    data.validate()
+}
+
+fn note(modified: &mut Vec<ImpulseJointHandle>, handle: ImpulseJointHandle, entry: &mut Entry) {
+    entry.note.wakes = true;
+    if !entry.note.listed {
+        entry.note.listed = true;
+        modified.push(handle);
+    }
+}
+
+impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
+    type Output = ImpulseJoint;
+
+    /// # Panics
+    /// If the handle finds no joint.
+    fn index(&self, handle: ImpulseJointHandle) -> &ImpulseJoint {
+        match self.get(handle) {
+            Some(joint) => joint,
+            None => panic!("{handle:?} finds no impulse joint in this set"),
+        }
+    }
+}
+
+impl core::ops::IndexMut<ImpulseJointHandle> for ImpulseJointSet {
+    /// # Panics
+    /// If the handle finds no joint.
+    fn index_mut(&mut self, handle: ImpulseJointHandle) -> &mut ImpulseJoint {
+        match self.get_mut(handle) {
+            Some(joint) => joint,
+            None => panic!("{handle:?} finds no impulse joint in this set"),
+        }
+    }
+}

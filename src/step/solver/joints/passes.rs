@@ -1,0 +1,383 @@
+//! The passes over a block of joints.
+
+use super::block::{AxisRow, JointBlock, Wrench};
+use super::drive::{FreeAxis, solve_limits, solve_motor};
+use super::geometry::Geometry;
+use super::rows::{Masses, Row, solve_symmetric};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::Wide;
+use crate::dim::joint::{angular_to_frame, angular_to_world};
+use crate::dim::math::{DIM, SPATIAL_DIM};
+use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
+use crate::dim::wide::{ANG_ZERO_LANES, WideVector, ang_dot, load_ang, store_ang, torque};
+use crate::model::params::JointPass;
+
+/// Velocities and displacements of a block's two bodies, and their velocities before any impulse.
+pub(super) struct Bodies<W> {
+    pub before: [WideMotion<W>; 2],
+    pub velocities: [WideMotion<W>; 2],
+    pub displacements: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> Bodies<W> {
+    /// # Safety
+    /// As [`gather_states`], for both bodies.
+    #[inline(always)]
+    pub unsafe fn gather(
+        states: &DisjointMut<BodyState>,
+        before: &[BodyState],
+        block: &JointBlock,
+    ) -> Self {
+        // SAFETY: the caller's promise.
+        let ([v1, d1], [v2, d2]) = unsafe {
+            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
+        };
+        let before = [
+            gather_velocities(before, &block.bodies[0]),
+            gather_velocities(before, &block.bodies[1]),
+        ];
+        Self { before, velocities: [v1, v2], displacements: [d1, d2] }
+    }
+
+    /// # Safety
+    /// As [`scatter_states`], for both bodies.
+    #[inline(always)]
+    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &JointBlock) {
+        let ([v1, v2], [d1, d2]) = (self.velocities, self.displacements);
+        // SAFETY: the caller's promise.
+        unsafe {
+            scatter_states(states, &block.bodies[0], [v1, d1]);
+            scatter_states(states, &block.bodies[1], [v2, d2]);
+        }
+    }
+}
+
+/// The locked axes of a block at the moment when it is solved.
+pub(super) struct Locked<W> {
+    pub rows: [Row<W>; SPATIAL_DIM],
+    locked: [W; SPATIAL_DIM],
+}
+
+impl<W: Wide> Locked<W> {
+    #[inline(always)]
+    pub fn new(block: &JointBlock, geometry: &Geometry<W>) -> Self {
+        let mut locked = [W::zero(); SPATIAL_DIM];
+        for (locked, lane) in locked.iter_mut().zip(&block.locked) {
+            *locked = W::load(lane);
+        }
+        Self { rows: geometry.rows(), locked }
+    }
+
+    /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
+    #[inline(always)]
+    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>) -> [W; SPATIAL_DIM] {
+        let mut coupled = masses.couplings(&self.rows, row);
+        for k in 0..SPATIAL_DIM {
+            coupled[k] = coupled[k] * self.locked[k];
+        }
+        solve_symmetric(masses.coupling(&self.rows, &self.locked), coupled)
+    }
+
+    /// The wrench of all impulses as the rows stand now.
+    #[inline(always)]
+    fn wrench(&self, block: &JointBlock) -> Wrench<W> {
+        let mut wrench = Wrench::zero();
+        for (row, impulse) in self.rows.iter().zip(&block.impulses) {
+            wrench.add(row, W::load(impulse));
+        }
+        wrench
+    }
+}
+
+/// Turns what the last step left into impulses along the rows, and gives it to the bodies.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+#[inline(always)]
+pub(super) unsafe fn warm_start<W: Wide>(
+    block: &mut JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+) {
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let geometry = Geometry::new(block, &bodies.displacements);
+    let locked = Locked::new(block, &geometry);
+    let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
+    for (k, direction) in geometry.directions.iter().enumerate() {
+        let along = ang_dot(*direction, couple) * locked.locked[DIM + k];
+        let length_squared = ang_dot(*direction, *direction).max(W::splat(1.0e-6));
+        (along / length_squared).store(&mut block.impulses[DIM + k]);
+    }
+    // SAFETY: the caller's promise.
+    let wrench = unsafe { wrench_of(block, rows, &geometry, &locked) };
+    wrench.store(&mut block.applied);
+    bodies.velocities = Masses::load(block).push(&wrench, bodies.velocities);
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+}
+
+/// Taut joints start without impulses.
+#[inline(always)]
+fn forget_taut<W: Wide>(block: &mut JointBlock) {
+    let kept = W::splat(1.0) - W::load(&block.is_taut);
+    for impulse in &mut block.impulses {
+        (W::load(impulse) * kept).store(impulse);
+    }
+}
+
+/// What the impulses of all rows do as the rows stand now.
+///
+/// # Safety
+/// Nobody may write to the block's rows meanwhile.
+#[inline(always)]
+unsafe fn wrench_of<W: Wide>(
+    block: &JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    geometry: &Geometry<W>,
+    locked: &Locked<W>,
+) -> Wrench<W> {
+    let mut wrench = locked.wrench(block);
+    for index in block.first_row..block.first_row + block.row_count {
+        // SAFETY: the caller's promise; the block's rows are in range.
+        let row = unsafe { rows.get(index) };
+        wrench.add(&geometry.free_row(row).0, impulse_of(row));
+    }
+    wrench
+}
+
+/// The impulse of a free axis: motor and limits together.
+#[inline(always)]
+fn impulse_of<W: Wide>(row: &AxisRow) -> W {
+    W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
+}
+
+/// Solves all rows once: free axes, then locked ones. `AHEAD`: so that the bodies are where they should be at the
+/// end of the substep; otherwise so that nothing moves apart from where they are.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+#[inline(always)]
+pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
+    block: &mut JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+    pass: &JointPass,
+) {
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let geometry = Geometry::new(block, &bodies.displacements);
+    let masses = Masses::load(block);
+    let locked = Locked::new(block, &geometry);
+
+    let mut wrench = Wrench::load(&block.applied);
+    if AHEAD {
+        forget_taut::<W>(block);
+        // SAFETY: the caller's promise.
+        let turned = unsafe { wrench_of(block, rows, &geometry, &locked) };
+        bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
+        wrench = turned;
+    }
+    for index in block.first_row..block.first_row + block.row_count {
+        // SAFETY: the caller's promise.
+        let row = unsafe { rows.get_mut(index) };
+        let added = solve_free::<W, AHEAD>(row, block, &geometry, &masses, &locked, &bodies, pass);
+        bodies.velocities = masses.push(&added, bodies.velocities);
+        wrench = wrench.plus(&added);
+    }
+    let added = solve_locked::<W, AHEAD>(block, &masses, &locked, &bodies, pass);
+    bodies.velocities = masses.push(&added, bodies.velocities);
+    wrench = wrench.plus(&added);
+
+    wrench.store(&mut block.applied);
+    if !AHEAD && pass.is_last_visit {
+        add_to_totals(block, &geometry, &wrench);
+        store_couple(block, &locked.rows);
+    }
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+}
+
+/// Solves motor and limits of a free axis; returns what they add.
+///
+/// What they push, the locked axes hold: `J - K_fl K_ll⁻¹ J_l` in place of the axis's own row `J` moves the
+/// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
+/// the other in sweeps.
+#[inline(always)]
+fn solve_free<W: Wide, const AHEAD: bool>(
+    row: &mut AxisRow,
+    block: &mut JointBlock,
+    geometry: &Geometry<W>,
+    masses: &Masses<W>,
+    locked: &Locked<W>,
+    bodies: &Bodies<W>,
+    pass: &JointPass,
+) -> Wrench<W> {
+    let (mut along, position) = geometry.free_row(row);
+    let shares = locked.shares_of(&along, masses);
+    for (locked, share) in locked.rows.iter().zip(shares) {
+        along = along.minus(locked, share);
+    }
+    let effective = masses.effective(&along);
+    let (zero, one) = (W::zero(), W::splat(1.0));
+    let movable = zero.lt(effective);
+    let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
+    let axis = FreeAxis { position, effective, inverse };
+    let rate = along.rate(&bodies.velocities);
+    let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
+    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + effective * driven, pass);
+    let added = driven + limited;
+    for (impulse, share) in block.impulses.iter_mut().zip(shares) {
+        (W::load(impulse) - share * added).store(impulse);
+    }
+    let mut wrench = Wrench::zero();
+    wrench.add(&along, added);
+    wrench
+}
+
+/// Solves all locked axes together; returns what they add.
+#[inline(always)]
+fn solve_locked<W: Wide, const AHEAD: bool>(
+    block: &mut JointBlock,
+    masses: &Masses<W>,
+    Locked { rows, locked }: &Locked<W>,
+    bodies: &Bodies<W>,
+    pass: &JointPass,
+) -> Wrench<W> {
+    let mut wanted = if AHEAD {
+        LookAhead::new(block, bodies, bodies.before, pass).rates(block, rows, bodies, pass)
+    } else {
+        rates_here(block, rows, bodies)
+    };
+    let swept = W::load(&block.swept);
+    let mut solved = [W::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        solved[k] = locked[k] * swept;
+        wanted[k] = wanted[k] * solved[k];
+    }
+    let mut coupling = masses.coupling(rows, &solved);
+    let yields = yields_of::<W, AHEAD>(block);
+    for k in 0..SPATIAL_DIM {
+        let soft = coupling[k][k] * yields * solved[k];
+        coupling[k][k] = coupling[k][k] + soft;
+        wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
+    }
+    let change = solve_symmetric(coupling, wanted);
+    let mut wrench = Wrench::zero();
+    for k in 0..SPATIAL_DIM {
+        let added = -change[k];
+        (W::load(&block.impulses[k]) + added).store(&mut block.impulses[k]);
+        wrench.add(&rows[k], added);
+    }
+    wrench
+}
+
+/// Where the joints of a block are now, and where their bodies' velocities would lead them by the end of the
+/// substep.
+pub(super) struct LookAhead<W> {
+    pub now: Geometry<W>,
+    pub then: Geometry<W>,
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> LookAhead<W> {
+    /// With these velocities.
+    #[inline(always)]
+    pub fn new(
+        block: &JointBlock,
+        bodies: &Bodies<W>,
+        velocities: [WideMotion<W>; 2],
+        pass: &JointPass,
+    ) -> Self {
+        let h = W::splat(pass.substep);
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        let now = Geometry::new(block, &bodies.displacements);
+        Self { now, then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of the rows (those of now, or of then) by the end of the substep, with the bias of the errors:
+    /// see the module's head.
+    #[inline(always)]
+    pub fn rates(
+        &self,
+        block: &mut JointBlock,
+        rows: &[Row<W>; SPATIAL_DIM],
+        bodies: &Bodies<W>,
+        pass: &JointPass,
+    ) -> [W; SPATIAL_DIM] {
+        let (now, then) = (self.now.errors(), self.then.errors());
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); SPATIAL_DIM];
+        for k in 0..SPATIAL_DIM {
+            let bias = now[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            // All that the substep would change, and what has changed since that was foreseen.
+            let foreseen = (then[k] - now[k]) * inv_h - rows[k].rate(&self.velocities);
+            rates[k] = foreseen + rows[k].rate(&bodies.velocities) + bias;
+        }
+        rates
+    }
+}
+
+/// The rates of the rows in the relax pass; springs pull as they did in the solve pass.
+#[inline(always)]
+pub(super) fn rates_here<W: Wide>(
+    block: &JointBlock,
+    rows: &[Row<W>; SPATIAL_DIM],
+    bodies: &Bodies<W>,
+) -> [W; SPATIAL_DIM] {
+    let is_spring = W::load(&block.is_spring);
+    let mut rates = [W::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        rates[k] = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]) * is_spring;
+    }
+    rates
+}
+
+/// How much the rows yield in a pass: in the relax pass only springs do.
+#[inline(always)]
+pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
+    let yields = W::load(&block.yields);
+    if AHEAD { yields } else { yields * W::load(&block.is_spring) }
+}
+
+#[inline(always)]
+fn advanced<W: Wide>(
+    displacement: &WideMotion<W>,
+    velocity: &WideMotion<W>,
+    h: W,
+) -> WideMotion<W> {
+    WideMotion {
+        linear: displacement.linear + velocity.linear * h,
+        angular: displacement.angular + velocity.angular * h,
+    }
+}
+
+/// Adds a substep's impulse, and its moment about the second anchor, to those of the step.
+#[inline(always)]
+fn add_to_totals<W: Wide>(block: &mut JointBlock, geometry: &Geometry<W>, wrench: &Wrench<W>) {
+    let moment = wrench.angular[1] - torque(geometry.levers[1], wrench.linear);
+    let impulse = WideVector::load(&block.total_impulse) + wrench.linear;
+    impulse.store(&mut block.total_impulse);
+    let total = load_ang::<W>(&block.total_moment) + moment;
+    store_ang(total, &mut block.total_moment);
+}
+
+/// Notes the couple of the angular impulses in the first frame, where it means the same in the next step.
+#[inline(always)]
+pub(super) fn store_couple<W: Wide>(block: &mut JointBlock, rows: &[Row<W>; SPATIAL_DIM]) {
+    let mut couple = load_ang::<W>(&ANG_ZERO_LANES);
+    let mut axes = [WideVector::zero(); DIM];
+    for k in 0..DIM {
+        axes[k] = rows[k].linear;
+    }
+    for k in DIM..SPATIAL_DIM {
+        couple = couple + rows[k].angular[1] * W::load(&block.impulses[k]);
+    }
+    store_ang(angular_to_frame(&axes, couple), &mut block.couple);
+}

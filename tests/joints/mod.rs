@@ -1,0 +1,17 @@
+//! Do joints hold, swing, drive, stop and break as mechanics says?
+//!
+//! Like `physics`: formulas, at several lengths of a step, with the figures printed.
+
+pub mod stage;
+
+mod breaking;
+mod chains;
+mod determinism;
+mod edits;
+mod limits;
+mod momentum;
+mod motors;
+mod nonsense;
+mod pendulum;
+mod sliding;
+mod springs;
