@@ -16,6 +16,20 @@ pub struct Nearest {
     pub feature: PackedFeatureId,
 }
 
+/// How far a corner may be above the plane of the nearest place, as a share of its distance from there.
+const BULGE: Real = 2.0e-3;
+
+impl Nearest {
+    /// Is it true of the hull of these corners: is none above the plane through the place?
+    pub fn is_proven_by(&self, corners: &[Vector]) -> bool {
+        corners.iter().all(|corner| {
+            let from_place = *corner - self.point;
+            let height = self.normal.dot(from_place);
+            height <= 0.0 || height * height <= BULGE * BULGE * from_place.length_squared()
+        })
+    }
+}
+
 /// Unit vector and length; a zero vector points to `fallback`.
 pub fn direction_and_length(vector: Vector, fallback: Vector) -> (Vector, Real) {
     let length = vector.length();

@@ -13,6 +13,7 @@ use super::patches::{Patches, push_manifold, unit_normal};
 use super::seams::Seam;
 use super::search::{Search, Waiting};
 use crate::base::guard::guarded;
+use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -53,6 +54,8 @@ pub(crate) struct ShapePair<'a> {
     pub flush: Real,
     /// The other contacts of each of the two.
     pub neighbors: [&'a [Neighbor<'a>]; 2],
+    /// The instructions that kernels run on.
+    pub simd: Simd,
 }
 
 /// Computes the manifolds of two shapes.
@@ -144,7 +147,14 @@ impl<'a> ShapePair<'a> {
     /// Two shapes that touch nothing else, and among whose own parts no step is too low to be one.
     #[cfg(test)]
     pub fn alone(pos12: &Pose, shapes: [&'a dyn Shape; 2], prediction: Real) -> Self {
-        Self { pos12: *pos12, shapes, prediction, flush: 0.0, neighbors: [&[], &[]] }
+        Self {
+            pos12: *pos12,
+            shapes,
+            prediction,
+            flush: 0.0,
+            neighbors: [&[], &[]],
+            simd: Simd::detect(),
+        }
     }
 
     /// Where a contact is on the obstacle on a side, in the frame of the shape on the other side.

@@ -8,7 +8,7 @@ use super::patches::Patches;
 use super::polytopes::contacts_on_axis;
 use super::seams::{Facet, Obstacle, Seam, find_seams};
 use crate::base::axis::BestAxis;
-use crate::base::wide::{LANES, Simd};
+use crate::base::wide::LANES;
 use crate::dim::collide::{
     Flat, FlatAxes, FlatBlock, FlatShape, Polytope, RawManifold, Sieve, set_flat_lane,
 };
@@ -28,7 +28,6 @@ pub(super) struct Waiting {
     block: FlatBlock,
     parts: ArrayVec<(u32, FlatShape), LANES>,
     axes: FlatAxes,
-    simd: Simd,
 }
 
 impl Waiting {
@@ -109,8 +108,8 @@ impl Search<'_> {
 
     /// Visits those of the waiting parts that are near.
     fn sift(&mut self, sifting: &Sifting<'_>, sieve: &Sieve) {
-        let Waiting { block, parts, axes, simd } = &mut *self.waiting;
-        let near = sieve.near(block, *simd, axes);
+        let Waiting { block, parts, axes } = &mut *self.waiting;
+        let near = sieve.near(block, self.pair.simd, axes);
         let (parts, axes) = (parts.take(), *axes);
         let cuboid = sifting.other.as_cuboid();
         for (lane, (id, flat)) in parts.iter().enumerate() {

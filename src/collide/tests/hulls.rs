@@ -5,10 +5,41 @@ use crate::base::random::Random;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::PointQuery;
-use parry::shape::Ball;
+use parry::shape::{Ball, SharedShape};
 
 /// Faces of parry's hulls that are nearly one are made one, with a normal that may be off by this (rad).
 const TILT: Real = 2.0e-2;
+
+/// Thin hulls have faces that are far from flat: a ball that is deep in one must not be missed.
+#[test]
+fn a_ball_touches_a_thin_hull() {
+    let mut random = Random(32);
+    let mut deep = 0;
+    for round in 0..3_000 {
+        let thickness = [0.1, 0.03, 0.01][round % 3];
+        let flatten = |point: Vector| point * Vector::ONE.with_y(thickness);
+        let points: Vec<_> =
+            (0..8 + round % 40).map(|_| flatten(samples::vector(&mut random, 1.0))).collect();
+        let Some(hull) = SharedShape::convex_hull(&points) else { continue };
+        let center =
+            flatten(samples::vector(&mut random, 1.0)) + Vector::Y * random.within(0.0, 0.3);
+        let ball = Ball::new(random.within(0.05, 0.3));
+        let surface = samples::surface(&*hull);
+        let from = |point| {
+            let distances = surface.iter().map(|piece| piece.distance_to_local_point(point, true));
+            distances.fold(Real::INFINITY, Real::min)
+        };
+        let dist = from(center) - ball.radius;
+        if dist < -TILT {
+            let (found, _) = manifolds(&Pose::from_translation(center), &*hull, &ball, 0.02);
+            // Inside the hull it may be deeper than its surface is near.
+            let contact = found[0].contacts()[0];
+            assert!(contact.dist < dist + TILT, "{round}: {} instead of {dist}", contact.dist);
+            deep += 1;
+        }
+    }
+    assert!(deep > 500, "{deep}");
+}
 
 #[test]
 fn a_ball_touches_a_hull_where_it_is_closest() {

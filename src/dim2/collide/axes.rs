@@ -7,7 +7,7 @@
 
 use super::flat::{FlatShape, flat_corners};
 use super::polytope::Polytope;
-use crate::base::axis::{BestAxis, Side};
+use crate::base::axis::{BestAxis, Side, apart};
 use crate::base::wide::{Kernel, Lane, Simd, Wide};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::WideVector;
@@ -155,14 +155,6 @@ impl Pass<'_> {
             + WideVector::splat(x) * end.x
             + WideVector::splat(y) * end.y
     }
-}
-
-/// How far a range is apart from the one within `limit` of zero, and on which side of it.
-#[inline(always)]
-fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
-    let (above, below) = (low - limit, -limit - high);
-    let one = W::splat(1.0);
-    (above.max(below), W::select(below.le(above), one, -one))
 }
 
 #[cfg(test)]

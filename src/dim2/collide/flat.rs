@@ -24,9 +24,9 @@ pub struct Flat {
 }
 
 impl Flat {
-    /// A segment.
+    /// A segment; `None` if it has no normal.
     pub fn new(segment: &Segment) -> Option<Self> {
-        Some(Self { segment: *segment })
+        segment.normal().map(|_| Self { segment: *segment })
     }
 
     /// As it is in the frame in which its own is at `pose`.

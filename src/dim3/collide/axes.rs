@@ -8,7 +8,7 @@
 
 use super::flat::{FlatShape, flat_corners};
 use super::polytope::Polytope;
-use crate::base::axis::{BestAxis, Side};
+use crate::base::axis::{BestAxis, Side, apart};
 use crate::base::wide::{Kernel, Lane, Simd, Wide};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::{WideVector, cross};
@@ -138,7 +138,7 @@ impl Kernel for Pass<'_> {
         let [a, b, c] = [self.corner(0), self.corner(1), self.corner(2)];
         let edges = [b - a, c - b, a - c];
         let of_box = Axis::of_box(half, [a, b, c]);
-        let of_triangle = Axis::of_triangle(half, a, cross(edges[0], edges[1]));
+        let of_triangle = Axis::of_triangle(half, [a, b, c], cross(edges[0], edges[1]));
         let mut of_edges =
             Axis { gap: W::splat(Real::NEG_INFINITY), normal: WideVector::splat(Vector::Y) };
         // Along a product with an edge, both ends of the edge are at the same height.
@@ -189,14 +189,19 @@ impl<W: Wide> Axis<W> {
         best
     }
 
-    /// The triangle's normal; the box is on the side on which its centre is.
+    /// The triangle's normal. All corners are at one height along it, but for those of needles, whose normal is
+    /// made of rounding.
     #[inline(always)]
-    fn of_triangle(half: WideVector<W>, corner: WideVector<W>, normal: WideVector<W>) -> Self {
+    fn of_triangle(
+        half: WideVector<W>,
+        [a, b, c]: [WideVector<W>; 3],
+        normal: WideVector<W>,
+    ) -> Self {
         let normal = normal * (W::splat(1.0) / normal.dot(normal).sqrt());
         let size = WideVector { x: normal.x.abs(), y: normal.y.abs(), z: normal.z.abs() };
-        let height = normal.dot(corner);
-        let outward = WideVector::select(height.lt(W::zero()), -normal, normal);
-        Self { gap: height.abs() - half.dot(size), normal: outward }
+        let [a, b, c] = [normal.dot(a), normal.dot(b), normal.dot(c)];
+        let (gap, sign) = apart(a.min(b).min(c), a.max(b).max(c), half.dot(size));
+        Self { gap, normal: normal * sign }
     }
 
     /// Takes the products of an edge of the triangle and those of the box, if they are better.
@@ -281,14 +286,6 @@ impl<W: Wide> Product<W> {
     }
 }
 
-/// How far a range is apart from the one within `limit` of zero, and on which side of it.
-#[inline(always)]
-fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
-    let (above, below) = (low - limit, -limit - high);
-    let one = W::splat(1.0);
-    (above.max(below), W::select(below.le(above), one, -one))
-}
-
 #[cfg(test)]
 mod tests {
     use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
@@ -351,5 +348,31 @@ mod tests {
                 assert!((best.normal.length() - 1.0).abs() < 1.0e-4);
             }
         }
+    }
+
+    /// The normal of a needle is made of rounding, and must not tell apart what touches.
+    #[test]
+    fn needles_are_as_near_as_segments() {
+        let mut random = Random(8);
+        let mut near = 0;
+        for round in 0..20_000 {
+            let half = Vector::from_array([(); 3].map(|()| random.within(0.1, 1.0)));
+            let pose = samples::pose(&mut random, 1.0);
+            let (a, b) = (samples::vector(&mut random, 1.5), samples::vector(&mut random, 1.5));
+            let between: Real = random.within(-1.0, 2.0);
+            let needle = Triangle::new(a, b, a + (b - a) * between.clamp(0.0, 1.0));
+            let mut block = FlatBlock::default();
+            set_flat_lane(&mut block, 0, &needle);
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
+            let found = sieve.near(&block, Simd::detect(), &mut FlatAxes::default());
+            let cuboid = parry::shape::Cuboid::new(half);
+            let segment = parry::shape::Segment::new(a, b);
+            let distance = parry::query::distance(&Pose::IDENTITY, &cuboid, &pose, &segment);
+            if distance.is_ok_and(|found| found.distance < 0.049) {
+                assert_eq!(found & 1, 1, "round {round}: {needle:?}");
+                near += 1;
+            }
+        }
+        assert!(near > 5_000, "{near}");
     }
 }

@@ -3,16 +3,24 @@
 //! Inside, it is on the face that is least deep. Outside, it is on a face that can be seen from the point; if
 //! the point is above the inside of the one that it is highest above, it is there, else at the rim of that one or
 //! on another one. Faces that the point is higher above than it is away from what was found need not be looked at.
+//!
+//! parry makes one face of neighbours that are nearly in a plane, and on thin hulls "nearly" is not near: such a
+//! face bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may
+//! be above the plane through the place. Else the answer is left to a search that knows nothing of faces.
 
 use crate::base::nearest::{Nearest, direction_and_length};
 use crate::dim::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, PackedFeatureId, TypedShape};
 use smallvec::SmallVec;
 
-/// The nearest place, if the shape is a hull. If it is surely farther than `reach`, a place in whose plane the hull
-/// is apart from the point will do.
+/// The nearest place, if the shape is a hull whose faces are good enough to tell. If it is surely farther than
+/// `reach`, a place in whose plane the hull is apart from the point will do.
 pub fn nearest_on_hull(shape: TypedShape<'_>, point: Vector, reach: Real) -> Option<Nearest> {
     let TypedShape::ConvexPolyhedron(hull) = shape else { return None };
+    Some(nearest_by_faces(hull, point, reach)).filter(|nearest| nearest.is_proven_by(hull.points()))
+}
+
+fn nearest_by_faces(hull: &ConvexPolyhedron, point: Vector, reach: Real) -> Nearest {
     let mut visible = SmallVec::<[(usize, Real); 32]>::new();
     let mut top = (0, Real::NEG_INFINITY);
     for face in 0..hull.faces().len() {
@@ -26,7 +34,7 @@ pub fn nearest_on_hull(shape: TypedShape<'_>, point: Vector, reach: Real) -> Opt
     }
     let mut best = on_face(hull, top.0, top.1, point);
     if best.is_inside || top.1 > reach {
-        return Some(on_plane(hull, top, point));
+        return on_plane(hull, top, point);
     }
     for (face, height) in visible {
         if face != top.0 && height * height < best.distance_squared {
@@ -37,7 +45,7 @@ pub fn nearest_on_hull(shape: TypedShape<'_>, point: Vector, reach: Real) -> Opt
         }
     }
     let (normal, dist) = direction_and_length(point - best.place, hull.faces()[top.0].normal);
-    Some(Nearest { point: best.place, normal, dist, feature: best.feature })
+    Nearest { point: best.place, normal, dist, feature: best.feature }
 }
 
 /// The place below a point in the plane of a face, above which it is so high.

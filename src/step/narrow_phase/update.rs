@@ -5,7 +5,7 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::base::wide::prefetch;
+use crate::base::wide::{Simd, prefetch};
 use crate::collide::ManifoldScratch;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
@@ -33,6 +33,8 @@ pub(crate) struct Surroundings<'a> {
     pub islands: &'a IslandManager,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
+    /// The instructions that kernels run on.
+    pub simd: Simd,
 }
 
 /// Buffers that are reused from step to step.
@@ -178,12 +180,12 @@ impl<P: Update> Ahead<'_, P> {
     #[inline(always)]
     fn of(&self, turn: usize) {
         if let Some(pair) = self.due.get(turn + 2 * TURNS_AHEAD) {
-            // SAFETY: nobody reads through the reference.
+            // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
             prefetch(unsafe { self.pairs.get(self.awake[*pair as usize].id as usize) });
         }
         if let Some(pair) = self.due.get(turn + TURNS_AHEAD) {
             let AwakePair { id, bodies, .. } = self.awake[*pair as usize];
-            // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
+            // SAFETY: as above.
             let entry = unsafe { self.pairs.get(id as usize) };
             for collider in PairStore::pair(entry).into_iter().flat_map(Pair::colliders) {
                 self.around.colliders.prefetch(collider.into_raw_parts().0);

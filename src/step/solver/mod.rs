@@ -44,7 +44,6 @@ pub(crate) struct SolverScratch {
     groups: Groups,
     bodies: SolverBodies,
     constraints: Constraints,
-    simd: Simd,
 }
 
 /// What holds bodies.
@@ -54,17 +53,12 @@ struct Constraints {
     contacts: SolverContacts,
 }
 
-impl SolverScratch {
-    /// Uses the widest instructions that the machine has, or those that every machine has.
-    pub fn set_wide_instructions(&mut self, wide: bool) {
-        self.simd = if wide { Simd::detect() } else { Simd::baseline() };
-    }
-}
-
 /// What the solver reads and writes.
 pub(crate) struct Scene<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
+    /// The instructions that kernels run on.
+    pub simd: Simd,
     pub bodies: &'a mut RigidBodySet,
     pub narrow_phase: &'a mut NarrowPhase,
     pub joints: &'a mut ImpulseJointSet,
@@ -75,8 +69,8 @@ pub(crate) struct Scene<'a> {
 
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, bodies, narrow_phase, joints: set, islands, broken } = scene;
-    let SolverScratch { groups, bodies: states, constraints, simd } = scratch;
+    let Scene { gravity, params, simd, bodies, narrow_phase, joints: set, islands, broken } = scene;
+    let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, params);
     states.load(groups, bodies, gravity, params);
@@ -90,7 +84,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         constraints.contacts.load(&islands.graph, narrow_phase, states);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, params, states, constraints, *simd, counters);
+        solve_group(group.substeps, params, states, constraints, simd, counters);
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts } = constraints;
