@@ -66,6 +66,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::dim::wide::symmetric_lane;
 use crate::model::body::RigidBodySet;
 use crate::model::constraint_graph::OVERFLOW;
 use crate::model::event::JointBreakEvent;
@@ -174,16 +175,18 @@ impl SolverJoints {
         for (lane, &slot) in self.joints[range].iter().enumerate() {
             let Some(link) = islands.joints.get(slot) else { continue };
             let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
-            let rows = &mut self.rows;
-            let tautness = &mut self.tautness;
-            load::load_lane(&mut block, rows, tautness, lane, joint, set, bodies, pass);
-            self.members.push(Member {
+            load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
+            let member = Member {
                 slot,
                 block: self.blocks.len() as u32,
                 lane: lane as u32,
                 bodies: [block.bodies[0][lane], block.bodies[1][lane]],
                 locked: joint.data.locked_axes.bits(),
-            });
+            };
+            for (side, body) in member.movable() {
+                self.tautness.note(body, &symmetric_lane(&block.inv_inertia[side], lane));
+            }
+            self.members.push(member);
         }
         block.row_count = self.rows.len() - block.first_row;
         self.blocks.push(block);
@@ -243,6 +246,9 @@ impl SolverJoints {
         for_each_color(&self.colors, tasks, |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
         });
+        if !AHEAD {
+            self.direct.forget_matrices();
+        }
         if !self.direct.is_empty() {
             let rounds = match (AHEAD, self.direct.any_taut()) {
                 (false, _) => 1,
