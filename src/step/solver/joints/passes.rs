@@ -118,12 +118,23 @@ pub(super) unsafe fn warm_start<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Taut joints start without impulses.
+/// Taut joints start without impulses, those of motors and limits among them: without the locked axes that held
+/// against them they would throw the bodies far from where the joints let them go.
+///
+/// # Safety
+/// Nobody else may touch the block's rows meanwhile.
 #[inline(always)]
-fn forget_taut<W: Wide>(block: &mut JointBlock) {
+unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
     let kept = W::splat(1.0) - W::load(&block.is_taut);
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
+    }
+    for index in block.first_row..block.first_row + block.row_count {
+        // SAFETY: the caller's promise; the block's rows are in range.
+        let row = unsafe { rows.get_mut(index) };
+        for impulse in [&mut row.motor.impulse, &mut row.lower, &mut row.upper] {
+            (W::load(impulse) * kept).store(impulse);
+        }
     }
 }
 
@@ -174,9 +185,11 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 
     let mut wrench = Wrench::load(&block.applied);
     if AHEAD {
-        forget_taut::<W>(block);
         // SAFETY: the caller's promise.
-        let turned = unsafe { wrench_of(block, rows, &geometry, &locked) };
+        let turned = unsafe {
+            forget_taut::<W>(block, rows);
+            wrench_of(block, rows, &geometry, &locked)
+        };
         bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
         wrench = turned;
     }
