@@ -29,6 +29,12 @@ pub fn angular(s: &SpatialVector) -> AngVector {
     s[2]
 }
 
+/// The components of an angular vector.
+#[inline]
+pub fn ang_components(a: AngVector) -> [Real; ANG_DIM] {
+    [a]
+}
+
 /// How the direction `b` changes as it turns at `a`: the axis of the plane does not turn.
 #[inline]
 pub fn ang_cross(_: AngVector, _: AngVector) -> AngVector {

@@ -29,6 +29,12 @@ pub fn angular(s: &SpatialVector) -> AngVector {
     AngVector::new(s[3], s[4], s[5])
 }
 
+/// The components of an angular vector.
+#[inline]
+pub fn ang_components(a: AngVector) -> [Real; ANG_DIM] {
+    a.to_array()
+}
+
 /// How the direction `b` changes as it turns at `a` (rad/s).
 #[inline]
 pub fn ang_cross(a: AngVector, b: AngVector) -> AngVector {

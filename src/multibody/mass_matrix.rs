@@ -54,7 +54,7 @@ impl Multibody {
 }
 
 /// A number of a degree of freedom as the user gave it, or zero if it makes no sense.
-pub(super) fn usable(value: Real) -> Real {
+pub fn usable(value: Real) -> Real {
     if value.is_finite() && value > 0.0 { value } else { 0.0 }
 }
 

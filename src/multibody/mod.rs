@@ -44,4 +44,5 @@ mod sync;
 mod tests;
 
 pub use inverse::InverseKinematicsOption;
+pub(crate) use mass_matrix::usable;
 pub(crate) use motion::{Drive, LinkForce, Motion};

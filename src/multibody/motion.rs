@@ -26,11 +26,10 @@
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
 use super::spatial::{ZERO, add_scaled, carry_back, turn};
-use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
-use crate::model::multibody::{Multibody, MultibodyJoint};
+use crate::model::multibody::Multibody;
 
 /// Visits of the implicit half. Each makes the error smaller by the angle (rad) of half a substep.
 const VISITS: usize = 3;
@@ -97,11 +96,11 @@ impl Motion {
             self.root = join(root.linvel, root.angvel);
         }
         let was_changed = multibody.links.iter().any(|link| {
-            let velocity = bodies.get(link.body).map(|body| *body.vels());
+            let velocity = bodies.get(link.body).map(|body| body.vels());
             velocity != link.seen_velocity
         });
         if was_changed {
-            self.take_momentum(|id| body(id).filter(|body| body.is_dynamic()).map(|body| *body.vels()));
+            self.take_momentum(|id| body(id).filter(|body| body.is_dynamic()).map(|body| body.vels()));
         }
     }
 
@@ -180,7 +179,8 @@ impl Motion {
         change.clear();
         for ((drive, dof), rate) in self.drives.iter().zip(&multibody.dofs).zip(&self.rates) {
             let is_idle = drive.stiffness == 0.0;
-            let q = if is_idle { 0.0 } else { coordinate(&multibody.links[dof.link].joint, dof.axis) };
+            let joint = &multibody.links[dof.link].joint;
+            let q = if is_idle { 0.0 } else { joint.coordinate(dof.axis) };
             let spring = drive.pull - drive.stiffness * (q + h * rate);
             change.push(h * (spring - drive.damping * rate));
         }
@@ -250,15 +250,11 @@ impl Motion {
         &self.velocities
     }
 
-    /// The velocity of a root without degrees of freedom.
-    pub fn root_velocity(&self) -> &SpatialVector {
-        &self.root
+    /// Lets nothing move any more.
+    pub fn stand_still(&mut self) {
+        self.rates.fill(0.0);
+        self.root = ZERO;
     }
-}
-
-/// The coordinate of a joint's axis.
-fn coordinate(joint: &MultibodyJoint, axis: JointAxis) -> Real {
-    joint.coordinate(axis)
 }
 
 /// `target += change · factor`.

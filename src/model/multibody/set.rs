@@ -333,6 +333,16 @@ impl MultibodyJointSet {
         self.multibodies.get_mut(index.0)
     }
 
+    /// Every multibody stands at a position below this bound.
+    pub(crate) fn index_bound(&self) -> u32 {
+        self.multibodies.slot_count() as u32
+    }
+
+    /// The index of the multibody at a position, if there is one.
+    pub(crate) fn index_at(&self, position: u32) -> Option<MultibodyIndex> {
+        self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
+    }
+
     /// The multibodies whose links or numbers the user may have changed, and whether they wake.
     pub(crate) fn take_modified(&mut self) -> Vec<(MultibodyIndex, bool)> {
         core::mem::take(&mut self.modified)

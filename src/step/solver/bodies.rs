@@ -15,6 +15,7 @@ use crate::model::check::checked_pose;
 use crate::model::contact::Placement;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
+use super::multibodies::SolverMultibodies;
 
 /// What integrates a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -49,11 +50,13 @@ pub(super) struct SolverBodies {
 const WORLD: u32 = BodyPose::WORLD_INDEX;
 
 impl SolverBodies {
-    /// Gathers all awake bodies. Returns how many substeps they ask for beyond the usual.
+    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it. Returns how many substeps
+    /// they ask for beyond the usual.
     pub fn load(
         &mut self,
         awake: &[RigidBodyHandle],
         bodies: &mut RigidBodySet,
+        multibodies: &SolverMultibodies,
         gravity: Vector,
         params: &IntegrationParameters,
     ) -> usize {
@@ -65,14 +68,18 @@ impl SolverBodies {
                 self.push_nobody(); // positions in the list are indices here
                 continue;
             };
+            extra_substeps = extra_substeps.max(body.additional_solver_iterations);
             let slot = handle.into_raw_parts().0;
+            if multibodies.moves(slot) {
+                self.push_nobody();
+                continue;
+            }
             let index = self.states.len() as u32;
             // Colours keep constraints apart at bodies with an island, and at no others.
             let writable = body.link.island != NONE;
             self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
             self.listed.push(slot);
             self.push(body, gravity, params);
-            extra_substeps = extra_substeps.max(body.additional_solver_iterations);
         }
         self.before.clone_from(&self.states);
         extra_substeps
@@ -161,10 +168,14 @@ impl SolverBodies {
         &mut self,
         islands: &mut IslandManager,
         bodies: &mut RigidBodySet,
+        multibodies: &SolverMultibodies,
         params: &IntegrationParameters,
     ) {
         for position in 0..islands.awake.len() {
             let handle = islands.awake[position];
+            if multibodies.moves(handle.into_raw_parts().0) {
+                continue;
+            }
             let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
             let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
             let bound = match body.body_type {

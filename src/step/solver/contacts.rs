@@ -1,6 +1,7 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
@@ -49,12 +50,13 @@ impl SolverContacts {
         self.point_count
     }
 
-    /// Fills the inputs from the manifolds.
+    /// Fills the inputs from the manifolds. Those of links are left to their multibodies, and their lanes empty.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
         narrow_phase: &NarrowPhase,
         bodies: &SolverBodies,
+        multibodies: &mut SolverMultibodies,
     ) {
         self.colors.clear();
         (self.len, self.point_count) = (graph.len(), 0);
@@ -72,7 +74,7 @@ impl SolverContacts {
                 self.inputs.push(ContactInput::EMPTY);
                 self.blocks.push(ContactBlock::EMPTY);
             }
-            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies);
+            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies, multibodies);
             count += 1;
         }
         self.inputs.truncate(count);
@@ -153,10 +155,18 @@ impl SolverContacts {
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(&self, graph: &ConstraintGraph, narrow_phase: &mut NarrowPhase) {
+    pub fn store(
+        &self,
+        graph: &ConstraintGraph,
+        narrow_phase: &mut NarrowPhase,
+        multibodies: &SolverMultibodies,
+    ) {
         for (index, (_, chunk)) in chunks(graph).enumerate() {
             let (block, input) = (&self.blocks[index], &self.inputs[index]);
             for (lane, at) in chunk.iter().enumerate() {
+                if multibodies.claims(narrow_phase.contacts.bodies(at.pair)) {
+                    continue;
+                }
                 let pair = &mut narrow_phase.contacts[at.pair];
                 let manifold = &mut pair.manifolds[at.manifold as usize];
                 store_lane(block, input, lane, manifold);
@@ -178,15 +188,21 @@ fn fill(
     chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
     bodies: &SolverBodies,
+    multibodies: &mut SolverMultibodies,
 ) -> usize {
     let mut point_count = 0;
-    if chunk.len() < LANES {
+    if chunk.len() < LANES || !multibodies.is_empty() {
         *input = ContactInput::EMPTY;
     }
     for (lane, at) in chunk.iter().enumerate() {
         let slots = narrow_phase.contacts.bodies(at.pair);
-        let indices = slots.map(|slot| bodies.index_of(slot));
         let pair = &narrow_phase.contacts[at.pair];
+        if multibodies.claims(slots) {
+            multibodies.leave_out(*at);
+            point_count += pair.manifolds[at.manifold as usize].contacts().len();
+            continue;
+        }
+        let indices = slots.map(|slot| bodies.index_of(slot));
         load_bodies(input, lane, indices);
         let manifold = &pair.manifolds[at.manifold as usize];
         load_manifold(input, lane, manifold);

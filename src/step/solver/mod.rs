@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contacts;
+mod multibodies;
 #[cfg(test)]
 mod tests;
 
@@ -28,15 +29,18 @@ use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
 use crate::model::island::IslandManager;
+use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::{ContactPass, IntegrationParameters};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
+use multibodies::SolverMultibodies;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
     bodies: SolverBodies,
     contacts: SolverContacts,
+    multibodies: SolverMultibodies,
     simd: Simd,
 }
 
@@ -47,48 +51,65 @@ impl SolverScratch {
     }
 }
 
+/// What the solver works on.
+pub(crate) struct SolverWorld<'a> {
+    pub bodies: &'a mut RigidBodySet,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub islands: &'a mut IslandManager,
+    pub multibody_joints: &'a mut MultibodyJointSet,
+}
+
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(
     gravity: Vector,
     params: &IntegrationParameters,
-    bodies: &mut RigidBodySet,
-    narrow_phase: &mut NarrowPhase,
-    islands: &mut IslandManager,
+    world: SolverWorld<'_>,
     scratch: &mut SolverScratch,
     counters: &mut SolverCounters,
 ) {
-    let SolverScratch { bodies: states, contacts, simd } = scratch;
+    let SolverWorld { bodies, narrow_phase, islands, multibody_joints } = world;
+    let SolverScratch { bodies: states, contacts, multibodies, simd } = scratch;
     let tasks = Tasks::current();
 
     counters.velocity_assembly_time.resume();
-    let extra = states.load(&islands.awake, bodies, gravity, params);
+    multibodies.load(multibody_joints, bodies);
+    let extra = states.load(&islands.awake, bodies, multibodies, gravity, params);
     let substeps = params.num_solver_iterations + extra;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
-    contacts.load(&islands.graph, narrow_phase, states);
+    multibodies.begin(bodies, gravity, h);
+    contacts.load(&islands.graph, narrow_phase, states, multibodies);
     contacts.prepare(states, params, *simd, tasks);
+    multibodies.prepare(narrow_phase, bodies, states, h);
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
+        multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
             contacts.solve(states, &pass, *simd, tasks);
+            multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h);
+        multibodies.integrate_positions(h, tasks);
         for _ in 0..params.num_additional_friction_iterations {
             contacts.relax(states, &early_pass, *simd, tasks);
+            multibodies.relax(states, &early_pass, params);
         }
         contacts.relax(states, &pass, *simd, tasks);
+        multibodies.relax(states, &pass, params);
     }
     contacts.restitute(states, &pass, *simd, tasks);
+    multibodies.restitute(states, &pass);
     counters.velocity_resolution_time.pause();
 
     counters.velocity_writeback_time.resume();
-    contacts.store(&islands.graph, narrow_phase);
-    states.store(islands, bodies, params);
+    contacts.store(&islands.graph, narrow_phase, multibodies);
+    states.store(islands, bodies, multibodies, params);
+    multibodies.store(multibody_joints, narrow_phase, islands, bodies);
     counters.velocity_writeback_time.pause();
     counters.nconstraints = contacts.len();
     counters.ncontacts = contacts.point_count();

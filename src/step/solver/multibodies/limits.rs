@@ -1,0 +1,260 @@
+//! Limits of joints, motors with a largest force, and dry friction: rows on the degrees of freedom of one joint.
+//!
+//! ```text
+//! limits     C = q - min ≥ 0 and C' = max - q ≥ 0, with the impulses λ ≥ 0 and λ' ≥ 0 along opposite directions
+//! motor      λ = h (k (target - q - h q̇) + d (target velocity - q̇)),  |λ| ≤ h max_force
+//! friction   q̇ = 0,  |λ| ≤ h friction
+//! ```
+//!
+//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
+//! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
+//!
+//! `q` is a coordinate; of a ball joint an angle as `dim3/spatial.rs` has it, and of rotations that are coupled the angle of the cone.
+
+use super::rows::{Actors, Numbers, Part, Row};
+use super::{Moving, SoftPass};
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::math::{DIM, Real};
+use crate::dim::spatial::{BallAngle, ang_components, ball_angle, cone_angle};
+use crate::model::joint::{JointMotor, MotorModel, mask_of};
+use crate::model::multibody::{MultibodyJoint, MultibodyLink};
+
+/// Which joint's axis a row is about.
+#[derive(Copy, Clone, Debug)]
+struct Place {
+    multibody: usize,
+    link: usize,
+    axis: JointAxis,
+}
+
+/// Both limits of an axis. They share a row: the one pushes along it, the other against it.
+#[derive(Copy, Clone, Debug)]
+struct Limit {
+    place: Place,
+    row: Row,
+    /// How far the coordinate is from the lower and from the upper end.
+    room: [Real; 2],
+    impulses: [Real; 2],
+}
+
+/// A motor with a largest force, or friction.
+#[derive(Copy, Clone, Debug)]
+struct Drive {
+    place: Place,
+    row: Row,
+    is_friction: bool,
+    /// Stiffness over `h k + d` (1/s): what a distance from the target adds to the velocity that is wanted.
+    pull: Real,
+    /// Distance to the target at the beginning of the step.
+    distance: Real,
+    /// The velocity that is wanted at the target.
+    velocity: Real,
+    yielding: Real,
+    impulse: Real,
+    impulse_max: Real,
+}
+
+/// All rows on single joints.
+#[derive(Debug, Default)]
+pub struct JointRows {
+    limits: Vec<Limit>,
+    drives: Vec<Drive>,
+}
+
+impl JointRows {
+    /// Makes the rows of all joints, for substeps of `h` seconds.
+    pub fn prepare(&mut self, numbers: &mut Numbers, multibodies: &mut [Moving], h: Real) {
+        self.limits.clear();
+        self.drives.clear();
+        for multibody in 0..multibodies.len() {
+            for link in 1..multibodies[multibody].multibody.links.len() {
+                let link = multibodies[multibody].multibody.links[link].clone();
+                if !link.joint.kinematic {
+                    self.add_joint(numbers, multibodies, multibody, &link, h);
+                }
+            }
+        }
+    }
+
+    fn add_joint(
+        &mut self,
+        numbers: &mut Numbers,
+        multibodies: &mut [Moving],
+        multibody: usize,
+        link: &MultibodyLink,
+        h: Real,
+    ) {
+        let data = &link.joint.data;
+        let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+        for (dof, axis) in link.dofs().zip(axes) {
+            let place = Place { multibody, link: link.id, axis };
+            if let Some(limits) = data.limits(axis)
+                && let Some((q, gradient)) = limited_angle(&link.joint, axis)
+            {
+                let row = row_of(numbers, multibodies, place, link, &gradient);
+                let room = [q - limits.min, limits.max - q];
+                let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
+                self.limits.push(Limit { place, row, room, impulses });
+            }
+            let unit = unit(axis);
+            if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
+                let row = row_of(numbers, multibodies, place, link, &unit);
+                self.drives.push(Drive::motor(place, row, motor, &link.joint, h));
+            }
+            let lists = &multibodies[multibody].multibody.lists;
+            let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
+            if friction > 0.0 && friction.is_finite() {
+                let row = row_of(numbers, multibodies, place, link, &unit);
+                self.drives.push(Drive::friction(place, row, friction * h, impulse));
+            }
+        }
+    }
+
+    /// Starts the step with the last one's impulses.
+    pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        for limit in &self.limits {
+            numbers.push_early(&limit.row, limit.impulses[0] - limit.impulses[1], actors);
+        }
+        for drive in &self.drives {
+            numbers.push_early(&drive.row, drive.impulse, actors);
+        }
+    }
+
+    /// Lets a substep start with this share of the last one's impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.limits.iter_mut().flat_map(|limit| &mut limit.impulses).for_each(|i| *i *= factor);
+        self.drives.iter_mut().for_each(|drive| drive.impulse *= factor);
+    }
+
+    /// Solves all rows once; with `bias`, limits that were overrun are undone.
+    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, pass: &SoftPass, bias: bool) {
+        for drive in &mut self.drives {
+            drive.solve(numbers, actors);
+        }
+        for limit in &mut self.limits {
+            let moved = numbers.displacement(&limit.row, actors);
+            for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+                let (velocity, room) =
+                    (numbers.velocity(&limit.row, actors) * sign, limit.room[side] + moved * sign);
+                let old = limit.impulses[side];
+                let new = pass.solve(velocity, room, limit.row.mass, old, bias);
+                limit.impulses[side] = new;
+                numbers.push(&limit.row, (new - old) * sign, actors);
+            }
+        }
+    }
+
+    /// Writes the impulses to the joints.
+    pub fn store(&self, multibodies: &mut [Moving]) {
+        for Limit { place, impulses, .. } in &self.limits {
+            let link = &mut multibodies[place.multibody].multibody.links[place.link];
+            link.joint.data.limits[place.axis as usize].impulse = finite(impulses[0] - impulses[1]);
+        }
+        for drive in &self.drives {
+            let Place { multibody, link, axis } = drive.place;
+            let target = &mut multibodies[multibody].multibody;
+            let impulse = finite(drive.impulse);
+            if drive.is_friction {
+                let link = &target.links[link];
+                let dof = link.first_dof + position(link, axis);
+                target.lists.friction_impulses[dof] = impulse;
+            } else {
+                target.links[link].joint.data.motors[axis as usize].impulse = impulse;
+            }
+        }
+    }
+}
+
+impl Drive {
+    fn motor(place: Place, row: Row, motor: &JointMotor, joint: &MultibodyJoint, h: Real) -> Self {
+        let inertia = match motor.model {
+            MotorModel::AccelerationBased => row.mass,
+            MotorModel::ForceBased => 1.0,
+        };
+        let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
+        let resistance = h * stiffness + damping;
+        let share = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
+        let impulse_max = motor.max_force * h;
+        Self {
+            place,
+            row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
+            is_friction: false,
+            pull: share(stiffness),
+            distance: motor.target_pos - joint.coordinate(place.axis),
+            velocity: share(damping) * motor.target_vel,
+            yielding: share(1.0 / h),
+            impulse: motor.impulse.clamp(-impulse_max, impulse_max),
+            impulse_max,
+        }
+    }
+
+    fn friction(place: Place, row: Row, impulse_max: Real, impulse: Real) -> Self {
+        let impulse = impulse.clamp(-impulse_max, impulse_max);
+        let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
+        Self { place, row, is_friction: true, pull, distance, velocity, yielding, impulse, impulse_max }
+    }
+
+    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        if self.row.mass == 0.0 {
+            return;
+        }
+        let moved = if self.pull > 0.0 { numbers.displacement(&self.row, actors) } else { 0.0 };
+        let wanted = self.velocity + self.pull * (self.distance - moved);
+        let error = numbers.velocity(&self.row, actors) - wanted + self.yielding * self.impulse;
+        let mass = self.row.mass / (1.0 + self.yielding * self.row.mass);
+        let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
+        let change = new - self.impulse;
+        self.impulse = new;
+        numbers.push(&self.row, change, actors);
+    }
+}
+
+/// The angle or length that an axis's limits are about, and how much each axis of the joint changes it; `None` if another
+/// axis's limits stand for this one's.
+fn limited_angle(joint: &MultibodyJoint, axis: JointAxis) -> Option<(Real, [Real; JointAxis::ALL.len()])> {
+    if (axis as usize) < DIM || !joint.is_ball() {
+        return Some((joint.coordinate(axis), unit(axis)));
+    }
+    let rotation = joint.joint_rot();
+    let coupled = joint.data.coupled_axes & JointAxesMask::ANG_AXES;
+    let BallAngle { angle, gradient } = match coupled.contains(mask_of(axis)) {
+        false => ball_angle(axis as usize - DIM, rotation),
+        true if coupled.bits() & (mask_of(axis).bits() - 1) == 0 => cone_angle(rotation),
+        true => return None,
+    };
+    let mut all = [0.0; JointAxis::ALL.len()];
+    all[DIM..].copy_from_slice(&ang_components(gradient));
+    Some((angle, all))
+}
+
+fn unit(axis: JointAxis) -> [Real; JointAxis::ALL.len()] {
+    let mut all = [0.0; JointAxis::ALL.len()];
+    all[axis as usize] = 1.0;
+    all
+}
+
+/// Which of a link's degrees of freedom an axis is.
+fn position(link: &MultibodyLink, axis: JointAxis) -> usize {
+    (link.free.bits() & (mask_of(axis).bits() - 1)).count_ones() as usize
+}
+
+/// A row on the degrees of freedom of a link, given a number per axis.
+fn row_of(
+    numbers: &mut Numbers,
+    multibodies: &mut [Moving],
+    place: Place,
+    link: &MultibodyLink,
+    by_axis: &[Real; JointAxis::ALL.len()],
+) -> Row {
+    let part = numbers.add_links(multibodies, place.multibody, false, |_, jacobian| {
+        let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+        for (dof, axis) in link.dofs().zip(axes) {
+            jacobian[dof] = by_axis[axis as usize];
+        }
+    });
+    numbers.row(multibodies, [part, Part::Nothing])
+}
+
+fn finite(impulse: Real) -> Real {
+    if impulse.is_finite() { impulse } else { 0.0 }
+}
