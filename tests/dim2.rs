@@ -48,6 +48,16 @@ pub fn angle(rotation: &Rotation) -> Real {
     rotation.angle()
 }
 
+/// A hinge.
+pub fn hinge() -> RevoluteJointBuilder {
+    RevoluteJointBuilder::new()
+}
+
+/// The moment of inertia.
+pub fn about_z_of(mass: &MassProperties) -> Real {
+    mass.principal_inertia()
+}
+
 /// A box.
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)

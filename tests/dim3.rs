@@ -56,6 +56,16 @@ pub fn angle(rotation: &Rotation) -> Real {
     rotation.to_scaled_axis().z
 }
 
+/// A hinge about the axis that points out of the picture.
+pub fn hinge() -> RevoluteJointBuilder {
+    RevoluteJointBuilder::new(Vector::Z)
+}
+
+/// The moment of inertia about that axis.
+pub fn about_z_of(mass: &MassProperties) -> Real {
+    mass.principal_inertia().z
+}
+
 /// A box that is as deep as it is wide.
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)

@@ -9,5 +9,6 @@ mod api;
 pub mod ghosts;
 pub mod characters;
 pub mod hostile;
+pub mod joints;
 pub mod physics;
 mod queries;

@@ -25,6 +25,7 @@ pub use crate::model::multibody::{
 };
 pub use crate::multibody::InverseKinematicsOption;
 pub use crate::model::params::{
-    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters, Softness,
+    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,
+    JOINT_SHARE, Softness,
 };
 pub use parry::mass_properties::MassProperties;

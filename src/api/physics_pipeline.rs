@@ -68,7 +68,6 @@ impl PhysicsPipeline {
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) {
-        debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
         let gravity = *gravity.borrow();
         if !is_point(gravity) {
             log::error!(
@@ -92,6 +91,6 @@ impl PhysicsPipeline {
             events,
             counters: &mut self.counters,
         };
-        step::step(parts, &mut self.scratch);
+        step::step(parts, impulse_joints, multibody_joints, &mut self.scratch);
     }
 }

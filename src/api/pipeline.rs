@@ -14,7 +14,9 @@ pub use crate::model::collider::{ActiveEvents, ActiveHooks};
 pub use crate::model::counters::{
     CCDCounters, CollisionDetectionCounters, Counters, SolverCounters, StagesCounters,
 };
-pub use crate::model::event::{ChannelEventCollector, DefaultEventHandler, EventHandler};
+pub use crate::model::event::{
+    ChannelEventCollector, DefaultEventHandler, EventHandler, JointBreakEvent,
+};
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
 };

@@ -9,7 +9,7 @@ use crate::model::contact::{ContactPair, NarrowPhase};
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
-use crate::model::joint::ImpulseJointSet;
+use crate::model::joint::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet};
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
@@ -144,6 +144,34 @@ impl PhysicsWorld {
     /// stale.
     pub fn remove_collider(&mut self, handle: ColliderHandle) -> Option<Collider> {
         self.colliders.remove(handle, &mut self.islands, &mut self.bodies, true)
+    }
+
+    /// Joins two bodies, and wakes them. See [`ImpulseJointSet::insert`] for joints that cannot be.
+    pub fn insert_impulse_joint(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        joint: impl Into<GenericJoint>,
+    ) -> ImpulseJointHandle {
+        self.impulse_joints.insert(body1, body2, joint, true)
+    }
+
+    /// Removes a joint and returns it; the bodies that it held wake. `None` if the handle is stale.
+    pub fn remove_impulse_joint(&mut self, handle: ImpulseJointHandle) -> Option<ImpulseJoint> {
+        self.impulse_joints.remove(handle, true)
+    }
+
+    /// All impulse joints with their handles, in the order of their slots.
+    pub fn impulse_joints(&self) -> impl Iterator<Item = (ImpulseJointHandle, &ImpulseJoint)> {
+        self.impulse_joints.iter()
+    }
+
+    /// The impulse joints of a body with their handles, in the order of insertion.
+    pub fn impulse_joints_with(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = (ImpulseJointHandle, &ImpulseJoint)> {
+        self.impulse_joints.attached_joints(body).map(|(_, _, handle, joint)| (handle, joint))
     }
 
     /// Wakes a body, and with it, in the next step, all that it touches. `strong` also keeps it awake

@@ -71,7 +71,8 @@ impl DebugRenderPipeline {
         multibody_joints: &MultibodyJointSet,
         narrow_phase: &NarrowPhase,
     ) {
-        debug_assert!(impulse_joints.is_empty() && multibody_joints.is_empty());
+        debug_assert!(multibody_joints.is_empty());
+        let _ = impulse_joints;
         self.render_rigid_bodies(backend, bodies);
         self.render_colliders(backend, bodies, colliders);
         self.render_contacts(backend, colliders, narrow_phase);

@@ -4,7 +4,7 @@
 //! whole registers: so records are arrays of numbers, with the meaning of each stated here and
 //! nowhere else.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -51,6 +51,14 @@ impl BodyState {
     pub fn set_velocity(&mut self, linvel: Vector, angvel: AngVector) {
         self.0[0..2].copy_from_slice(&linvel.to_array());
         self.0[2] = angvel;
+    }
+
+    /// Adds to the linear and then the angular components of the velocity.
+    #[inline]
+    pub fn add_velocity(&mut self, change: [Real; SPATIAL_DIM]) {
+        for (value, change) in self.0.iter_mut().zip(change) {
+            *value += change;
+        }
     }
 
     /// How far the centre of mass has moved, and the body has turned, since the step began.

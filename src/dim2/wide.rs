@@ -62,6 +62,11 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
     target.0[lane] = *value;
 }
 
+/// No angular vector in any lane.
+pub const ANG_ZERO_LANES: WideAngVector<Lane> = Lane::ZERO;
+/// No inverse inertia in any lane.
+pub const ZERO_INERTIA: WideSymmetric<Lane> = Lane::ZERO;
+
 impl WideRotation<Lane> {
     /// No rotation in any lane.
     pub const IDENTITY: Self = Self { re: Lane::splat(1.0), im: Lane::ZERO };

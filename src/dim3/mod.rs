@@ -22,6 +22,7 @@ pub mod wide;
 pub mod surface;
 
 pub(crate) mod contact;
+pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod gyro;
 #[cfg(feature = "debug-render")]

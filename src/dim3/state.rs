@@ -4,7 +4,7 @@
 //! whole registers: so records are arrays of numbers, with the meaning of each stated here and
 //! nowhere else.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -47,6 +47,14 @@ impl BodyState {
     pub fn set_velocity(&mut self, linvel: Vector, angvel: AngVector) {
         self.0[0..3].copy_from_slice(&linvel.to_array());
         self.0[3..6].copy_from_slice(&angvel.to_array());
+    }
+
+    /// Adds to the linear and then the angular components of the velocity.
+    #[inline]
+    pub fn add_velocity(&mut self, change: [Real; SPATIAL_DIM]) {
+        for (value, change) in self.0.iter_mut().zip(change) {
+            *value += change;
+        }
     }
 
     /// How far the centre of mass has moved, and the body has turned, since the step began.
@@ -141,6 +149,21 @@ pub(crate) unsafe fn scatter_velocities<W: Wide>(
     }
     let (v, w) = (velocities.linear, velocities.angular);
     scatter::<W, MOTION_LEN>([v.x, v.y, v.z, w.x, w.y, w.z, W::zero(), W::zero()], rows);
+}
+
+/// Writes the velocity of one body per lane, but for the read-only ones. The displacement, which must be
+/// the one that was gathered with it, stays.
+///
+/// # Safety
+/// As [`scatter_velocities`].
+#[inline(always)]
+pub(crate) unsafe fn scatter_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+    [velocity, _]: [WideMotion<W>; 2],
+) {
+    // SAFETY: the caller's promise.
+    unsafe { scatter_velocities(states, indices, velocity) };
 }
 
 /// Reads the velocity of one body per lane.

@@ -79,6 +79,14 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
     target.m33.0[lane] = value.m33;
 }
 
+/// No angular vector in any lane.
+pub const ANG_ZERO_LANES: WideAngVector<Lane> = WideVector::ZERO;
+/// No inverse inertia in any lane.
+pub const ZERO_INERTIA: WideSymmetric<Lane> = {
+    let zero = Lane::ZERO;
+    WideSymmetric { m11: zero, m12: zero, m13: zero, m22: zero, m23: zero, m33: zero }
+};
+
 impl WideRotation<Lane> {
     /// No rotation in any lane.
     pub const IDENTITY: Self =

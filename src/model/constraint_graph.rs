@@ -1,4 +1,6 @@
-//! The constraint graph: which contact manifold is solved in which colour.
+//! The constraint graph: which contact manifold, or which joint, is solved in which colour.
+//!
+//! Joints and contacts have a graph each: all joints are solved before all contacts.
 //!
 //! Bodies are nodes, constraints are edges, and an edge gets a colour that no other edge at either of
 //! its dynamic bodies has. So constraints of one colour can be solved in any order, in lanes or on
@@ -32,7 +34,7 @@ pub(crate) struct ManifoldRef {
     pub manifold: u32,
 }
 
-/// Where a manifold stands in the graph.
+/// Where a constraint stands in the graph.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct ColorSlot {
@@ -40,25 +42,25 @@ pub(crate) struct ColorSlot {
     pub position: u32,
 }
 
-/// See the [module](self).
+/// See the [module](self). A constraint is a manifold, or the slot of a joint.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct ConstraintGraph {
-    /// The manifolds of each colour; the overflow is last.
-    colors: Vec<Vec<ManifoldRef>>,
+pub(crate) struct ConstraintGraph<C = ManifoldRef> {
+    /// The constraints of each colour; the overflow is last.
+    colors: Vec<Vec<C>>,
     /// Colours that already hold a constraint of the body in this slot, one bit each.
     colors_of_body: Vec<u64>,
 }
 
-impl Default for ConstraintGraph {
+impl<C: Copy> Default for ConstraintGraph<C> {
     fn default() -> Self {
         Self { colors: vec![Vec::new(); COLORS as usize + 1], colors_of_body: Vec::new() }
     }
 }
 
-impl ConstraintGraph {
-    /// Gives a manifold a colour. `dynamic` names the slots of its dynamic bodies, one or two.
-    pub fn add(&mut self, manifold: ManifoldRef, dynamic: [Option<u32>; 2]) -> ColorSlot {
+impl<C: Copy> ConstraintGraph<C> {
+    /// Gives a constraint a colour. `dynamic` names the slots of its dynamic bodies, one or two.
+    pub fn add(&mut self, constraint: C, dynamic: [Option<u32>; 2]) -> ColorSlot {
         let mut used = 0;
         for body in dynamic.into_iter().flatten() {
             if body as usize >= self.colors_of_body.len() {
@@ -74,16 +76,16 @@ impl ConstraintGraph {
             }
         }
         let list = &mut self.colors[color as usize];
-        list.push(manifold);
+        list.push(constraint);
         ColorSlot { color, position: list.len() as u32 - 1 }
     }
 
-    /// Takes a manifold out. Returns the one that now stands in its slot, whose owner must be told.
+    /// Takes a constraint out. Returns the one that now stands in its slot, whose owner must be told.
     ///
     /// `bodies` are the slots of both bodies, dynamic or not: the bits of others are not set anyway,
     /// and one that was removed can no longer tell what it was.
     #[must_use]
-    pub fn remove(&mut self, slot: ColorSlot, bodies: [u32; 2]) -> Option<ManifoldRef> {
+    pub fn remove(&mut self, slot: ColorSlot, bodies: [u32; 2]) -> Option<C> {
         if slot.color != OVERFLOW {
             for body in bodies {
                 if let Some(colors) = self.colors_of_body.get_mut(body as usize) {
@@ -96,22 +98,22 @@ impl ConstraintGraph {
         list.get(slot.position as usize).copied()
     }
 
-    /// The manifolds of each colour in the order in which colours are solved; the overflow first,
+    /// The constraints of each colour in the order in which colours are solved; the overflow first,
     /// so that the orderly ones correct its errors.
-    pub fn in_solving_order(&self) -> impl Iterator<Item = (u32, &[ManifoldRef])> {
+    pub fn in_solving_order(&self) -> impl Iterator<Item = (u32, &[C])> {
         core::iter::once(OVERFLOW)
             .chain(0..COLORS)
             .map(|color| (color, self.colors[color as usize].as_slice()))
             .filter(|(_, list)| !list.is_empty())
     }
 
-    /// Number of manifolds in the graph.
+    /// Number of constraints in the graph.
     pub fn len(&self) -> usize {
         self.colors.iter().map(Vec::len).sum()
     }
 
     /// The manifold in a slot.
-    pub fn at(&self, slot: ColorSlot) -> Option<ManifoldRef> {
+    pub fn at(&self, slot: ColorSlot) -> Option<C> {
         self.colors.get(slot.color as usize)?.get(slot.position as usize).copied()
     }
 }

@@ -1,6 +1,5 @@
 //! What the user did to the bodies of a multibody, and what the multibody does to its bodies.
 
-use super::kinematics::Kinematics;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{Pose, Real, integrate_rotation};
 use crate::dim::spatial::{angular, linear};
@@ -109,13 +108,6 @@ impl Multibody {
             let center = link.pose * link.mass.local_com + linear(&velocity) * h;
             let rotation = integrate_rotation(link.pose.rotation, angular(&velocity) * h);
             link.pose = Pose::from_parts(center - rotation * link.mass.local_com, rotation);
-        }
-    }
-
-    /// Gives the links the poses of these frames.
-    pub(super) fn place_as(&mut self, kinematics: &Kinematics) {
-        for id in 1..self.links.len() {
-            self.links[id].pose = kinematics.pose(id, self);
         }
     }
 }

@@ -23,6 +23,8 @@ use crate::model::counters::Counters;
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
@@ -56,15 +58,22 @@ pub(crate) struct StepScratch {
 }
 
 /// One step of the world. The parameters must be valid.
-pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
+pub(crate) fn step(
+    mut parts: StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
-    take_in_user_changes(&mut parts, scratch);
+    let edits = multibodies.settle(parts.bodies);
+    take_in_user_changes(&mut parts, joints, edits, scratch);
+    joints.settle(&mut parts.islands.joints.orphans);
     find_contacts(&mut parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {
-        move_bodies(&mut parts, scratch);
+        move_bodies(&mut parts, joints, multibodies, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
     } else {
@@ -78,6 +87,7 @@ pub(crate) fn step(mut parts: StepParts<'_>, scratch: &mut StepScratch) {
 /// `take_in_changes`; else only removals are, and the rest waits for the next call that does.
 pub(crate) fn detect_collisions(
     mut parts: StepParts<'_>,
+    joints: &ImpulseJointSet,
     scratch: &mut StepScratch,
     take_in_changes: bool,
 ) {
@@ -85,11 +95,13 @@ pub(crate) fn detect_collisions(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     if take_in_changes {
-        take_in_user_changes(&mut parts, scratch);
+        take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
         let params = parts.params;
         let (structure, tree) = parts.structure();
-        Digest { structure, tree, params, events: &mut scratch.notes.events }.run_removals();
+        let events = &mut scratch.notes.events;
+        let multibodies = MultibodyEdits::default();
+        Digest { structure, tree, joints, multibodies, params, events }.run_removals();
     }
     find_contacts(&mut parts, scratch);
     parts.bodies.renew_places();
@@ -99,11 +111,17 @@ pub(crate) fn detect_collisions(
     parts.counters.step_time.pause();
 }
 
-fn take_in_user_changes(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+fn take_in_user_changes(
+    parts: &mut StepParts<'_>,
+    joints: &ImpulseJointSet,
+    multibodies: MultibodyEdits,
+    scratch: &mut StepScratch,
+) {
     parts.counters.stages.user_changes.resume();
     let params = parts.params;
     let (structure, tree) = parts.structure();
-    Digest { structure, tree, params, events: &mut scratch.notes.events }.run();
+    let events = &mut scratch.notes.events;
+    Digest { structure, tree, joints, multibodies, params, events }.run();
     parts.counters.stages.user_changes.pause();
 }
 
@@ -139,17 +157,24 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.pause();
 }
 
-fn move_bodies(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+fn move_bodies(
+    parts: &mut StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
     parts.counters.stages.solver_time.resume();
-    solver::solve(
-        parts.gravity,
-        parts.params,
-        parts.bodies,
-        parts.narrow_phase,
-        parts.islands,
-        &mut scratch.solver,
-        &mut parts.counters.solver,
-    );
+    let scene = solver::Scene {
+        gravity: parts.gravity,
+        params: parts.params,
+        bodies: parts.bodies,
+        narrow_phase: parts.narrow_phase,
+        joints,
+        multibodies,
+        islands: parts.islands,
+        broken: &mut scratch.notes.broken,
+    };
+    solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -167,7 +192,7 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
 /// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
 fn report(parts: &StepParts<'_>, scratch: &StepScratch, dt: Real) {
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
-    events::report(bodies, colliders, narrow_phase, &scratch.notes.events, dt, *events);
+    events::report(bodies, colliders, narrow_phase, &scratch.notes, dt, *events);
 }
 
 impl StepScratch {

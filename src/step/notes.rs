@@ -1,7 +1,7 @@
 //! What stages tell each other during a step.
 
 use crate::model::contact::PairId;
-use crate::model::event::CollisionEvent;
+use crate::model::event::{CollisionEvent, JointBreakEvent};
 
 /// How a contact pair changed in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -22,6 +22,8 @@ pub(crate) struct StepNotes {
     pub intersections: Vec<(PairId, PairChange)>,
     /// What began and stopped touching, in the order in which it is to be reported.
     pub events: Vec<CollisionEvent>,
+    /// Joints that broke, in the order of the constraint graph.
+    pub broken: Vec<JointBreakEvent>,
 }
 
 impl StepNotes {
@@ -30,5 +32,6 @@ impl StepNotes {
         self.contacts.clear();
         self.intersections.clear();
         self.events.clear();
+        self.broken.clear();
     }
 }

@@ -12,7 +12,8 @@ enum Room<'a> {
     Base,
     /// Vocabulary of a dimension.
     Dim,
-    /// Contact constraints of a dimension: vocabulary of the solver, which may know parameters.
+    /// Contact constraints and joint frames of a dimension: vocabulary of the solver, which may know
+    /// parameters.
     DimContact,
     /// What a user calls differently in each dimension: inherent methods of the model's types.
     DimSurface,
@@ -50,7 +51,7 @@ impl<'a> Room<'a> {
         Some(match path {
             [] | ["lib2d" | "lib3d", ..] => Self::Door,
             ["base", ..] => Self::Base,
-            ["dim" | "dim2" | "dim3", "contact", ..] => Self::DimContact,
+            ["dim" | "dim2" | "dim3", "contact" | "joint", ..] => Self::DimContact,
             ["dim" | "dim2" | "dim3", "surface", ..] => Self::DimSurface,
             ["dim" | "dim2" | "dim3", "vehicle", ..] => Self::Controllers,
             ["dim" | "dim2" | "dim3", ..] => Self::Dim,

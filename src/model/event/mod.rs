@@ -1,4 +1,4 @@
-//! What a step tells the user: pairs that begin or stop to touch, and strong contact forces.
+//! What a step tells the user: pairs that begin or stop to touch, strong contact forces, and joints that break.
 //!
 //! Events are sent at the end of a step, on the thread that called it, in the order of the pairs. Which
 //! pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents) of their
@@ -6,12 +6,14 @@
 
 mod channel;
 mod force;
+mod joint;
 
 #[cfg(test)]
 mod tests;
 
 pub use channel::ChannelEventCollector;
 pub use force::ContactForceEvent;
+pub use joint::JointBreakEvent;
 
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
@@ -128,6 +130,13 @@ pub trait EventHandler: Send + Sync {
         colliders: &ColliderSet,
     ) {
         let _ = (dt, event, bodies, colliders);
+    }
+
+    /// A joint broke: it bore more than its
+    /// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds). It is disabled by now. Does
+    /// nothing unless implemented.
+    fn handle_joint_break_event(&self, event: &JointBreakEvent, bodies: &RigidBodySet) {
+        let _ = (event, bodies);
     }
 }
 

@@ -1,9 +1,11 @@
 //! Which bodies are awake, and which islands they form.
 
+use super::groups::BodyGroups;
 use super::link::NONE;
 use crate::dim::math::Real;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
+use crate::model::joint::JointLinks;
 
 /// Bodies that touch, directly or through other dynamic bodies.
 ///
@@ -36,8 +38,14 @@ pub struct IslandManager {
     /// All islands, with holes.
     islands: Vec<Island>,
     free: Vec<u32>,
-    /// Which constraint is solved in which colour.
+    /// Which manifold is solved in which colour.
     pub(crate) graph: ConstraintGraph,
+    /// The same for joints, by their slots.
+    pub(crate) joint_graph: ConstraintGraph<u32>,
+    /// The joints that have been taken in.
+    pub(crate) joints: JointLinks,
+    /// Bodies that multibodies hold together.
+    pub(crate) groups: BodyGroups,
     /// Counts steps, to know how long ago an island was split.
     pub(crate) step: u32,
     /// By body slot: a bound (length units) of how far any point of the body moved in the last step.

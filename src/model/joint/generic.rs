@@ -419,16 +419,17 @@ impl GenericJoint {
         check_threshold("the torque at which a joint breaks", self.break_torque)
     }
 
-    /// The axes that are free, and whose limits and motor count as those of an axis: of coupled ones
-    /// the first.
-    pub(crate) fn own_axes(&self) -> impl Iterator<Item = JointAxis> {
+    /// The free axes that have a motor or limits: of coupled ones the first.
+    pub(crate) fn driven_axes(&self) -> impl Iterator<Item = JointAxis> + use<> {
         let free = !self.locked_axes;
+        let driven = free & (self.limit_axes | self.motor_axes);
+        let coupled_axes = self.coupled_axes;
         let (linear, angular) = (JointAxesMask::LIN_AXES, JointAxesMask::ANG_AXES);
         JointAxis::ALL.into_iter().filter(move |&axis| {
             let group = if (axis as usize) < DIM { linear } else { angular };
-            let coupled = self.coupled_axes & free & group;
+            let coupled = coupled_axes & free & group;
             let is_first = mask_of(axis).bits() == coupled.bits() & coupled.bits().wrapping_neg();
-            free.contains(mask_of(axis)) && (!coupled.contains(mask_of(axis)) || is_first)
+            driven.contains(mask_of(axis)) && (!coupled.contains(mask_of(axis)) || is_first)
         })
     }
 }

@@ -76,6 +76,12 @@ impl ImpulseJoint {
         self.torque
     }
 
+    /// Forgets impulses and turns, which were other bodies'.
+    pub(super) fn forget_past(&mut self) {
+        self.angles = None;
+        self.forget_impulses();
+    }
+
     /// Forgets all impulses. The next step starts without.
     pub(crate) fn forget_impulses(&mut self) {
         self.impulses = [0.0; SPATIAL_DIM];

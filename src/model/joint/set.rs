@@ -3,31 +3,24 @@
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint};
 use crate::base::arena::Arena;
 use crate::model::body::RigidBodyHandle;
-use crate::model::constraint_graph::ColorSlot;
-
-/// What the step knows of a joint. It stays with the handle, whatever the user puts there.
-#[derive(Copy, Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct JointLink {
-    /// The bodies under which the joint is filed.
-    pub bodies: [RigidBodyHandle; 2],
-    /// Do the bodies share an island because of it?
-    pub attached: bool,
-    /// Where it stands in the constraint graph.
-    pub slot: Option<ColorSlot>,
-    /// Does it keep the bodies' colliders from touching each other?
-    pub parts_bodies: bool,
-    /// Does its handle stand in the list of modified joints?
-    noted: bool,
-    /// Do its bodies wake when the step takes in what was changed?
-    wakes: bool,
-}
 
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Entry {
     joint: ImpulseJoint,
-    link: JointLink,
+    note: Note,
+    /// The bodies under which the joint is filed.
+    filed: [RigidBodyHandle; 2],
+}
+
+/// What is remembered of a joint's changes. It stays with the handle, whatever the user puts there.
+#[derive(Copy, Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Note {
+    /// Does the handle stand in the list of modified joints?
+    listed: bool,
+    /// Do the bodies wake when the step takes in what was changed?
+    wakes: bool,
 }
 
 /// The joints that hold bodies together by impulses, each found by its handle.
@@ -44,7 +37,7 @@ pub struct ImpulseJointSet {
     /// Joints that the user may have changed since the last step, each once.
     modified: Vec<ImpulseJointHandle>,
     /// Joints that were removed since the last step, and whether their bodies wake.
-    removed: Vec<(ImpulseJointHandle, JointLink)>,
+    removed: Vec<(ImpulseJointHandle, bool)>,
 }
 
 impl ImpulseJointSet {
@@ -111,26 +104,22 @@ impl ImpulseJointSet {
         data: GenericJoint,
         wake_up: bool,
     ) -> ImpulseJointHandle {
-        let link = JointLink {
-            bodies: [body1, body2],
-            attached: false,
-            slot: None,
-            parts_bodies: false,
-            noted: true,
-            wakes: wake_up,
+        let entry = Entry {
+            joint: ImpulseJoint::new(body1, body2, data),
+            note: Note { listed: true, wakes: wake_up },
+            filed: [body1, body2],
         };
-        let joint = ImpulseJoint::new(body1, body2, data);
-        let handle = ImpulseJointHandle(self.joints.insert(Entry { joint, link }));
-        self.file(handle, link.bodies);
+        let handle = ImpulseJointHandle(self.joints.insert(entry));
+        self.file(handle, [body1, body2]);
         self.modified.push(handle);
         handle
     }
 
     /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
     pub fn remove(&mut self, handle: ImpulseJointHandle, wake_up: bool) -> Option<ImpulseJoint> {
-        let Entry { joint, link } = self.joints.remove(handle.0)?;
-        self.unfile(handle, link.bodies);
-        self.removed.push((handle, JointLink { wakes: wake_up, ..link }));
+        let Entry { joint, filed, .. } = self.joints.remove(handle.0)?;
+        self.unfile(handle, filed);
+        self.removed.push((handle, wake_up));
         Some(joint)
     }
 
@@ -191,7 +180,8 @@ impl ImpulseJointSet {
         }
         if let Some(joint) = self.get_mut(handle) {
             (joint.body1, joint.body2) = (body1, body2);
-            (joint.angles, joint.impulses) = (None, Default::default());
+            joint.forget_past();
+            self.refile(handle);
         }
     }
 
@@ -262,38 +252,42 @@ impl ImpulseJointSet {
 
     // ---- For the step ----
 
-    /// The joints that the user may have changed, in the order of the first change, with what the step
-    /// knows of them, and whether their bodies are to wake.
-    pub(crate) fn take_modified(&mut self) -> Vec<(ImpulseJointHandle, bool)> {
-        let modified = core::mem::take(&mut self.modified);
-        let alive = modified.into_iter().filter_map(|handle| {
-            let link = &mut self.joints.get_mut(handle.0)?.link;
-            link.noted = false;
-            Some((handle, core::mem::take(&mut link.wakes)))
-        });
-        alive.collect()
+    /// The joints that the user may have changed, in the order of the first change, and whether their
+    /// bodies are to wake.
+    pub(crate) fn modified(&self) -> impl Iterator<Item = (ImpulseJointHandle, bool)> {
+        self.modified.iter().filter_map(|&handle| {
+            let entry = self.joints.get(handle.0)?;
+            Some((handle, entry.note.wakes))
+        })
     }
 
-    /// The joints that were removed, in that order, with what the step knew of them, and whether their
-    /// bodies are to wake.
-    pub(crate) fn take_removed(&mut self) -> Vec<(JointLink, bool)> {
-        let removed = core::mem::take(&mut self.removed);
-        removed.into_iter().map(|(_, link)| (link, link.wakes)).collect()
+    /// The joints that were removed, in that order, and whether their bodies are to wake.
+    pub(crate) fn removed(&self) -> impl Iterator<Item = (ImpulseJointHandle, bool)> {
+        self.removed.iter().copied()
+    }
+
+    /// The step has taken in all changes, and found these joints to lack a body.
+    pub(crate) fn settle(&mut self, orphans: &mut Vec<ImpulseJointHandle>) {
+        for handle in orphans.drain(..) {
+            self.remove(handle, false);
+        }
+        self.removed.clear();
+        for handle in core::mem::take(&mut self.modified) {
+            self.refile(handle);
+            if let Some(entry) = self.joints.get_mut(handle.0) {
+                entry.note = Note::default();
+            }
+        }
     }
 
     /// The joints that are filed under a body slot, in the order of insertion.
-    pub(crate) fn handles_of(&self, body_slot: u32) -> &[ImpulseJointHandle] {
+    fn handles_of(&self, body_slot: u32) -> &[ImpulseJointHandle] {
         self.of_body.get(body_slot as usize).map_or(&[], Vec::as_slice)
     }
 
-    /// What the step knows of a joint.
-    pub(crate) fn link(&self, handle: ImpulseJointHandle) -> Option<&JointLink> {
-        self.joints.get(handle.0).map(|entry| &entry.link)
-    }
-
-    /// What the step knows of a joint.
-    pub(crate) fn link_mut(&mut self, handle: ImpulseJointHandle) -> Option<&mut JointLink> {
-        self.joints.get_mut(handle.0).map(|entry| &mut entry.link)
+    /// A joint broke: its bodies learn of it in the next step.
+    pub(crate) fn note_broken(&mut self, handle: ImpulseJointHandle) {
+        let _ = self.get_mut(handle);
     }
 
     /// A joint for the step's own use: leaves no note.
@@ -305,11 +299,11 @@ impl ImpulseJointSet {
     }
 
     /// Files a joint under the bodies that it says it joins.
-    pub(crate) fn refile(&mut self, handle: ImpulseJointHandle) {
+    fn refile(&mut self, handle: ImpulseJointHandle) {
         let Some(entry) = self.joints.get_mut(handle.0) else { return };
-        let (old, new) = (entry.link.bodies, [entry.joint.body1, entry.joint.body2]);
+        let (old, new) = (entry.filed, [entry.joint.body1, entry.joint.body2]);
         if old != new {
-            entry.link.bodies = new;
+            entry.filed = new;
             self.unfile(handle, old);
             self.file(handle, new);
         }
@@ -350,9 +344,9 @@ fn check(
 }
 
 fn note(modified: &mut Vec<ImpulseJointHandle>, handle: ImpulseJointHandle, entry: &mut Entry) {
-    entry.link.wakes = true;
-    if !entry.link.noted {
-        entry.link.noted = true;
+    entry.note.wakes = true;
+    if !entry.note.listed {
+        entry.note.listed = true;
         modified.push(handle);
     }
 }

@@ -18,7 +18,7 @@ mod tests;
 
 pub use handle::{MultibodyIndex, MultibodyJointHandle, MultibodyLinkId};
 pub use joint::MultibodyJoint;
-pub(crate) use joint::angular_axes;
 pub use link::MultibodyLink;
 pub use record::Multibody;
+pub(crate) use set::MultibodyEdits;
 pub use set::MultibodyJointSet;

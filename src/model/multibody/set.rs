@@ -4,9 +4,18 @@ use super::{
     Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyLink, MultibodyLinkId,
 };
 use crate::base::arena::Arena;
-use crate::model::body::RigidBodyHandle;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::joint::{GenericJoint, InvalidJoint};
 use std::collections::BTreeMap;
+
+/// How multibodies changed since the last step. Each comes with whether it wakes.
+#[derive(Debug, Default)]
+pub(crate) struct MultibodyEdits {
+    /// Bodies that lost a joint.
+    pub cut: Vec<(RigidBodyHandle, bool)>,
+    /// The bodies of each multibody that is new or was changed.
+    pub groups: Vec<(Vec<RigidBodyHandle>, bool)>,
+}
 
 /// The joints that make bodies links of articulated wholes, each found by its handle, and these [`Multibody`]s.
 ///
@@ -343,28 +352,32 @@ impl MultibodyJointSet {
         self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
     }
 
-    /// The multibodies whose links or numbers the user may have changed, and whether they wake.
-    pub(crate) fn take_modified(&mut self) -> Vec<(MultibodyIndex, bool)> {
-        core::mem::take(&mut self.modified)
-    }
-
-    /// The bodies that lost a joint, and whether they wake.
-    pub(crate) fn take_cut(&mut self) -> Vec<(RigidBodyHandle, bool)> {
-        core::mem::take(&mut self.cut)
-    }
-
-    /// Has the next step look at the multibody of a body again, if it is a link.
-    pub(crate) fn note(&mut self, body: RigidBodyHandle) {
-        if let Some(place) = self.rigid_body_link(body) {
-            let index = place.multibody;
-            self.modified.push((index, false));
+    /// Removes joints whose bodies are gone, and says how the others changed since the last time.
+    pub(crate) fn settle(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
+        for removed in bodies.removed() {
+            self.remove_joints_attached_to_rigid_body(removed);
         }
+        let mut next = 0;
+        while let Some(&(index, _)) = self.modified.get(next) {
+            let links = self.get_multibody(index).map_or(&[] as &[_], |multibody| &multibody.links);
+            let missing: Vec<_> =
+                links.iter().map(|link| link.body).filter(|&body| !bodies.contains(body)).collect();
+            missing.into_iter().for_each(|body| self.remove_joints_attached_to_rigid_body(body));
+            next += 1;
+        }
+        let modified = core::mem::take(&mut self.modified);
+        let groups = modified.into_iter().filter_map(|(index, wake_up)| {
+            let links = &self.get_multibody(index)?.links;
+            Some((links.iter().map(|link| link.body).collect(), wake_up))
+        });
+        let groups = groups.collect();
+        let mut cut = core::mem::take(&mut self.cut);
+        cut.retain(|&(body, _)| bodies.contains(body));
+        MultibodyEdits { cut, groups }
     }
 
-    /// The bodies of the multibody to which a body belongs; none if it is no link.
-    pub(crate) fn siblings(&self, body: RigidBodyHandle) -> impl Iterator<Item = RigidBodyHandle> {
-        let place = self.rigid_body_link(body);
-        let multibody = place.and_then(|place| self.get_multibody(place.multibody));
-        multibody.into_iter().flat_map(|multibody| &multibody.links).map(|link| link.body)
+    /// Has the next step look at a multibody again.
+    pub(crate) fn note(&mut self, index: MultibodyIndex) {
+        self.modified.push((index, false));
     }
 }

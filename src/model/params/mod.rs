@@ -11,8 +11,8 @@ mod validate;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use pass::ContactPass;
-pub use softness::{CONTACT_SHARE, CONTACT_YIELD, Softness};
+pub(crate) use pass::{ContactPass, JointPass};
+pub use softness::{CONTACT_SHARE, CONTACT_YIELD, JOINT_SHARE, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;
 
@@ -192,6 +192,13 @@ impl IntegrationParameters {
     #[inline]
     pub fn contact_softness(&self, substep: Real) -> Softness {
         Softness::new(CONTACT_SHARE * self.erp, CONTACT_YIELD + self.damping_ratio, substep)
+    }
+
+    /// How a joint is softened in a substep of `substep` seconds, unless it has a softness of its own.
+    #[inline]
+    pub fn joint_softness(&self, substep: Real) -> Softness {
+        let share = (JOINT_SHARE * self.joint_erp).min(1.0);
+        Softness::new(share, self.joint_damping_ratio, substep)
     }
 
     /// [`Self::allowed_linear_error`](#structfield.allowed_linear_error) in the world's own units of length.

@@ -1,4 +1,4 @@
-//! What the solver's passes over contacts are told.
+//! What the solver's passes over contacts and joints are told.
 
 use super::{IntegrationParameters, Softness};
 use crate::dim::math::Real;
@@ -30,6 +30,31 @@ impl ContactPass {
             push_velocity_max: params.max_corrective_velocity(),
             restitution_threshold: params.restitution_velocity_threshold(),
             allowed_error: params.allowed_linear_error(),
+            is_last_visit: true,
+        }
+    }
+}
+
+/// The numbers that every joint constraint of a substep shares.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct JointPass {
+    /// Length of a substep (s).
+    pub substep: Real,
+    /// One over it (1/s).
+    pub inv_substep: Real,
+    /// How joints without a softness of their own are softened.
+    pub softness: Softness,
+    /// Is this the last visit of the constraints in the substep?
+    pub is_last_visit: bool,
+}
+
+impl JointPass {
+    /// For substeps of `substep` seconds.
+    pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
+        Self {
+            substep,
+            inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
+            softness: params.joint_softness(substep),
             is_last_visit: true,
         }
     }

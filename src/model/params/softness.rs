@@ -74,6 +74,10 @@ pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 /// and gives way under heavy tops.
 pub const CONTACT_SHARE: Real = 0.7;
 
+/// The share of a joint's error that a substep removes, in units of
+/// [`joint_erp`](super::IntegrationParameters::joint_erp).
+pub const JOINT_SHARE: Real = 2.0;
+
 /// The three coefficients with which the solver softens a constraint. See the source of this module,
 /// or the fields, for what they do.
 ///
@@ -101,6 +105,12 @@ impl Softness {
         let bias_rate = if substep > 0.0 { share / substep } else { 0.0 };
         let mass_scale = 1.0 / (1.0 + yielding);
         Self { bias_rate, mass_scale, impulse_scale: yielding * mass_scale }
+    }
+
+    /// The yield `σ` from which [`Self::new`] made this.
+    #[inline]
+    pub(crate) fn yields(&self) -> Real {
+        self.impulse_scale / self.mass_scale
     }
 
     /// From the angular frequency `ω` (rad/s) and damping ratio `ζ` (1: critical) of a spring, for

@@ -9,8 +9,12 @@
 //! * A contact pair that touches and is to be solved is attached: its two dynamic bodies share an
 //!   island.
 //! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
-//! * A kinematic body with an awake pair is awake: the solver needs to know where it is.
+//! * A joint that acts is attached like a touching pair, and has a colour under the same condition.
+//! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs to
+//!   know where it is.
 
+mod groups;
+mod joints;
 mod validate;
 
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -178,7 +182,9 @@ impl Structure<'_> {
             }
         }
         for i in 0..count {
-            self.wake_pairs_of(self.islands.island(island).bodies[i]);
+            let handle = self.islands.island(island).bodies[i];
+            self.wake_pairs_of(handle);
+            self.update_joints_of(handle);
         }
     }
 
@@ -209,14 +215,17 @@ impl Structure<'_> {
         }
     }
 
-    /// Does an awake dynamic body's contact pair involve this body?
+    /// Does a contact pair or a joint of an awake dynamic body involve this body?
     pub fn has_awake_partner(&self, handle: RigidBodyHandle) -> bool {
-        (0..self.collider_count(handle)).filter_map(|c| self.collider_slot(handle, c)).any(|slot| {
-            self.narrow_phase.contacts.ids_of(slot).iter().any(|&id| {
-                let dynamic = self.dynamic_slots(self.narrow_phase.contacts.bodies(id));
-                dynamic.into_iter().flatten().any(|slot| self.is_awake(slot))
+        let colliders = 0..self.collider_count(handle);
+        let mut slots = colliders.filter_map(|c| self.collider_slot(handle, c));
+        self.holds_awake_body(handle)
+            || slots.any(|slot| {
+                self.narrow_phase.contacts.ids_of(slot).iter().any(|&id| {
+                    let dynamic = self.dynamic_slots(self.narrow_phase.contacts.bodies(id));
+                    dynamic.into_iter().flatten().any(|slot| self.is_awake(slot))
+                })
             })
-        })
     }
 
     /// Takes an island out of the per-step lists. Its bodies stand still until they are woken.
@@ -229,7 +238,9 @@ impl Structure<'_> {
             self.unlist_sleeper(self.islands.island(island).bodies[i]);
         }
         for i in 0..count {
-            self.sleep_pairs_of(self.islands.island(island).bodies[i]);
+            let handle = self.islands.island(island).bodies[i];
+            self.sleep_pairs_of(handle);
+            self.update_joints_of(handle);
         }
     }
 
@@ -285,9 +296,13 @@ impl Structure<'_> {
         })
     }
 
-    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor.
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. Nothing if a
+    /// joint keeps their bodies apart.
     pub fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
+        if self.islands.joints.part(slots[0], slots[1]) {
+            return;
+        }
         let awake = slots.iter().any(|&slot| self.is_awake(slot));
         let is_sensor = |handle| self.colliders.get(handle).is_some_and(|c| c.is_sensor());
         if is_sensor(collider1) || is_sensor(collider2) {
@@ -555,12 +570,21 @@ impl Structure<'_> {
                 }
                 let [slot1, slot2] = self.narrow_phase.contacts.bodies(id);
                 let other = if slot1 == own { slot2 } else { slot1 };
-                let Some((other, body)) = self.bodies.at_slot(other) else { continue };
-                if body.link.island != NONE && body.link.island_position == NONE {
-                    self.join(other, island);
-                    stack.push(other);
-                }
+                self.join_if_new(other, island, stack);
             }
+        }
+        let mut joined = Vec::new();
+        self.for_each_joined(handle, |other| joined.push(other));
+        for other in joined {
+            self.join_if_new(other, island, stack);
+        }
+    }
+
+    fn join_if_new(&mut self, slot: u32, island: u32, stack: &mut Vec<RigidBodyHandle>) {
+        let Some((handle, body)) = self.bodies.at_slot(slot) else { return };
+        if body.link.island != NONE && body.link.island_position == NONE {
+            self.join(handle, island);
+            stack.push(handle);
         }
     }
 }

@@ -29,6 +29,7 @@ impl Structure<'_> {
             }
         }
         self.validate_pairs();
+        self.validate_joints();
     }
 
     fn validate_pairs(&self) {

@@ -1,6 +1,6 @@
 //! # Events — tell the user
 //!
-//! Reads:   notes of what began and stopped touching, impulses
+//! Reads:   notes of what began and stopped touching and of what broke, impulses
 //! Writes:  nothing but what the user's handler does
 //! Runs:    serial, in the order of the notes and of the awake pairs
 //! Never:   changes the world
@@ -9,20 +9,24 @@ use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{ActiveEvents, Collider, ColliderSet};
 use crate::model::contact::{ContactPair, NarrowPhase};
-use crate::model::event::{CollisionEvent, ContactForceEvent, EventHandler};
+use crate::model::event::{ContactForceEvent, EventHandler};
+use crate::step::notes::StepNotes;
 
 /// Sends all events of a step.
 pub(crate) fn report(
     bodies: &RigidBodySet,
     colliders: &ColliderSet,
     narrow_phase: &NarrowPhase,
-    events: &[CollisionEvent],
+    notes: &StepNotes,
     dt: Real,
     handler: &dyn EventHandler,
 ) {
-    for event in events {
+    for event in &notes.events {
         let pair = narrow_phase.contact_pair(event.collider1(), event.collider2());
         handler.handle_collision_event(bodies, colliders, event, pair);
+    }
+    for event in &notes.broken {
+        handler.handle_joint_break_event(event, bodies);
     }
     if dt <= 0.0 {
         return;

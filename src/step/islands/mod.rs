@@ -18,7 +18,7 @@ use crate::step::notes::{PairChange, StepNotes};
 
 /// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
-    let StepNotes { contacts, intersections, events } = notes;
+    let StepNotes { contacts, intersections, events, .. } = notes;
     for &(id, change) in contacts.iter() {
         follow_contact(structure, id, change, events);
     }
@@ -96,7 +96,7 @@ fn report(
     }
 }
 
-/// A kinematic body that moves keeps everything awake that it touches.
+/// A kinematic body that moves keeps everything awake that it touches or holds.
 fn wake_what_kinematics_move(structure: &mut Structure<'_>) {
     for position in 0..structure.islands.awake.len() {
         let handle = structure.islands.awake[position];
@@ -108,6 +108,7 @@ fn wake_what_kinematics_move(structure: &mut Structure<'_>) {
 }
 
 fn wake_touching(structure: &mut Structure<'_>, kinematic: RigidBodyHandle) {
+    structure.wake_joined(kinematic);
     let Some(body) = structure.bodies.get(kinematic) else { return };
     for index in 0..body.colliders.len() {
         let Some(body) = structure.bodies.get(kinematic) else { return };

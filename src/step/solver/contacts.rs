@@ -285,7 +285,11 @@ fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count:
 }
 
 /// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
-fn for_each_color(colors: &[Range<usize>], tasks: Tasks, work: impl Fn(Range<usize>) + Sync) {
+pub(super) fn for_each_color(
+    colors: &[Range<usize>],
+    tasks: Tasks,
+    work: impl Fn(Range<usize>) + Sync,
+) {
     for color in colors {
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             work(color.start + range.start..color.start + range.end);

@@ -1,7 +1,7 @@
 //! # Solver — make velocities obey
 //!
-//! Reads:   manifolds, the constraint graph, parameters
-//! Writes:  velocities and poses of awake bodies, impulses of manifolds
+//! Reads:   manifolds, joints, the constraint graphs, parameters
+//! Writes:  velocities and poses of awake bodies, impulses of manifolds and joints; breaks joints
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contacts;
+mod joints;
 mod multibodies;
 #[cfg(test)]
 mod tests;
@@ -28,11 +29,14 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
+use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
-use crate::model::params::{ContactPass, IntegrationParameters};
+use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
+use joints::SolverJoints;
 use multibodies::SolverMultibodies;
 
 /// Buffers that are reused from step to step.
@@ -40,6 +44,7 @@ use multibodies::SolverMultibodies;
 pub(crate) struct SolverScratch {
     bodies: SolverBodies,
     contacts: SolverContacts,
+    joints: SolverJoints,
     multibodies: SolverMultibodies,
     simd: Simd,
 }
@@ -51,33 +56,36 @@ impl SolverScratch {
     }
 }
 
-/// What the solver works on.
-pub(crate) struct SolverWorld<'a> {
+/// What the solver reads and writes.
+pub(crate) struct Scene<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
     pub bodies: &'a mut RigidBodySet,
     pub narrow_phase: &'a mut NarrowPhase,
+    pub joints: &'a mut ImpulseJointSet,
+    pub multibodies: &'a mut MultibodyJointSet,
     pub islands: &'a mut IslandManager,
-    pub multibody_joints: &'a mut MultibodyJointSet,
+    /// Gets the joints that break.
+    pub broken: &'a mut Vec<JointBreakEvent>,
 }
 
 /// Solves one step for all awake bodies.
-pub(crate) fn solve(
-    gravity: Vector,
-    params: &IntegrationParameters,
-    world: SolverWorld<'_>,
-    scratch: &mut SolverScratch,
-    counters: &mut SolverCounters,
-) {
-    let SolverWorld { bodies, narrow_phase, islands, multibody_joints } = world;
-    let SolverScratch { bodies: states, contacts, multibodies, simd } = scratch;
+pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
+    let Scene { gravity, params, bodies, narrow_phase, joints: set, islands, broken, .. } = scene;
+    let SolverScratch { bodies: states, contacts, joints, multibodies, simd } = scratch;
     let tasks = Tasks::current();
 
     counters.velocity_assembly_time.resume();
-    multibodies.load(multibody_joints, bodies);
+    multibodies.load(scene.multibodies, bodies);
     let extra = states.load(&islands.awake, bodies, multibodies, gravity, params);
     let substeps = params.num_solver_iterations + extra;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let joint_pass = JointPass::new(params, h);
+    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
+    joints.load(islands, set, bodies, states, &joint_pass);
+    joints.warm_start(states, *simd, tasks);
     multibodies.begin(bodies, gravity, h);
     contacts.load(&islands.graph, narrow_phase, states, multibodies);
     contacts.prepare(states, params, *simd, tasks);
@@ -88,17 +96,21 @@ pub(crate) fn solve(
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
         multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
+        joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
+            joints.solve(states, &joint_pass, *simd, tasks);
             contacts.solve(states, &pass, *simd, tasks);
             multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h);
         multibodies.integrate_positions(h, tasks);
         for _ in 0..params.num_additional_friction_iterations {
+            joints.relax(states, &early_joint_pass, *simd, tasks);
             contacts.relax(states, &early_pass, *simd, tasks);
             multibodies.relax(states, &early_pass, params);
         }
+        joints.relax(states, &joint_pass, *simd, tasks);
         contacts.relax(states, &pass, *simd, tasks);
         multibodies.relax(states, &pass, params);
     }
@@ -108,9 +120,10 @@ pub(crate) fn solve(
 
     counters.velocity_writeback_time.resume();
     contacts.store(&islands.graph, narrow_phase, multibodies);
+    joints.store(islands, set, params.inv_dt(), broken);
     states.store(islands, bodies, multibodies, params);
-    multibodies.store(multibody_joints, narrow_phase, islands, bodies);
+    multibodies.store(scene.multibodies, narrow_phase, islands, bodies);
     counters.velocity_writeback_time.pause();
-    counters.nconstraints = contacts.len();
+    counters.nconstraints = contacts.len() + joints.len();
     counters.ncontacts = contacts.point_count();
 }

@@ -16,6 +16,7 @@ impl Digest<'_> {
         }
         self.wake_touching(handle);
         self.structure.detach_pairs_of(handle);
+        self.structure.detach_joints_of(handle);
         self.structure.unlist_body(handle);
         if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
             body.update_world_mass_properties();
@@ -23,6 +24,8 @@ impl Digest<'_> {
         self.structure.add_body(handle);
         self.inform_colliders(handle);
         self.structure.refresh_pairs_of(handle);
+        self.take_in_joints_of(handle);
+        self.structure.link_group_of(handle);
     }
 
     /// Colliders know the type of their body, and do not take part without it.
@@ -46,13 +49,14 @@ impl Digest<'_> {
         }
     }
 
-    /// Wakes what touches a body: it may no longer be there, or carry, as it did.
+    /// Wakes what touches a body or is joined to it: it may no longer be there, or carry, as it did.
     fn wake_touching(&mut self, handle: RigidBodyHandle) {
         let mut index = 0;
         while let Some(collider) = self.collider_of(handle, index) {
             self.structure.wake_touching(collider.into_raw_parts().0);
             index += 1;
         }
+        self.structure.wake_joined(handle);
     }
 
     fn place_colliders(&mut self, handle: RigidBodyHandle) {
@@ -63,7 +67,11 @@ impl Digest<'_> {
         }
     }
 
-    fn collider_of(&self, handle: RigidBodyHandle, index: usize) -> Option<ColliderHandle> {
+    pub(super) fn collider_of(
+        &self,
+        handle: RigidBodyHandle,
+        index: usize,
+    ) -> Option<ColliderHandle> {
         self.structure.bodies.get(handle)?.colliders.get(index).copied()
     }
 

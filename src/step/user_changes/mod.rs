@@ -1,7 +1,7 @@
 //! # User changes — take in what was edited since the last step
 //!
 //! Reads:   the notes that the sets keep of edits
-//! Writes:  bodies, colliders, trees, pairs, islands
+//! Writes:  bodies, colliders, trees, pairs, islands, what the step knows of joints
 //! Runs:    serial, in the order of the edits
 //! Never:   looks at anything that was not edited, or does not touch what was
 //!
@@ -9,11 +9,15 @@
 
 mod bodies;
 mod colliders;
+mod joints;
+mod multibodies;
 mod removals;
 
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyEdits;
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
@@ -22,6 +26,8 @@ use crate::model::tree::BroadPhaseBvh;
 pub(crate) struct Digest<'a> {
     pub structure: Structure<'a>,
     pub tree: &'a mut BroadPhaseBvh,
+    pub joints: &'a ImpulseJointSet,
+    pub multibodies: MultibodyEdits,
     pub params: &'a IntegrationParameters,
     pub events: &'a mut Vec<CollisionEvent>,
 }
@@ -46,6 +52,8 @@ impl Digest<'_> {
         for handle in reweighed {
             self.reweigh(handle);
         }
+        self.take_in_joints();
+        self.take_in_multibodies();
         self.take_in_sleepers(&bodies);
     }
 

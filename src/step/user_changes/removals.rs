@@ -13,7 +13,8 @@ impl Digest<'_> {
         attached.map(|(handle, _)| handle).collect()
     }
 
-    /// Takes what was removed out of all lists; the colliders of removed bodies go with them.
+    /// Takes what was removed out of all lists; the colliders and joints of
+    /// removed bodies go with them.
     pub(super) fn take_in_removals(&mut self) {
         let removed = self.structure.bodies.take_removed();
         let mut links = Vec::with_capacity(removed.len());
@@ -27,7 +28,12 @@ impl Digest<'_> {
                 }
             }
         }
+        self.take_in_removed_joints();
         self.structure.forget_bodies(&mut links);
+        for (handle, _) in links {
+            self.structure.remove_joints_of(handle);
+            self.structure.islands.groups.leave(handle.into_raw_parts().0);
+        }
         for removed in self.structure.colliders.take_removed() {
             self.remove_pairs_of(removed.handle, removed.wake_up, CollisionEventFlags::REMOVED);
             self.tree.remove_slot(removed.handle.into_raw_parts().0);

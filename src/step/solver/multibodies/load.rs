@@ -3,7 +3,7 @@
 use super::{LinkPlace, Moving, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
-use crate::model::body::RigidBodySet;
+use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::island::NONE;
 use crate::model::joint::{JointMotor, MotorModel};
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJointSet};
@@ -18,12 +18,15 @@ impl SolverMultibodies {
         }
         for position in 0..set.index_bound() {
             let Some(index) = set.index_at(position) else { continue };
-            match set.get_unnoted_mut(index) {
-                Some(multibody) if is_awake(multibody, bodies) => {
-                    let multibody = core::mem::take(multibody);
-                    self.take_in(index, multibody, bodies);
-                }
-                _ => {}
+            let Some(multibody) = set.get_unnoted_mut(index) else { continue };
+            if !is_awake(multibody, bodies) {
+                continue;
+            }
+            if acts(multibody, bodies) {
+                let multibody = core::mem::take(multibody);
+                self.take_in(index, multibody, bodies);
+            } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
+                set.note(index);
             }
         }
     }
@@ -71,14 +74,18 @@ impl SolverMultibodies {
     }
 }
 
-/// Does the multibody act in this step?
+/// Is one of its links awake?
 fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
-    let moved = |body: &crate::model::body::RigidBody| body.is_dynamic() && body.link.awake != NONE;
-    multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moved))
-        && multibody.acts(|body| {
-            let body = bodies.get(body).filter(|body| body.is_enabled())?;
-            Some(body.is_dynamic())
-        })
+    let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
+    multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moves))
+}
+
+/// Does the multibody act?
+fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
+    multibody.acts(|body| {
+        let body = bodies.get(body).filter(|body| body.is_enabled())?;
+        Some(body.is_dynamic())
+    })
 }
 
 impl Moving {

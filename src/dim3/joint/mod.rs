@@ -1,0 +1,37 @@
+//! # Joint frames in 3D
+//!
+//! What a joint needs to know of rotations, lane by lane and for one joint at a time. Let `q1, q2` be the
+//! world rotations of the joint's frames on its bodies, and `q = q1* q2 = (v, w)` the second one seen
+//! from the first.
+//!
+//! ## Locked rotations
+//! The error about axis `k` is `C_k = 2 v_k`: the angle, for small ones. With the relative angular
+//! velocity `ω` in the first frame, `2 q̇ = ω q`, so
+//!
+//! ```text
+//! Ċ = w ω + ω × v,        rows   (w, v₃, -v₂)   (-v₃, w, v₁)   (v₂, -v₁, w)
+//! ```
+//!
+//! If two rotations are locked, `q` is a turn about the third axis, `w² + v₃² = 1`, and the two rows are
+//! unit vectors at right angles however far the joint has turned: nothing happens at half a turn.
+//!
+//! ## Free rotations
+//! A free axis has an angle, and a direction along which the relative angular velocity changes it. Let
+//! `e` be the axis and `f = q e` where the second body has taken it.
+//!
+//! * *Twist* about `e`: `2 atan2(v·e, w)`. The bodies share it fairly: the direction is `(e + f)/(1 + e·f)`.
+//! * *Swing* of `e` in any direction: the angle between `e` and `f`, about `e × f`.
+//! * *Swing about another axis*: where the projection of `f` points in the plane across that axis. For
+//!   `Y`: `s = -f₃`, `c = f₁`, the angle `atan2(s, c)` and the direction its gradient.
+//!
+//! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
+//! the chain rule.
+
+mod angle;
+mod frame;
+
+pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use frame::{
+    angular_to_frame, angular_to_world, axes, components, from_components, linear_to_world,
+    locked_rotations, turned_frame, turned_lever,
+};

@@ -1,0 +1,99 @@
+//! What the step knows of joints: who holds whom, and in which colour.
+//!
+//! The set of joints is the user's; this table says what the step has taken in of it. It changes where
+//! islands change, and only there.
+
+use super::ImpulseJointHandle;
+use crate::model::body::RigidBodyHandle;
+use crate::model::constraint_graph::ColorSlot;
+
+/// What the step knows of one joint.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct JointLink {
+    /// The joint.
+    pub handle: ImpulseJointHandle,
+    /// The two bodies.
+    pub bodies: [RigidBodyHandle; 2],
+    /// Does the joint act, and can it move one of the bodies?
+    pub attached: bool,
+    /// Where it stands in the constraint graph.
+    pub slot: Option<ColorSlot>,
+    /// Does it keep the bodies' colliders from touching each other?
+    pub parts_bodies: bool,
+}
+
+impl JointLink {
+    /// The slots of the two bodies.
+    pub fn body_slots(&self) -> [u32; 2] {
+        self.bodies.map(|body| body.into_raw_parts().0)
+    }
+}
+
+/// All joints that the step has taken in.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct JointLinks {
+    /// By joint slot.
+    links: Vec<Option<JointLink>>,
+    /// By body slot: the slots of its joints, in the order in which they were taken in.
+    of_body: Vec<Vec<u32>>,
+    /// Joints without one of their bodies, to be removed from their set.
+    pub orphans: Vec<ImpulseJointHandle>,
+}
+
+impl JointLinks {
+    /// The joint in a slot.
+    pub fn get(&self, slot: u32) -> Option<&JointLink> {
+        self.links.get(slot as usize)?.as_ref()
+    }
+
+    /// The joint in a slot.
+    pub fn get_mut(&mut self, slot: u32) -> Option<&mut JointLink> {
+        self.links.get_mut(slot as usize)?.as_mut()
+    }
+
+    /// The slots of the joints of a body.
+    pub fn of_body(&self, body_slot: u32) -> &[u32] {
+        self.of_body.get(body_slot as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// All joints in the order of their slots.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, &JointLink)> {
+        let links = self.links.iter().enumerate();
+        links.filter_map(|(slot, link)| Some((slot as u32, link.as_ref()?)))
+    }
+
+    /// Takes in a joint whose slot is empty.
+    pub fn insert(&mut self, link: JointLink) {
+        let slot = link.handle.into_raw_parts().0;
+        if slot as usize >= self.links.len() {
+            self.links.resize(slot as usize + 1, None);
+        }
+        debug_assert!(self.links[slot as usize].is_none());
+        for body in link.body_slots() {
+            if body as usize >= self.of_body.len() {
+                self.of_body.resize(body as usize + 1, Vec::new());
+            }
+            self.of_body[body as usize].push(slot);
+        }
+        self.links[slot as usize] = Some(link);
+    }
+
+    /// Forgets a joint, which must have no colour.
+    pub fn remove(&mut self, slot: u32) {
+        let Some(link) = self.links[slot as usize].take() else { return };
+        debug_assert!(link.slot.is_none());
+        for body in link.body_slots() {
+            self.of_body[body as usize].retain(|&other| other != slot);
+        }
+    }
+
+    /// Does a joint keep the colliders of these two bodies from touching each other?
+    pub fn part(&self, body_slot1: u32, body_slot2: u32) -> bool {
+        self.of_body(body_slot1).iter().any(|&slot| {
+            self.get(slot)
+                .is_some_and(|link| link.parts_bodies && link.body_slots().contains(&body_slot2))
+        })
+    }
+}

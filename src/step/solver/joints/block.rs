@@ -1,0 +1,184 @@
+//! The memory of joint constraints.
+
+use crate::base::wide::{LANES, Lane};
+use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
+use crate::dim::state::READ_ONLY;
+use crate::dim::wide::{
+    ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane,
+    set_ang_lane,
+};
+
+/// What stands for "no limit": far beyond every length, and still a number to calculate with.
+pub(super) const UNLIMITED: Real = 1.0e30;
+
+/// An impulse on the second body at `p`, and the moments that it and the couples give each body about
+/// its centre of mass. The first body gets the opposites.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Wrench<W> {
+    pub linear: WideVector<W>,
+    pub angular: [WideAngVector<W>; 2],
+}
+
+/// [`LANES`] joints of one colour: where they are, and their locked axes.
+#[derive(Clone, Debug)]
+pub(super) struct JointBlock {
+    pub bodies: [[u32; LANES]; 2],
+    pub inv_mass: [WideVector<Lane>; 2],
+    pub inv_inertia: [WideSymmetric<Lane>; 2],
+    /// From the centres of mass to the anchors when the step began.
+    pub levers: [WideVector<Lane>; 2],
+    /// From the first anchor to the second when the step began.
+    pub separation: WideVector<Lane>,
+    /// The joint's frames when the step began, in world space.
+    pub frames: [WideRotation<Lane>; 2],
+    /// One for locked axes, zero for free ones.
+    pub locked: [Lane; SPATIAL_DIM],
+    /// One where the locked axes are solved in sweeps, zero where they are solved exactly.
+    pub swept: Lane,
+    /// Velocity per unit of error (1/s).
+    pub bias_rate: Lane,
+    /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
+    pub is_spring: Lane,
+    /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
+    pub yields: Lane,
+    /// The bias of the errors when the substep began.
+    pub held_bias: [Lane; SPATIAL_DIM],
+    /// Impulses of this substep on the locked axes.
+    pub impulses: [Lane; SPATIAL_DIM],
+    /// The couple of the angular impulses, in the first frame: in when the step starts, out when it ends.
+    pub couple: WideAngVector<Lane>,
+    /// What the impulses of all rows have done to the bodies in this substep.
+    pub applied: Wrench<Lane>,
+    /// Sums over all substeps: the impulse, and its moment about `p`.
+    pub total_impulse: WideVector<Lane>,
+    pub total_moment: WideAngVector<Lane>,
+    /// Where the block's rows of free axes stand.
+    pub first_row: usize,
+    pub row_count: usize,
+    /// Is any lane solved exactly?
+    pub has_exact: bool,
+}
+
+impl JointBlock {
+    /// No joint in any lane.
+    pub const EMPTY: Self = {
+        let (zero, vector) = (Lane::ZERO, WideVector::ZERO);
+        Self {
+            bodies: [[READ_ONLY; LANES]; 2],
+            inv_mass: [vector; 2],
+            inv_inertia: [ZERO_INERTIA; 2],
+            levers: [vector; 2],
+            separation: vector,
+            frames: [WideRotation::IDENTITY; 2],
+            locked: [zero; SPATIAL_DIM],
+            swept: zero,
+            bias_rate: zero,
+            is_spring: zero,
+            yields: zero,
+            held_bias: [zero; SPATIAL_DIM],
+            impulses: [zero; SPATIAL_DIM],
+            couple: ANG_ZERO_LANES,
+            applied: Wrench { linear: vector, angular: [ANG_ZERO_LANES; 2] },
+            total_impulse: vector,
+            total_moment: ANG_ZERO_LANES,
+            first_row: 0,
+            row_count: 0,
+            has_exact: false,
+        }
+    };
+
+    /// Leaves the locked axes of a lane to the exact solution, with this yield unless they are springs.
+    pub fn solve_exactly(&mut self, lane: usize, yields: Real) {
+        self.swept.0[lane] = 0.0;
+        self.has_exact = true;
+        if self.is_spring.0[lane] == 0.0 {
+            self.yields.0[lane] = yields;
+        }
+    }
+
+    /// Scales the impulses with which the next substep starts.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.impulses.iter_mut().for_each(|impulse| scale(impulse, factor));
+        let Wrench { linear, angular } = &mut self.applied;
+        for lane in 0..LANES {
+            linear.set_lane(lane, linear.lane(lane) * factor);
+            for moment in &mut *angular {
+                set_ang_lane(moment, lane, ang_lane(moment, lane) * factor);
+            }
+        }
+    }
+}
+
+/// One free axis of each lane's joint, with its motor and its limits.
+///
+/// An axis of translation has a direction in the first frame, or (`coupled`) is the distance within some of
+/// the frame's axes. An axis of rotation has an angular direction, and an angle when the step began.
+#[derive(Clone, Debug)]
+pub(super) struct AxisRow {
+    pub linear: WideVector<Lane>,
+    pub coupled: [Lane; DIM],
+    pub angular: WideAngVector<Lane>,
+    pub angle: Lane,
+    pub motor: MotorRow,
+    pub min: Lane,
+    pub max: Lane,
+    /// Impulses of this substep at the lower and at the upper limit: both positive.
+    pub lower: Lane,
+    pub upper: Lane,
+}
+
+/// The motor of an [`AxisRow`].
+#[derive(Clone, Debug)]
+pub(super) struct MotorRow {
+    pub stiffness: Lane,
+    pub damping: Lane,
+    /// One if these are accelerations, zero if they are forces.
+    pub per_mass: Lane,
+    pub target_pos: Lane,
+    pub target_vel: Lane,
+    /// Largest impulse of a substep.
+    pub max_impulse: Lane,
+    pub impulse: Lane,
+    /// How far the spring was from its target when the substep began.
+    pub stretch: Lane,
+}
+
+impl AxisRow {
+    /// No axis in any lane.
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        Self {
+            linear: WideVector::ZERO,
+            coupled: [zero; DIM],
+            angular: ANG_ZERO_LANES,
+            angle: zero,
+            motor: MotorRow {
+                stiffness: zero,
+                damping: zero,
+                per_mass: zero,
+                target_pos: zero,
+                target_vel: zero,
+                max_impulse: zero,
+                impulse: zero,
+                stretch: zero,
+            },
+            min: Lane::splat(-UNLIMITED),
+            max: Lane::splat(UNLIMITED),
+            lower: zero,
+            upper: zero,
+        }
+    };
+
+    /// Scales the impulses with which the next substep starts.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        for impulse in [&mut self.motor.impulse, &mut self.lower, &mut self.upper] {
+            scale(impulse, factor);
+        }
+    }
+}
+
+fn scale(lane: &mut Lane, factor: Real) {
+    lane.0.iter_mut().for_each(|value| *value *= factor);
+}
+
+const _: () = assert!(ANG_DIM + DIM == SPATIAL_DIM);

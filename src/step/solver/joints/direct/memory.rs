@@ -1,0 +1,133 @@
+//! The rows of a block of joints, between the lanes that make them and the factorisation that reads them.
+
+use super::super::block::{JointBlock, Wrench};
+use super::super::geometry::Geometry;
+use super::super::passes::{Bodies, Locked, add_bias, add_held_bias, store_couple, yields_of};
+use super::super::rows::{Masses, Row};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Lane, Wide};
+use crate::dim::joint::{components, from_components};
+use crate::dim::math::{DIM, SPATIAL_DIM};
+use crate::dim::state::BodyState;
+use crate::dim::wide::{WideVector, load_ang, store_ang};
+use crate::model::params::JointPass;
+
+/// The locked axes of a block's joints at one moment.
+#[derive(Clone, Debug)]
+pub(in super::super) struct RowMemory {
+    /// By axis and body: the row `J`, with the sign of that body.
+    pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
+    /// The same of `M⁻¹ Jᵀ`: velocities per unit of impulse.
+    pub responses: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
+    /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
+    pub rates: [Lane; SPATIAL_DIM],
+    pub impulses: [Lane; SPATIAL_DIM],
+    pub yields: Lane,
+    /// Out: by how much the impulses change.
+    pub changes: [Lane; SPATIAL_DIM],
+}
+
+impl RowMemory {
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        Self {
+            rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
+            responses: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
+            rates: [zero; SPATIAL_DIM],
+            impulses: [zero; SPATIAL_DIM],
+            yields: zero,
+            changes: [zero; SPATIAL_DIM],
+        }
+    };
+}
+
+/// Writes down the rows of a block as its bodies stand and move now.
+///
+/// # Safety
+/// Nobody may write the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
+    block: &mut JointBlock,
+    memory: &mut RowMemory,
+    states: &DisjointMut<BodyState>,
+    pass: &JointPass,
+) {
+    // SAFETY: the caller's promise.
+    let bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let geometry = Geometry::new(block, &bodies.displacements);
+    let masses = Masses::load(block);
+    let Locked { rows, .. } = Locked::new(block, &geometry);
+    let mut rates = [W::zero(); SPATIAL_DIM];
+    for (rate, row) in rates.iter_mut().zip(&rows) {
+        *rate = row.rate(&bodies.velocities);
+    }
+    if AHEAD {
+        add_bias(&mut rates, block, &geometry, &bodies, pass);
+    } else {
+        add_held_bias(&mut rates, block);
+    }
+    for k in 0..SPATIAL_DIM {
+        rates[k].store(&mut memory.rates[k]);
+        W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
+        memory.changes[k] = Lane::ZERO;
+        let both = masses.both_responses(&rows[k]);
+        for side in 0..2 {
+            let linear = if side == 0 { -rows[k].linear } else { rows[k].linear };
+            let angular = if side == 0 { -rows[k].angular[0] } else { rows[k].angular[1] };
+            store_all(components(linear, angular), &mut memory.rows[k][side]);
+            store_all(
+                components(both[side].linear, both[side].angular),
+                &mut memory.responses[k][side],
+            );
+        }
+    }
+    yields_of::<W, AHEAD>(block).store(&mut memory.yields);
+}
+
+#[inline(always)]
+fn store_all<W: Wide>(values: [W; SPATIAL_DIM], to: &mut [Lane; SPATIAL_DIM]) {
+    for (value, lane) in values.into_iter().zip(to) {
+        value.store(lane);
+    }
+}
+
+#[inline(always)]
+fn load_all<W: Wide>(from: &[Lane; SPATIAL_DIM]) -> [W; SPATIAL_DIM] {
+    let mut values = [W::zero(); SPATIAL_DIM];
+    for (value, lane) in values.iter_mut().zip(from) {
+        *value = W::load(lane);
+    }
+    values
+}
+
+/// Takes the changes of the impulses into the block. The bodies have them already.
+#[inline(always)]
+pub(in super::super) fn finish<W: Wide>(
+    block: &mut JointBlock,
+    memory: &RowMemory,
+    is_last_of_substep: bool,
+) {
+    let mut added = Wrench::<W>::zero();
+    let mut moment = load_ang::<W>(&block.total_moment);
+    let mut rows = [Row::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        let [(_, first), (linear, second)] = [
+            from_components(load_all(&memory.rows[k][0])),
+            from_components(load_all(&memory.rows[k][1])),
+        ];
+        rows[k] = Row { linear, angular: [-first, second] };
+        let change = W::load(&memory.changes[k]);
+        (W::load(&block.impulses[k]) + change).store(&mut block.impulses[k]);
+        added.add(&rows[k], change);
+        if k >= DIM {
+            moment = moment + second * change;
+        }
+    }
+    Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
+    if is_last_of_substep {
+        store_ang(moment, &mut block.total_moment);
+        let total = WideVector::load(&block.total_impulse) + added.linear;
+        total.store(&mut block.total_impulse);
+        store_couple(block, &rows);
+    }
+}

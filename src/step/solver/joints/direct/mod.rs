@@ -1,0 +1,84 @@
+//! Joints that hold each other, solved together and exactly.
+//!
+//! Sweeping over the joints of a chain carries a force from one end to the other by a link or two per sweep.
+//! A long chain, or a light one with something heavy at its end, is far from done when the substep is. So the
+//! locked axes of all joints that are connected through bodies are one system of linear equations,
+//!
+//! ```text
+//! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
+//! ```
+//!
+//! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. A
+//! block stands where two joints share a body that can move. Joints are eliminated from the leaves to the root of
+//! a breadth-first search: a tree then gets no blocks beyond these (Baraff, "Linear-time dynamics using Lagrange
+//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more. What would
+//! get too many (a net, a cloth of joints) is left to the sweeps.
+//!
+//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
+//! held already gets no impulse.
+//!
+//! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
+
+mod factor;
+mod memory;
+mod pattern;
+
+pub(super) use memory::{RowMemory, finish, write_rows};
+pub(super) use pattern::Member;
+
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::dim::state::BodyState;
+use factor::Factor;
+use pattern::Pattern;
+
+/// Components of connected joints, and their matrices.
+#[derive(Default)]
+pub(super) struct Direct {
+    pattern: Pattern,
+    /// One per component; some may be left over from larger steps.
+    factors: Vec<Factor>,
+}
+
+impl Direct {
+    /// Finds out which joints are connected, and in which order to eliminate them. Returns the joints that
+    /// are to be solved here.
+    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) -> &[Member] {
+        self.pattern.build(members, body_count);
+        let count = self.pattern.component_count();
+        if self.factors.len() < count {
+            self.factors.resize_with(count, Factor::default);
+        }
+        self.pattern.members()
+    }
+
+    /// Is there nothing to do?
+    pub fn is_empty(&self) -> bool {
+        self.pattern.component_count() == 0
+    }
+
+    /// Solves all components: gives the rows their change of impulse, and the bodies what it does to them.
+    pub fn solve(
+        &mut self,
+        rows: &mut [RowMemory],
+        states: DisjointMut<'_, BodyState>,
+        tasks: Tasks,
+    ) {
+        let count = self.pattern.component_count();
+        let pattern = &self.pattern;
+        let factors = DisjointMut::new(&mut self.factors);
+        let read = &*rows;
+        tasks.par_for(count, 1, |range| {
+            for index in range {
+                // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
+                // task.
+                unsafe {
+                    factors.get_mut(index).solve(pattern.component(index), read, &states);
+                }
+            }
+        });
+        for index in 0..count {
+            self.factors[index].write_changes(self.pattern.component(index), rows);
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Which joints are connected, in which order they are eliminated, and where blocks stand.
+
+use crate::dim::state::READ_ONLY;
+use core::ops::Range;
+
+/// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
+/// cheaper.
+const COLUMN_MAX: usize = 24;
+const MEAN_MAX: usize = 6;
+
+/// A joint as the factorisation knows it.
+#[derive(Copy, Clone, Debug)]
+pub(in super::super) struct Member {
+    /// The joint's slot in its set: the order of members must not depend on other islands.
+    pub slot: u32,
+    /// Where its rows are.
+    pub block: u32,
+    pub lane: u32,
+    /// Solver indices of its bodies.
+    pub bodies: [u32; 2],
+    /// The locked axes, one bit each.
+    pub locked: u8,
+}
+
+impl Member {
+    /// The bodies that can move, with their sides.
+    pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
+        self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
+    }
+
+    /// Number of rows.
+    pub fn row_count(&self) -> usize {
+        self.locked.count_ones() as usize
+    }
+}
+
+/// The structure of all components.
+#[derive(Default)]
+pub(super) struct Pattern {
+    /// In the order of elimination; those of one component together.
+    members: Vec<Member>,
+    components: Vec<Range<usize>>,
+    /// By member: the later members of its component in whose rows its column has a block, ascending.
+    columns: Vec<Vec<u32>>,
+    search: Search,
+}
+
+/// One component.
+#[derive(Copy, Clone)]
+pub(super) struct Component<'a> {
+    pub members: &'a [Member],
+    /// Positions within the component.
+    pub columns: &'a [Vec<u32>],
+}
+
+/// Buffers of the search.
+#[derive(Default)]
+struct Search {
+    /// By body: its joints, as indices into the members.
+    first: Vec<u32>,
+    of_body: Vec<u32>,
+    visited: Vec<bool>,
+    order: Vec<u32>,
+    /// By member: its position in its component.
+    position: Vec<u32>,
+}
+
+impl Pattern {
+    pub fn component_count(&self) -> usize {
+        self.components.len()
+    }
+
+    pub fn members(&self) -> &[Member] {
+        &self.members
+    }
+
+    pub fn component(&self, index: usize) -> Component<'_> {
+        let range = self.components[index].clone();
+        Component { members: &self.members[range.clone()], columns: &self.columns[range] }
+    }
+
+    /// Orders all members that are worth it.
+    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) {
+        members.retain(|member| member.locked != 0);
+        members.sort_unstable_by_key(|member| member.slot);
+        self.members.clear();
+        self.components.clear();
+        self.search.start(members, body_count);
+        for root in 0..members.len() {
+            if self.search.visited[root] {
+                continue;
+            }
+            self.search.collect(root, members);
+            self.add_component(members);
+        }
+    }
+
+    /// Adds the component that the search has just collected.
+    fn add_component(&mut self, members: &[Member]) {
+        let start = self.members.len();
+        // The last ones found are the leaves.
+        for (position, &index) in self.search.order.iter().rev().enumerate() {
+            self.search.position[index as usize] = position as u32;
+            self.members.push(members[index as usize]);
+        }
+        let count = self.members.len() - start;
+        while self.columns.len() < self.members.len() {
+            self.columns.push(Vec::new());
+        }
+        let columns = &mut self.columns[start..start + count];
+        columns.iter_mut().for_each(Vec::clear);
+        let (search, members_here) = (&self.search, &self.members[start..]);
+        let neighbours = |at: usize, column: &mut Vec<u32>| {
+            for (_, body) in members_here[at].movable() {
+                let others = search.joints_of(body).iter();
+                column.extend(others.map(|&other| search.position[other as usize]));
+            }
+        };
+        if fill(columns, neighbours) {
+            self.components.push(start..start + count);
+        } else {
+            self.members.truncate(start);
+        }
+    }
+}
+
+impl Search {
+    fn start(&mut self, members: &[Member], body_count: usize) {
+        self.first.clear();
+        self.first.resize(body_count + 1, 0);
+        for (_, body) in members.iter().flat_map(Member::movable) {
+            self.first[body as usize + 1] += 1;
+        }
+        for body in 0..body_count {
+            self.first[body + 1] += self.first[body];
+        }
+        self.of_body.clear();
+        self.of_body.resize(self.first[body_count] as usize, 0);
+        let mut next = self.first.clone();
+        for (index, member) in members.iter().enumerate() {
+            for (_, body) in member.movable() {
+                self.of_body[next[body as usize] as usize] = index as u32;
+                next[body as usize] += 1;
+            }
+        }
+        self.visited.clear();
+        self.visited.resize(members.len(), false);
+        self.position.clear();
+        self.position.resize(members.len(), 0);
+    }
+
+    fn joints_of(&self, body: u32) -> &[u32] {
+        let body = body as usize;
+        &self.of_body[self.first[body] as usize..self.first[body + 1] as usize]
+    }
+
+    /// Breadth first from a member: all that are connected to it.
+    fn collect(&mut self, root: usize, members: &[Member]) {
+        self.order.clear();
+        self.order.push(root as u32);
+        self.visited[root] = true;
+        let mut next = 0;
+        while let Some(&index) = self.order.get(next) {
+            next += 1;
+            for (_, body) in members[index as usize].movable() {
+                let range = self.first[body as usize]..self.first[body as usize + 1];
+                for k in range {
+                    let other = self.of_body[k as usize];
+                    if !core::mem::replace(&mut self.visited[other as usize], true) {
+                        self.order.push(other);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Finds the blocks of each column, those that elimination adds among them. No if there are too many.
+///
+/// A column's blocks reach the column of the first of them when it is eliminated (George and Liu, "Computer
+/// Solution of Large Sparse Positive Definite Systems", 1981).
+fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>)) -> bool {
+    let (mut total, bound) = (0, MEAN_MAX * columns.len());
+    for at in 0..columns.len() {
+        let mut column = core::mem::take(&mut columns[at]);
+        neighbours(at, &mut column);
+        column.retain(|&row| row as usize > at);
+        column.sort_unstable();
+        column.dedup();
+        total += column.len();
+        if column.len() > COLUMN_MAX || total > bound {
+            return false;
+        }
+        if let [parent, rest @ ..] = column.as_slice() {
+            columns[*parent as usize].extend_from_slice(rest);
+        }
+        columns[at] = column;
+    }
+    true
+}

@@ -1,0 +1,123 @@
+//! How the joints of a block stand at a moment of the step.
+
+use super::block::{AxisRow, JointBlock};
+use super::rows::Row;
+use crate::base::wide::Wide;
+use crate::dim::joint::{
+    angular_to_world, axes, linear_to_world, locked_rotations, turned_frame, turned_lever,
+};
+use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim::state::WideMotion;
+use crate::dim::wide::{WideAngVector, WideRotation, WideVector, ang_dot, load_ang, torque};
+
+/// Frames and levers of a block's joints after the bodies have moved.
+pub(super) struct Geometry<W> {
+    /// Axes of the first frame.
+    pub axes: [WideVector<W>; DIM],
+    /// From each centre of mass to the second anchor.
+    pub levers: [WideVector<W>; 2],
+    /// From anchor to anchor, along the axes.
+    pub separation: [W; DIM],
+    /// Errors about the axes if they were locked, and the directions that change them.
+    pub errors: [W; ANG_DIM],
+    pub directions: [WideAngVector<W>; ANG_DIM],
+    /// By how much the second body has turned more than the first since the step began.
+    pub turn: WideAngVector<W>,
+}
+
+impl<W: Wide> Geometry<W> {
+    /// After these displacements since the step began.
+    #[inline(always)]
+    pub fn new(block: &JointBlock, displacements: &[WideMotion<W>; 2]) -> Self {
+        let [d1, d2] = displacements;
+        let old1 = WideVector::load(&block.levers[0]);
+        let old2 = WideVector::load(&block.levers[1]);
+        let (lever1, lever2) = (turned_lever(old1, d1.angular), turned_lever(old2, d2.angular));
+        let separation = WideVector::load(&block.separation)
+            + (d2.linear - d1.linear)
+            + ((lever2 - old2) - (lever1 - old1));
+        let frame1 = turned_frame(WideRotation::load(&block.frames[0]), d1.angular);
+        let frame2 = turned_frame(WideRotation::load(&block.frames[1]), d2.angular);
+        let axes = axes(frame1);
+        let (errors, directions) = locked_rotations(frame1, frame2, &axes);
+        let mut along = [W::zero(); DIM];
+        for (along, axis) in along.iter_mut().zip(&axes) {
+            *along = axis.dot(separation);
+        }
+        Self {
+            axes,
+            levers: [lever1 + separation, lever2],
+            separation: along,
+            errors,
+            directions,
+            turn: d2.angular - d1.angular,
+        }
+    }
+
+    /// The errors of all axes if they were locked.
+    #[inline(always)]
+    pub fn errors(&self) -> [W; SPATIAL_DIM] {
+        let mut errors = [W::zero(); SPATIAL_DIM];
+        errors[..DIM].copy_from_slice(&self.separation);
+        errors[DIM..].copy_from_slice(&self.errors);
+        errors
+    }
+
+    /// The rows of all axes if they were locked.
+    #[inline(always)]
+    pub fn rows(&self) -> [Row<W>; SPATIAL_DIM] {
+        let mut rows = [Row::zero(); SPATIAL_DIM];
+        for (row, &axis) in rows.iter_mut().zip(&self.axes) {
+            *row = self.row_along(axis);
+        }
+        for (row, &direction) in rows[DIM..].iter_mut().zip(&self.directions) {
+            row.angular = [direction; 2];
+        }
+        rows
+    }
+
+    /// The row of a translation along a direction that turns with the first body.
+    #[inline(always)]
+    fn row_along(&self, direction: WideVector<W>) -> Row<W> {
+        let [lever1, lever2] = self.levers;
+        Row { linear: direction, angular: [torque(lever1, direction), torque(lever2, direction)] }
+    }
+
+    /// The row and the position of a free axis.
+    #[inline(always)]
+    pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
+        let (direction, distance) = self.translation(row);
+        let mut along = self.row_along(direction);
+        let about = angular_to_world(&self.axes, load_ang::<W>(&row.angular));
+        along.angular = [along.angular[0] + about, along.angular[1] + about];
+        (along, distance + W::load(&row.angle) + ang_dot(about, self.turn))
+    }
+
+    /// The direction of an axis of translation, and how far the joint is along it.
+    #[inline(always)]
+    fn translation(&self, row: &AxisRow) -> (WideVector<W>, W) {
+        let single = WideVector::load(&row.linear);
+        let (mut squares, mut towards) = (W::zero(), WideVector::zero());
+        for k in 0..DIM {
+            let along = self.separation[k] * W::load(&row.coupled[k]);
+            squares = squares + along * along;
+            towards = towards + self.axes[k] * along;
+        }
+        let single = linear_to_world(&self.axes, single);
+        let position = single.dot(self.separation_vector());
+        let coupled = W::splat(1.0e-30).lt(squares);
+        let length = W::select(coupled, squares, W::splat(1.0)).sqrt();
+        let unit = towards * (W::splat(1.0) / length);
+        // Where the anchors coincide, every direction is as good: the first axis.
+        (WideVector::select(coupled, unit, single), W::select(coupled, length, position))
+    }
+
+    #[inline(always)]
+    fn separation_vector(&self) -> WideVector<W> {
+        let mut sum = WideVector::zero();
+        for (&axis, &along) in self.axes.iter().zip(&self.separation) {
+            sum = sum + axis * along;
+        }
+        sum
+    }
+}

@@ -1,0 +1,360 @@
+//! Joint constraints: from joints to lane-wide blocks, through the passes, and back.
+//!
+//! One constraint is one joint. Its *locked* axes are equations that are solved together; each *free* axis
+//! with limits or a motor is an [`AxisRow`]. All rows act at the second body's anchor `p`, which keeps the
+//! angular momentum whether or not the anchors coincide. With `d = p - p1` from anchor to anchor, the levers
+//! `L2 = p - x2`, `L1 = p - x1` and a direction `e` that turns with the first body,
+//!
+//! ```text
+//! C = e·d        Ċ = e·(v2 + ω2 × L2 - v1 - ω1 × L1)
+//! ```
+//!
+//! Rows of rotations stand in `dimN/joint/`.
+//!
+//! ## Where the bodies will be
+//! A joint's directions turn with its bodies, and within a step by much: levers, axes and errors are
+//! taken from the bodies' poses of the moment in every pass. That is not enough. A velocity that obeys
+//! `Ċ = 0` moves along a tangent and leaves the circle; pulling the body back costs energy, a share
+//! `ω² h` of it per second. So the solve pass looks ahead: it asks for the velocity that leads to
+//! `C = 0` at the *end* of the substep. With the present velocities the substep would end at
+//! `C' = C(x + h v)`; of that, `h Ċ` will change with the velocity and the rest, `C' - C - h Ċ`, is the
+//! curvature of the constraint:
+//!
+//! ```text
+//! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
+//! ```
+//!
+//! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE
+//! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983) with one iteration per
+//! substep: symplectic, so a pendulum keeps its energy.
+//!
+//! ## Warm starting
+//! Bodies start a substep with what the last one's impulses did to them. A joint's rows have turned since, so
+//! each block remembers the impulse and the moments it has given its bodies (`applied`), and the solve pass
+//! begins with what the same impulses along the turned rows make of it. The relax pass must not: what pushed
+//! the bodies onto their chord stays as it was, and only what it adds itself acts along the rows of its own
+//! place. (Turned there too, impulses would do no more than project the old velocity: that is the method
+//! which loses `ω² h`.)
+//!
+//! ## Exactly or in sweeps
+//! The locked axes of connected joints are solved together (`direct/`), those of nets with too many loops in
+//! sweeps over the colours, with some yield. Motors and limits are always swept.
+//!
+//! ## Order
+//! All joints are solved before all contacts, colour by colour. Whoever is solved last is obeyed best, and
+//! bodies that overlap are worse than joints that give way: contacts vanish when they are not held, joints
+//! come back. Within a joint, motors yield to limits and these to locked axes.
+//!
+//! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
+
+mod block;
+mod direct;
+mod drive;
+mod geometry;
+mod load;
+mod passes;
+mod rows;
+mod store;
+
+use super::bodies::SolverBodies;
+use super::contacts::for_each_color;
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::base::wide::{Kernel, LANES, Simd, Wide};
+use crate::dim::math::Real;
+use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::constraint_graph::{ConstraintGraph, OVERFLOW};
+use crate::model::event::JointBreakEvent;
+use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::params::JointPass;
+use block::{AxisRow, JointBlock};
+use core::ops::Range;
+use direct::{Direct, Member, RowMemory};
+
+/// All joint constraints of a step.
+#[derive(Default)]
+pub(super) struct SolverJoints {
+    /// Blocks of one colour stand together.
+    blocks: Vec<JointBlock>,
+    /// The rows of free axes, those of one block together.
+    rows: Vec<AxisRow>,
+    /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
+    colors: Vec<Range<usize>>,
+    /// Joints that are solved exactly, and their rows by block.
+    direct: Direct,
+    memory: Vec<RowMemory>,
+    members: Vec<Member>,
+    len: usize,
+}
+
+/// Blocks that are worth handing over to another thread together.
+const BLOCKS_PER_TASK: usize = 8;
+
+/// Splits the graph into what stands in one block: whole lanes of a colour, single joints of the overflow.
+fn chunks(graph: &ConstraintGraph<u32>) -> impl Iterator<Item = (u32, &[u32])> {
+    graph.in_solving_order().flat_map(|(color, list)| {
+        let size = if color == OVERFLOW { 1 } else { LANES };
+        list.chunks(size).map(move |chunk| (color, chunk))
+    })
+}
+
+impl SolverJoints {
+    /// Number of joints.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Makes constraints of the joints that have a colour.
+    pub fn load(
+        &mut self,
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
+        set: &RigidBodySet,
+        bodies: &SolverBodies,
+        pass: &JointPass,
+    ) {
+        self.colors.clear();
+        self.rows.clear();
+        self.blocks.clear();
+        self.members.clear();
+        self.len = islands.joint_graph.len();
+        let mut current = None;
+        for (color, chunk) in chunks(&islands.joint_graph) {
+            let count = self.blocks.len();
+            if current != Some(color) || color == OVERFLOW {
+                self.colors.push(count..count);
+                current = Some(color);
+            }
+            if let Some(range) = self.colors.last_mut() {
+                range.end += 1;
+            }
+            let mut block = JointBlock::EMPTY;
+            block.first_row = self.rows.len();
+            for (lane, &slot) in chunk.iter().enumerate() {
+                let Some(link) = islands.joints.get(slot) else { continue };
+                let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
+                let rows = &mut self.rows;
+                load::load_lane(&mut block, rows, lane, joint, set, bodies, pass);
+                self.members.push(Member {
+                    slot,
+                    block: count as u32,
+                    lane: lane as u32,
+                    bodies: [block.bodies[0][lane], block.bodies[1][lane]],
+                    locked: joint.data.locked_axes.bits(),
+                });
+            }
+            block.row_count = self.rows.len() - block.first_row;
+            self.blocks.push(block);
+        }
+        let yields = pass.softness.yields();
+        for member in self.direct.build(&mut self.members, bodies.states.len()) {
+            self.blocks[member.block as usize].solve_exactly(member.lane as usize, yields);
+        }
+        let rows = if self.direct.is_empty() { 0 } else { self.blocks.len() };
+        self.memory.resize(rows, RowMemory::EMPTY);
+    }
+
+    /// Gives the bodies the impulses with which the step starts.
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks) {
+        let (_, states, _) = bodies.shared();
+        let parts = Parts::new(&mut self.blocks, &mut self.rows);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(WarmStart { range, parts, states });
+        });
+    }
+
+    /// Lets a substep start with this share of the last one's impulses, as the bodies do.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        if factor != 1.0 {
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
+        }
+    }
+
+    /// Solves all joints once, looking ahead.
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+        self.visit::<true>(bodies, pass, simd, tasks);
+    }
+
+    /// Solves all joints once, where the bodies are.
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+        self.visit::<false>(bodies, pass, simd, tasks);
+    }
+
+    fn visit<const AHEAD: bool>(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks,
+    ) {
+        let (_, states, _) = bodies.shared();
+        let parts = Parts::new(&mut self.blocks, &mut self.rows);
+        for_each_color(&self.colors, tasks, |range| {
+            simd.run(Visit::<AHEAD> { range, parts, states, pass });
+        });
+        if !self.direct.is_empty() {
+            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        }
+    }
+
+    /// Solves the locked axes of connected joints together.
+    fn solve_exactly<const AHEAD: bool>(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks,
+    ) {
+        let (_, states, _) = bodies.shared();
+        let count = self.blocks.len();
+        let blocks = DisjointMut::new(&mut self.blocks);
+        let memory = DisjointMut::new(&mut self.memory);
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
+        });
+        self.direct.solve(&mut self.memory, states, tasks);
+        let memory = &self.memory;
+        let is_last = !AHEAD && pass.is_last_visit;
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            simd.run(Finish { range, blocks, memory, is_last });
+        });
+    }
+
+    /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
+    pub fn store(
+        &self,
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
+        inv_dt: Real,
+        broken: &mut Vec<JointBreakEvent>,
+    ) {
+        for (index, (_, chunk)) in chunks(&islands.joint_graph).enumerate() {
+            let block = &self.blocks[index];
+            let rows = &self.rows[block.first_row..block.first_row + block.row_count];
+            for (lane, &slot) in chunk.iter().enumerate() {
+                let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
+                    continue;
+                };
+                let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
+                store::store_lane(block, rows, lane, joint, inv_dt);
+                if let Some(event) = store::break_if_overloaded(handle, joint) {
+                    broken.push(event);
+                    joints.note_broken(handle);
+                }
+            }
+        }
+    }
+}
+
+/// All blocks and their rows, to be shared out.
+#[derive(Clone, Copy)]
+struct Parts<'a> {
+    blocks: DisjointMut<'a, JointBlock>,
+    rows: DisjointMut<'a, AxisRow>,
+}
+
+impl<'a> Parts<'a> {
+    fn new(blocks: &'a mut [JointBlock], rows: &'a mut [AxisRow]) -> Self {
+        Self { blocks: DisjointMut::new(blocks), rows: DisjointMut::new(rows) }
+    }
+}
+
+/// See [`passes::warm_start`].
+struct WarmStart<'a> {
+    range: Range<usize>,
+    parts: Parts<'a>,
+    states: DisjointMut<'a, BodyState>,
+}
+
+impl Kernel for WarmStart<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, and the joints of one colour share no body that is
+            // not read-only.
+            unsafe {
+                let block = self.parts.blocks.get_mut(index);
+                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
+            }
+        }
+    }
+}
+
+/// See [`passes::visit`].
+struct Visit<'a, const AHEAD: bool> {
+    range: Range<usize>,
+    parts: Parts<'a>,
+    states: DisjointMut<'a, BodyState>,
+    pass: &'a JointPass,
+}
+
+impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, the joints of one colour share no body that is not
+            // read-only, and one colour is done before the next begins.
+            unsafe {
+                let block = self.parts.blocks.get_mut(index);
+                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
+            }
+        }
+    }
+}
+
+/// See [`direct::write_rows`].
+struct WriteRows<'a, const AHEAD: bool> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, JointBlock>,
+    memory: DisjointMut<'a, RowMemory>,
+    states: DisjointMut<'a, BodyState>,
+    pass: &'a JointPass,
+}
+
+impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, and nobody writes states meanwhile.
+            unsafe {
+                let block = self.blocks.get_mut(index);
+                if block.has_exact {
+                    let memory = self.memory.get_mut(index);
+                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
+                }
+            }
+        }
+    }
+}
+
+/// See [`direct::finish`].
+struct Finish<'a> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, JointBlock>,
+    memory: &'a [RowMemory],
+    is_last: bool,
+}
+
+impl Kernel for Finish<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task.
+            let block = unsafe { self.blocks.get_mut(index) };
+            if block.has_exact {
+                direct::finish::<W>(block, &self.memory[index], self.is_last);
+            }
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! Rows: what an impulse along one does to the two bodies, and several of them solved together.
+
+use super::block::{JointBlock, Wrench};
+use crate::base::wide::{Lane, Wide};
+use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::state::WideMotion;
+use crate::dim::wide::{
+    ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ang_dot, load_ang, load_symmetric,
+    mul_inertia, store_ang,
+};
+
+/// A pivot smaller than this share of the diagonal is rounding: nothing can move along that row that is
+/// not moved along others already.
+const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
+
+/// One row of the Jacobian: `Ċ = linear·(v2 - v1) + angular[1]·ω2 - angular[0]·ω1`.
+#[derive(Copy, Clone)]
+pub(super) struct Row<W> {
+    pub linear: WideVector<W>,
+    pub angular: [WideAngVector<W>; 2],
+}
+
+impl<W: Wide> Row<W> {
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { linear: WideVector::zero(), angular: [zero_ang(); 2] }
+    }
+
+    /// The rate of change of the constraint.
+    #[inline(always)]
+    pub fn rate(&self, [m1, m2]: &[WideMotion<W>; 2]) -> W {
+        self.linear.dot(m2.linear - m1.linear) + ang_dot(self.angular[1], m2.angular)
+            - ang_dot(self.angular[0], m1.angular)
+    }
+}
+
+/// The bodies' inverse masses.
+pub(super) struct Masses<W> {
+    /// The sum of both, per axis of the world.
+    sum: WideVector<W>,
+    each: [WideVector<W>; 2],
+    inertia: [WideSymmetric<W>; 2],
+}
+
+impl<W: Wide> Masses<W> {
+    #[inline(always)]
+    pub fn load(block: &JointBlock) -> Self {
+        let each = [WideVector::load(&block.inv_mass[0]), WideVector::load(&block.inv_mass[1])];
+        let [first, second] = &block.inv_inertia;
+        Self {
+            sum: each[0] + each[1],
+            each,
+            inertia: [load_symmetric(first), load_symmetric(second)],
+        }
+    }
+
+    /// `M⁻¹ Jᵀ` of a row, as a wrench per unit of impulse: the second body's velocities, and the negatives of
+    /// the first one's (with both linear parts in one).
+    #[inline(always)]
+    fn response(&self, row: &Row<W>) -> Row<W> {
+        Row {
+            linear: row.linear.component_mul(self.sum),
+            angular: [
+                mul_inertia(self.inertia[0], row.angular[0]),
+                mul_inertia(self.inertia[1], row.angular[1]),
+            ],
+        }
+    }
+
+    /// `M⁻¹ Jᵀ` of a row for each body, with the sign of that body.
+    #[inline(always)]
+    pub fn both_responses(&self, row: &Row<W>) -> [WideMotion<W>; 2] {
+        let [first, second] = self.response(row).angular;
+        [
+            WideMotion { linear: -row.linear.component_mul(self.each[0]), angular: -first },
+            WideMotion { linear: row.linear.component_mul(self.each[1]), angular: second },
+        ]
+    }
+
+    /// `J M⁻¹ Jᵀ` of a row.
+    #[inline(always)]
+    pub fn effective(&self, row: &Row<W>) -> W {
+        dot(row, &self.response(row))
+    }
+
+    /// `J M⁻¹ Jᵀ` of all locked axes; a row that is not locked is alone, with one on the diagonal.
+    #[inline(always)]
+    pub fn coupling(
+        &self,
+        rows: &[Row<W>; SPATIAL_DIM],
+        locked: &[W; SPATIAL_DIM],
+    ) -> [[W; SPATIAL_DIM]; SPATIAL_DIM] {
+        let mut k = [[W::zero(); SPATIAL_DIM]; SPATIAL_DIM];
+        for i in 0..SPATIAL_DIM {
+            let response = self.response(&rows[i]);
+            for j in 0..=i {
+                k[i][j] = dot(&rows[j], &response) * (locked[i] * locked[j]);
+            }
+            k[i][i] = k[i][i] + (W::splat(1.0) - locked[i]);
+        }
+        k
+    }
+
+    /// The velocities after a wrench has acted.
+    #[inline(always)]
+    pub fn push(
+        &self,
+        wrench: &Wrench<W>,
+        [mut m1, mut m2]: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        m1.linear = m1.linear - wrench.linear.component_mul(self.each[0]);
+        m2.linear = m2.linear + wrench.linear.component_mul(self.each[1]);
+        m1.angular = m1.angular - mul_inertia(self.inertia[0], wrench.angular[0]);
+        m2.angular = m2.angular + mul_inertia(self.inertia[1], wrench.angular[1]);
+        [m1, m2]
+    }
+}
+
+#[inline(always)]
+fn dot<W: Wide>(a: &Row<W>, b: &Row<W>) -> W {
+    a.linear.dot(b.linear)
+        + ang_dot(a.angular[0], b.angular[0])
+        + ang_dot(a.angular[1], b.angular[1])
+}
+
+#[inline(always)]
+fn zero_ang<W: Wide>() -> WideAngVector<W> {
+    load_ang(&ANG_ZERO_LANES)
+}
+
+impl<W: Wide> Wrench<W> {
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { linear: WideVector::zero(), angular: [zero_ang(); 2] }
+    }
+
+    #[inline(always)]
+    pub fn load(from: &Wrench<Lane>) -> Self {
+        let [first, second] = &from.angular;
+        Self {
+            linear: WideVector::load(&from.linear),
+            angular: [load_ang(first), load_ang(second)],
+        }
+    }
+
+    #[inline(always)]
+    pub fn store(self, to: &mut Wrench<Lane>) {
+        self.linear.store(&mut to.linear);
+        store_ang(self.angular[0], &mut to.angular[0]);
+        store_ang(self.angular[1], &mut to.angular[1]);
+    }
+
+    /// Adds an impulse along a row.
+    #[inline(always)]
+    pub fn add(&mut self, row: &Row<W>, impulse: W) {
+        self.linear = self.linear + row.linear * impulse;
+        for side in 0..2 {
+            self.angular[side] = self.angular[side] + row.angular[side] * impulse;
+        }
+    }
+
+    /// This one and another together.
+    #[inline(always)]
+    pub fn plus(self, other: &Self) -> Self {
+        Self {
+            linear: self.linear + other.linear,
+            angular: [self.angular[0] + other.angular[0], self.angular[1] + other.angular[1]],
+        }
+    }
+
+    /// This one without another.
+    #[inline(always)]
+    pub fn minus(self, other: &Self) -> Self {
+        Self {
+            linear: self.linear - other.linear,
+            angular: [self.angular[0] - other.angular[0], self.angular[1] - other.angular[1]],
+        }
+    }
+}
+
+/// Solves `K x = b` for a symmetric `K` of which the lower half is given, by `K = L D Lᵀ` (Golub and Van
+/// Loan, "Matrix Computations", section 4.1). Rows that nothing can move get 0.
+#[inline(always)]
+pub(super) fn solve_symmetric<W: Wide>(
+    mut k: [[W; SPATIAL_DIM]; SPATIAL_DIM],
+    mut b: [W; SPATIAL_DIM],
+) -> [W; SPATIAL_DIM] {
+    let mut inverses = [W::zero(); SPATIAL_DIM];
+    for j in 0..SPATIAL_DIM {
+        let diagonal = k[j][j];
+        let mut pivot = diagonal;
+        let mut scaled = [W::zero(); SPATIAL_DIM];
+        for m in 0..j {
+            scaled[m] = k[j][m] * k[m][m];
+            pivot = pivot - k[j][m] * scaled[m];
+        }
+        let usable = (diagonal * W::splat(PIVOT_MIN)).lt(pivot);
+        let one = W::splat(1.0);
+        inverses[j] = W::select(usable, one / W::select(usable, pivot, one), W::zero());
+        k[j][j] = W::select(usable, pivot, W::zero());
+        for i in j + 1..SPATIAL_DIM {
+            let mut sum = k[i][j];
+            for m in 0..j {
+                sum = sum - k[i][m] * scaled[m];
+            }
+            k[i][j] = sum * inverses[j];
+        }
+    }
+    for i in 0..SPATIAL_DIM {
+        for m in 0..i {
+            b[i] = b[i] - k[i][m] * b[m];
+        }
+    }
+    for i in (0..SPATIAL_DIM).rev() {
+        b[i] = b[i] * inverses[i];
+        for m in i + 1..SPATIAL_DIM {
+            b[i] = b[i] - k[m][i] * b[m];
+        }
+    }
+    b
+}

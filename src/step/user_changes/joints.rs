@@ -1,0 +1,115 @@
+//! Joints that are new or were edited, or whose bodies were.
+
+use super::Digest;
+use crate::model::body::RigidBodyHandle;
+use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled, JointLink};
+
+impl Digest<'_> {
+    /// Forgets the joints that were removed.
+    pub(super) fn take_in_removed_joints(&mut self) {
+        for (handle, wake_up) in self.joints.removed() {
+            self.forget_joint(handle, wake_up);
+        }
+    }
+
+    /// Follows the changes of all joints that were edited.
+    pub(super) fn take_in_joints(&mut self) {
+        for (handle, wake_up) in self.joints.modified() {
+            self.take_in_joint(handle, wake_up);
+        }
+    }
+
+    /// Follows a body that changed what it is: its joints may act now, or no longer.
+    pub(super) fn take_in_joints_of(&mut self, body: RigidBodyHandle) {
+        let known = self.structure.islands.joints.of_body(body.into_raw_parts().0).to_vec();
+        for slot in known {
+            let Some(link) = self.structure.islands.joints.get(slot) else { continue };
+            self.take_in_joint(link.handle, false);
+        }
+    }
+
+    fn take_in_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
+        let Some(joint) = self.joints.get(handle) else { return };
+        let bodies = [joint.body1(), joint.body2()];
+        let link = JointLink {
+            handle,
+            bodies,
+            attached: self.acts(joint),
+            slot: None,
+            parts_bodies: !joint.data.contacts_enabled && joint.data.is_enabled(),
+        };
+        let known = self.structure.islands.joints.get(handle.into_raw_parts().0).copied();
+        let same = |known: JointLink| JointLink { slot: None, ..known } == link;
+        if !known.is_some_and(same) {
+            if let Some(known) = known {
+                self.forget_joint(known.handle, wake_up);
+            }
+            if bodies.iter().any(|&body| !self.structure.bodies.contains(body)) {
+                return self.structure.islands.joints.orphans.push(handle);
+            }
+            self.structure.add_joint(link);
+            if link.parts_bodies {
+                self.drop_pairs_between(bodies);
+            }
+        }
+        if wake_up {
+            bodies.into_iter().for_each(|body| self.structure.wake_body(body));
+        }
+    }
+
+    /// Is there anything that the joint could do?
+    fn acts(&self, joint: &ImpulseJoint) -> bool {
+        let (body1, body2) = (joint.body1(), joint.body2());
+        let body = |handle| self.structure.bodies.get(handle);
+        let (Some(first), Some(second)) = (body(body1), body(body2)) else { return false };
+        body1 != body2
+            && joint.data.enabled != JointEnabled::Disabled
+            && joint.data.validate().is_ok()
+            && first.is_enabled()
+            && second.is_enabled()
+            && (first.is_dynamic() || second.is_dynamic())
+    }
+
+    fn forget_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
+        let slot = handle.into_raw_parts().0;
+        let known = self.structure.islands.joints.get(slot);
+        let Some(link) = known.filter(|link| link.handle == handle).copied() else { return };
+        self.structure.remove_joint(slot, wake_up);
+        if link.parts_bodies {
+            // They may meet again: let them look for each other.
+            for body in link.bodies {
+                self.each_collider_of(body, |digest, slot| digest.tree.mark_moved(slot));
+            }
+        }
+    }
+
+    fn each_collider_of(&mut self, body: RigidBodyHandle, visit: impl Fn(&mut Self, u32)) {
+        let mut index = 0;
+        while let Some(collider) = self.collider_of(body, index) {
+            visit(self, collider.into_raw_parts().0);
+            index += 1;
+        }
+    }
+
+    /// Takes away the pairs between two bodies' colliders.
+    fn drop_pairs_between(&mut self, [body1, body2]: [RigidBodyHandle; 2]) {
+        let slots = [body1, body2].map(|body| body.into_raw_parts().0);
+        self.each_collider_of(body1, |digest, collider| {
+            let store = &digest.structure.narrow_phase.contacts;
+            let between = |&&id: &&_| {
+                let bodies = store.bodies(id);
+                bodies == slots || bodies == [slots[1], slots[0]]
+            };
+            let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
+            for id in ids {
+                let pair = digest.structure.remove_contact_pair(id);
+                if pair.start_event_emitted {
+                    let flags = CollisionEventFlags::empty();
+                    let (first, second) = (pair.collider1, pair.collider2);
+                    digest.events.push(CollisionEvent::Stopped(first, second, flags));
+                }
+            }
+        });
+    }
+}
