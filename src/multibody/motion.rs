@@ -29,7 +29,7 @@ use super::spatial::{ZERO, add_scaled, carry_back, turn};
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
-use crate::model::multibody::Multibody;
+use crate::model::multibody::{Multibody, MultibodyLink};
 
 /// Visits of the implicit half. Each makes the error smaller by the angle (rad) of half a substep.
 const VISITS: usize = 3;
@@ -90,17 +90,19 @@ impl Motion {
         self.armature.clear();
         self.armature.extend(self.drives.iter().map(|drive| drive.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
-        let body = |id: usize| bodies.get(multibody.links[id].body);
+        let body = |link: &MultibodyLink| bodies.get(link.body);
         self.root = ZERO;
-        if let Some(root) = body(0).filter(|root| !root.is_dynamic()) {
+        if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
             self.root = join(root.linvel, root.angvel);
         }
-        let was_changed = multibody.links.iter().any(|link| {
-            let velocity = bodies.get(link.body).map(|body| body.vels());
-            velocity != link.seen_velocity
-        });
-        if was_changed {
-            self.take_momentum(|id| body(id).filter(|body| body.is_dynamic()).map(|body| body.vels()));
+        let velocity = |link: &MultibodyLink| Some(body(link)?.vels());
+        if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
+            self.take_momentum(|id| {
+                let link = &multibody.links[id];
+                // A body that was at rest when it became a link says nothing: the user may have set the joint's velocity.
+                let velocity = velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
+                velocity.filter(|_| body(link).is_some_and(|body| body.is_dynamic()))
+            });
         }
     }
 

@@ -5,4 +5,4 @@
 pub mod stage;
 
 mod chains;
-mod pendulum;
+pub mod pendulum;

@@ -88,7 +88,7 @@ impl Multibody {
     }
 
     /// Adds all links of another multibody. Its root becomes a child of `parent`, held by `joint`.
-    pub(super) fn append(&mut self, other: Self, parent: usize, joint: MultibodyJoint) {
+    pub(super) fn append(&mut self, mut other: Self, parent: usize, joint: MultibodyJoint) {
         let offset = self.links.len();
         for (id, mut link) in (offset..).zip(other.links) {
             (link.id, link.parent) = match link.parent {
@@ -96,15 +96,18 @@ impl Multibody {
                 None => {
                     link.free = joint.free_axes();
                     link.joint = joint.clone();
-                    link.seen_pose = None;
+                    (link.seen_pose, link.seen_velocity) = (None, None);
                     (id, Some(parent))
                 }
             };
             self.links.push(link);
         }
-        let known: Vec<_> = other.dofs.into_iter().map(|dof| Dof { link: dof.link + offset, ..dof }).collect();
-        self.dofs.extend(known);
-        self.lists.extend(other.lists);
+        // The root's own degrees of freedom are no more; the bodies' velocities tell what they did.
+        let root_end = other.dofs.iter().take_while(|dof| dof.link == 0).count();
+        let kept: Vec<_> = (root_end..other.dofs.len()).collect();
+        let known = other.dofs[root_end..].iter();
+        self.dofs.extend(known.map(|dof| Dof { link: dof.link + offset, ..*dof }));
+        self.lists.extend(other.lists.select(&kept));
         self.renumber();
     }
 
