@@ -4,6 +4,12 @@
 
 pub mod stage;
 
+mod contacts;
+mod drives;
+mod edits;
 mod free;
+mod inverse;
 mod laws;
+mod nonsense;
 mod pendulum;
+mod repeat;

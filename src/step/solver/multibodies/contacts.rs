@@ -31,6 +31,8 @@ struct Point {
     approach: Real,
     /// Sum of the normal impulses of the substeps.
     total: Real,
+    /// The impulse of the bounce. It is no load that the next step could start with.
+    bounce: Real,
 }
 
 /// One manifold.
@@ -141,6 +143,7 @@ impl SolverMultibodies {
             friction: known.warmstart_tangent_impulse,
             approach: 0.0,
             total: 0.0,
+            bounce: 0.0,
         });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
@@ -299,9 +302,10 @@ impl LinkContacts {
                     continue;
                 }
                 let wanted = numbers.velocity(&point.normal, actors) + contact.restitution * point.approach;
-                let new = (point.impulse - wanted * point.normal.mass).max(0.0);
-                numbers.push(&point.normal, new - point.impulse, actors);
-                point.total += new - point.impulse;
+                let new = (point.bounce - wanted * point.normal.mass).max(-point.impulse);
+                numbers.push(&point.normal, new - point.bounce, actors);
+                point.total += new - point.bounce;
+                point.bounce = new;
             }
         }
     }

@@ -30,6 +30,10 @@ use rows::{Actors, Numbers};
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
+/// Visits of the contacts that bounce. A push on one link moves all others: with one visit, whoever comes first bounces
+/// too little or too much.
+const BOUNCE_VISITS: usize = 4;
+
 /// A multibody that is awake. It is taken out of its set for as long as the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
@@ -153,9 +157,6 @@ impl SolverMultibodies {
         bodies: &mut SolverBodies,
         h: Real,
     ) {
-        if self.moving.is_empty() {
-            return;
-        }
         self.numbers.clear();
         self.joints.prepare(&mut self.numbers, &mut self.moving, h);
         self.prepare_contacts(narrow_phase, world, bodies);
@@ -223,7 +224,9 @@ impl SolverMultibodies {
     pub fn restitute(&mut self, bodies: &mut SolverBodies, pass: &ContactPass) {
         let Self { numbers, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        contacts.restitute(numbers, &mut actors, pass.restitution_threshold);
+        for _ in 0..BOUNCE_VISITS {
+            contacts.restitute(numbers, &mut actors, pass.restitution_threshold);
+        }
     }
 }
 
