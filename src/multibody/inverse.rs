@@ -13,12 +13,16 @@ use super::spatial::{ZERO, carry, dot};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{
-    Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared, rotation_to_angle,
+    DIM, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared, rotation_to_angle,
 };
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::check::checked_pose;
 use crate::model::multibody::{Multibody, MultibodyLink};
+
+/// The largest angle (rad) of a joint in one step of the search. What the Jacobian says is of no use much beyond it, and a target
+/// out of reach asks for more in each step.
+const TURN_MAX: Real = 0.3;
 
 /// How [`Multibody::inverse_kinematics`] searches, and when it is content.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -85,10 +89,20 @@ impl Multibody {
             }
             step.fill(0.0);
             Self::inverse_kinematics_delta_with_jacobian(&jacobian, &error, options.damping, &mut step);
+            self.shorten(&mut step);
             posed.apply_displacements(&step);
             posed.keep_limits();
         }
         *displacements = start.displacements_to(&posed);
+    }
+
+    /// Lets a step turn no joint by more than [`TURN_MAX`].
+    fn shorten(&self, step: &mut [Real]) {
+        let turns = self.dofs.iter().zip(step.iter()).filter(|(dof, _)| dof.axis as usize >= DIM);
+        let largest = turns.map(|(_, turn)| turn.abs()).fold(0.0, Real::max);
+        if largest > TURN_MAX {
+            step.iter_mut().for_each(|number| *number *= TURN_MAX / largest);
+        }
     }
 
     /// Adds to `displacements` (one per degree of freedom) the damped least-squares step that moves a link's body by

@@ -5,6 +5,7 @@ use crate::dim::math::{Pose, Real, integrate_rotation};
 use crate::dim::spatial::{angular, linear};
 use crate::dim::math::SpatialVector;
 use crate::model::body::RigidBodySet;
+use crate::model::check::checked_pose;
 use crate::model::multibody::Multibody;
 
 impl Multibody {
@@ -34,7 +35,9 @@ impl Multibody {
         let link = &mut self.links[id];
         let Some(body) = bodies.get(link.body) else { return };
         link.mass = *body.mass_properties().local_mprops();
-        let was_moved = link.seen_pose != Some(body.pose);
+        // Coordinates that are no numbers are forgotten: the body knows better.
+        let is_sound = link.joint.is_sound() && checked_pose(link.pose).is_some();
+        let was_moved = link.seen_pose != Some(body.pose) || !is_sound;
         link.seen_pose = Some(body.pose);
         match parent {
             None if was_moved => link.pose = body.pose,

@@ -156,7 +156,8 @@ impl MultibodyJoint {
         let mut set = |axis: usize, angle: Real| {
             let old = &mut self.coords[DIM + axis];
             let turn = 2.0 * core::f64::consts::PI as Real;
-            *old = angle + turn * ((*old - angle) / turn).round();
+            let turns = ((*old - angle) / turn).round();
+            *old = if is_coordinate(turns) { angle + turn * turns } else { angle };
         };
         match angular_axes(free).as_slice() {
             [] => {}
