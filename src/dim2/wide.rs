@@ -184,6 +184,16 @@ pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>)
     value.store(to);
 }
 
+/// `yes` in the lanes where the mask says yes, `no` in the others.
+#[inline(always)]
+pub fn select_ang<W: Wide>(
+    mask: W::Mask,
+    yes: WideAngVector<W>,
+    no: WideAngVector<W>,
+) -> WideAngVector<W> {
+    W::select(mask, yes, no)
+}
+
 /// Reads an inertia per lane from memory.
 #[inline(always)]
 pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {

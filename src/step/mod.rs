@@ -69,7 +69,7 @@ pub(crate) fn step(
     scratch.notes.clear();
     let edits = multibodies.settle(parts.bodies);
     take_in_user_changes(&mut parts, joints, edits, scratch);
-    joints.settle(&mut parts.islands.joints.orphans);
+    joints.settle(&mut parts.islands.joints);
     find_contacts(&mut parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {

@@ -4,5 +4,14 @@
 
 pub mod stage;
 
+mod breaking;
 mod chains;
+mod determinism;
+mod edits;
+mod limits;
+mod momentum;
+mod motors;
+mod nonsense;
 pub mod pendulum;
+mod sliding;
+mod springs;

@@ -6,9 +6,11 @@
 
 mod angle;
 mod frame;
+mod inertia;
 
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, from_components, linear_to_world,
     locked_rotations, turned_frame, turned_lever,
 };
+pub(crate) use inertia::inertia_about;

@@ -40,6 +40,8 @@ pub(crate) struct JointLinks {
     of_body: Vec<Vec<u32>>,
     /// Joints without one of their bodies, to be removed from their set.
     pub orphans: Vec<ImpulseJointHandle>,
+    /// Joints that were looked at, and whether one of their bodies takes no part: to be told so.
+    pub blocked: Vec<(ImpulseJointHandle, bool)>,
 }
 
 impl JointLinks {

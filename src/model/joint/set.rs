@@ -1,6 +1,8 @@
 //! All impulse joints of a simulation, and the notes that the user's changes leave for the next step.
 
-use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint};
+use super::{
+    GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled, JointLinks,
+};
 use crate::base::arena::Arena;
 use crate::model::body::RigidBodyHandle;
 
@@ -266,10 +268,20 @@ impl ImpulseJointSet {
         self.removed.iter().copied()
     }
 
-    /// The step has taken in all changes, and found these joints to lack a body.
-    pub(crate) fn settle(&mut self, orphans: &mut Vec<ImpulseJointHandle>) {
-        for handle in orphans.drain(..) {
+    /// The step has taken in all changes: joints without a body go, and those of a body that takes no part are
+    /// told so.
+    pub(crate) fn settle(&mut self, links: &mut JointLinks) {
+        for handle in links.orphans.drain(..) {
             self.remove(handle, false);
+        }
+        for (handle, blocked) in links.blocked.drain(..) {
+            if let Some(joint) = self.get_unnoted_mut(handle) {
+                joint.data.enabled = match (joint.data.enabled, blocked) {
+                    (JointEnabled::Enabled, true) => JointEnabled::DisabledByAttachedBody,
+                    (JointEnabled::DisabledByAttachedBody, false) => JointEnabled::Enabled,
+                    (unchanged, _) => unchanged,
+                };
+            }
         }
         self.removed.clear();
         for handle in core::mem::take(&mut self.modified) {

@@ -96,6 +96,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
         multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
+        joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {

@@ -37,8 +37,13 @@ impl Digest<'_> {
             bodies,
             attached: self.acts(joint),
             slot: None,
-            parts_bodies: !joint.data.contacts_enabled && joint.data.is_enabled(),
+            parts_bodies: !joint.data.contacts_enabled
+                && joint.data.enabled != JointEnabled::Disabled,
         };
+        let takes_part =
+            |body| self.structure.bodies.get(body).is_some_and(|body| body.is_enabled());
+        let blocked = !bodies.into_iter().all(takes_part);
+        self.structure.islands.joints.blocked.push((handle, blocked));
         let known = self.structure.islands.joints.get(handle.into_raw_parts().0).copied();
         let same = |known: JointLink| JointLink { slot: None, ..known } == link;
         if !known.is_some_and(same) {

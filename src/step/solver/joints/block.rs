@@ -41,6 +41,8 @@ pub(super) struct JointBlock {
     pub is_spring: Lane,
     /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
     pub yields: Lane,
+    /// One for joints of taut components (see `taut.rs`), zero for others.
+    pub is_taut: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
@@ -75,6 +77,7 @@ impl JointBlock {
             bias_rate: zero,
             is_spring: zero,
             yields: zero,
+            is_taut: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,

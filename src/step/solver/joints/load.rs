@@ -1,6 +1,7 @@
 //! From joints to constraints: once per step.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
+use super::taut::Tautness;
 use crate::base::wide::Lane;
 use crate::dim::joint::{FreeRotations, angle_about, couple_of};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -49,6 +50,7 @@ impl End {
 pub(super) fn load_lane(
     block: &mut JointBlock,
     rows: &mut Vec<AxisRow>,
+    tautness: &mut Tautness,
     lane: usize,
     joint: &mut ImpulseJoint,
     set: &RigidBodySet,
@@ -64,6 +66,9 @@ pub(super) fn load_lane(
     ];
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
+        if end.index & READ_ONLY == 0 {
+            tautness.note(end.index, &end.inv_inertia);
+        }
         block.inv_mass[side].set_lane(lane, end.inv_mass);
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &end.inv_inertia);
         block.levers[side].set_lane(lane, end.lever);

@@ -18,15 +18,17 @@
 //! `ω² h` of it per second. So the solve pass looks ahead: it asks for the velocity that leads to
 //! `C = 0` at the *end* of the substep. With the present velocities the substep would end at
 //! `C' = C(x + h v)`; of that, `h Ċ` will change with the velocity and the rest, `C' - C - h Ċ`, is the
-//! curvature of the constraint:
+//! curvature of the constraint. (The present velocities are those before any impulse of the substep: they
+//! obeyed the joints when the last one ended. Half-solved ones would feed their errors back.)
 //!
 //! ```text
 //! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
 //! ```
 //!
 //! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE
-//! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983) with one iteration per
-//! substep: symplectic, so a pendulum keeps its energy.
+//! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
+//! keeps its energy. Joints that are solved exactly repeat the look ahead from the velocity that they have
+//! found. Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
 //!
 //! ## Warm starting
 //! Bodies start a substep with what the last one's impulses did to them. A joint's rows have turned since, so
@@ -55,6 +57,7 @@ mod load;
 mod passes;
 mod rows;
 mod store;
+mod taut;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
@@ -72,6 +75,7 @@ use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
 use direct::{Direct, Member, RowMemory};
+use taut::Tautness;
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -86,11 +90,16 @@ pub(super) struct SolverJoints {
     direct: Direct,
     memory: Vec<RowMemory>,
     members: Vec<Member>,
+    tautness: Tautness,
     len: usize,
 }
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
+/// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
+/// taut components, which are projected from afar, take four.
+const ROUNDS: usize = 2;
+const TAUT_ROUNDS: usize = 4;
 
 /// Splits the graph into what stands in one block: whole lanes of a colour, single joints of the overflow.
 fn chunks(graph: &ConstraintGraph<u32>) -> impl Iterator<Item = (u32, &[u32])> {
@@ -119,6 +128,7 @@ impl SolverJoints {
         self.rows.clear();
         self.blocks.clear();
         self.members.clear();
+        self.tautness.clear(bodies.states.len());
         self.len = islands.joint_graph.len();
         let mut current = None;
         for (color, chunk) in chunks(&islands.joint_graph) {
@@ -136,7 +146,8 @@ impl SolverJoints {
                 let Some(link) = islands.joints.get(slot) else { continue };
                 let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
                 let rows = &mut self.rows;
-                load::load_lane(&mut block, rows, lane, joint, set, bodies, pass);
+                let tautness = &mut self.tautness;
+                load::load_lane(&mut block, rows, tautness, lane, joint, set, bodies, pass);
                 self.members.push(Member {
                     slot,
                     block: count as u32,
@@ -158,10 +169,10 @@ impl SolverJoints {
 
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks) {
-        let (_, states, _) = bodies.shared();
+        let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(&self.colors, tasks, |range| {
-            simd.run(WarmStart { range, parts, states });
+            simd.run(WarmStart { range, parts, states, before });
         });
     }
 
@@ -171,6 +182,21 @@ impl SolverJoints {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
             self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
         }
+    }
+
+    /// Begins a substep: finds out which components are taut.
+    pub fn tighten(&mut self, pass: &JointPass) {
+        let (blocks, tautness) = (&mut self.blocks, &self.tautness);
+        self.direct.tighten(|members| {
+            let taut = members
+                .iter()
+                .any(|member| tautness.is_taut(&blocks[member.block as usize], member, pass));
+            for member in members {
+                let lanes = &mut blocks[member.block as usize].is_taut;
+                lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
+            }
+            taut
+        });
     }
 
     /// Solves all joints once, looking ahead.
@@ -190,13 +216,20 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(&self.colors, tasks, |range| {
-            simd.run(Visit::<AHEAD> { range, parts, states, pass });
+            simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
         });
         if !self.direct.is_empty() {
-            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+            let rounds = match (AHEAD, self.direct.any_taut()) {
+                (false, _) => 1,
+                (true, false) => ROUNDS,
+                (true, true) => TAUT_ROUNDS,
+            };
+            for round in 0..rounds {
+                self.solve_exactly::<AHEAD>(bodies, round, pass, simd, tasks);
+            }
         }
     }
 
@@ -204,18 +237,19 @@ impl SolverJoints {
     fn solve_exactly<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
+        round: usize,
         pass: &JointPass,
         simd: Simd,
         tasks: Tasks,
     ) {
-        let (_, states, _) = bodies.shared();
-        let count = self.blocks.len();
+        let (_, states, before) = bodies.shared();
+        let (count, again) = (self.blocks.len(), round > 0);
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, tasks);
+        self.direct.solve(&mut self.memory, states, round >= ROUNDS, tasks);
         let memory = &self.memory;
         let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -267,6 +301,7 @@ struct WarmStart<'a> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
+    before: &'a [BodyState],
 }
 
 impl Kernel for WarmStart<'_> {
@@ -279,7 +314,7 @@ impl Kernel for WarmStart<'_> {
             // not read-only.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
+                passes::warm_start::<W>(block, &self.parts.rows, &self.states, self.before);
             }
         }
     }
@@ -290,6 +325,7 @@ struct Visit<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
+    before: &'a [BodyState],
     pass: &'a JointPass,
 }
 
@@ -303,7 +339,13 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
             // read-only, and one colour is done before the next begins.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
+                passes::visit::<W, AHEAD>(
+                    block,
+                    &self.parts.rows,
+                    &self.states,
+                    self.before,
+                    self.pass,
+                );
             }
         }
     }
@@ -315,6 +357,8 @@ struct WriteRows<'a, const AHEAD: bool> {
     blocks: DisjointMut<'a, JointBlock>,
     memory: DisjointMut<'a, RowMemory>,
     states: DisjointMut<'a, BodyState>,
+    before: &'a [BodyState],
+    again: bool,
     pass: &'a JointPass,
 }
 
@@ -329,7 +373,14 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
                 let block = self.blocks.get_mut(index);
                 if block.has_exact {
                     let memory = self.memory.get_mut(index);
-                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
+                    direct::write_rows::<W, AHEAD>(
+                        block,
+                        memory,
+                        &self.states,
+                        self.before,
+                        self.again,
+                        self.pass,
+                    );
                 }
             }
         }

@@ -8,12 +8,13 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
 use crate::dim::wide::{ANG_ZERO_LANES, WideVector, ang_dot, load_ang, store_ang, torque};
 use crate::model::params::JointPass;
 
-/// Velocities and displacements of a block's two bodies.
+/// Velocities and displacements of a block's two bodies, and their velocities before any impulse.
 pub(super) struct Bodies<W> {
+    pub before: [WideMotion<W>; 2],
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideMotion<W>; 2],
 }
@@ -22,12 +23,20 @@ impl<W: Wide> Bodies<W> {
     /// # Safety
     /// As [`gather_states`], for both bodies.
     #[inline(always)]
-    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
+    pub unsafe fn gather(
+        states: &DisjointMut<BodyState>,
+        before: &[BodyState],
+        block: &JointBlock,
+    ) -> Self {
         // SAFETY: the caller's promise.
         let ([v1, d1], [v2, d2]) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
         };
-        Self { velocities: [v1, v2], displacements: [d1, d2] }
+        let before = [
+            gather_velocities(before, &block.bodies[0]),
+            gather_velocities(before, &block.bodies[1]),
+        ];
+        Self { before, velocities: [v1, v2], displacements: [d1, d2] }
     }
 
     /// # Safety
@@ -59,6 +68,16 @@ impl<W: Wide> Locked<W> {
         Self { rows: geometry.rows(), locked }
     }
 
+    /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
+    #[inline(always)]
+    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>) -> [W; SPATIAL_DIM] {
+        let mut coupled = masses.couplings(&self.rows, row);
+        for k in 0..SPATIAL_DIM {
+            coupled[k] = coupled[k] * self.locked[k];
+        }
+        solve_symmetric(masses.coupling(&self.rows, &self.locked), coupled)
+    }
+
     /// The wrench of all impulses as the rows stand now.
     #[inline(always)]
     fn wrench(&self, block: &JointBlock) -> Wrench<W> {
@@ -79,9 +98,10 @@ pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
@@ -96,6 +116,15 @@ pub(super) unsafe fn warm_start<W: Wide>(
     bodies.velocities = Masses::load(block).push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
+}
+
+/// Taut joints start without impulses.
+#[inline(always)]
+fn forget_taut<W: Wide>(block: &mut JointBlock) {
+    let kept = W::splat(1.0) - W::load(&block.is_taut);
+    for impulse in &mut block.impulses {
+        (W::load(impulse) * kept).store(impulse);
+    }
 }
 
 /// What the impulses of all rows do as the rows stand now.
@@ -134,29 +163,31 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let masses = Masses::load(block);
     let locked = Locked::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
     if AHEAD {
+        forget_taut::<W>(block);
         // SAFETY: the caller's promise.
-        let now = unsafe { wrench_of(block, rows, &geometry, &locked) };
-        bodies.velocities = masses.push(&now.minus(&wrench), bodies.velocities);
-        wrench = now;
+        let turned = unsafe { wrench_of(block, rows, &geometry, &locked) };
+        bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
+        wrench = turned;
     }
     for index in block.first_row..block.first_row + block.row_count {
         // SAFETY: the caller's promise.
         let row = unsafe { rows.get_mut(index) };
-        let added = solve_free::<W, AHEAD>(row, &geometry, &masses, &bodies.velocities, pass);
+        let added = solve_free::<W, AHEAD>(row, block, &geometry, &masses, &locked, &bodies, pass);
         bodies.velocities = masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
-    let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies, pass);
+    let added = solve_locked::<W, AHEAD>(block, &masses, &locked, &bodies, pass);
     bodies.velocities = masses.push(&added, bodies.velocities);
     wrench = wrench.plus(&added);
 
@@ -170,25 +201,39 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 }
 
 /// Solves motor and limits of a free axis; returns what they add.
+///
+/// What they push, the locked axes hold: `J - K_fl K_ll⁻¹ J_l` in place of the axis's own row `J` moves the
+/// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
+/// the other in sweeps.
 #[inline(always)]
 fn solve_free<W: Wide, const AHEAD: bool>(
     row: &mut AxisRow,
+    block: &mut JointBlock,
     geometry: &Geometry<W>,
     masses: &Masses<W>,
-    velocities: &[WideMotion<W>; 2],
+    locked: &Locked<W>,
+    bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
-    let (along, position) = geometry.free_row(row);
+    let (mut along, position) = geometry.free_row(row);
+    let shares = locked.shares_of(&along, masses);
+    for (locked, share) in locked.rows.iter().zip(shares) {
+        along = along.minus(locked, share);
+    }
     let effective = masses.effective(&along);
     let (zero, one) = (W::zero(), W::splat(1.0));
     let movable = zero.lt(effective);
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
-    let rate = along.rate(velocities);
+    let rate = along.rate(&bodies.velocities);
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
     let limited = solve_limits::<W, AHEAD>(row, &axis, rate + effective * driven, pass);
+    let added = driven + limited;
+    for (impulse, share) in block.impulses.iter_mut().zip(shares) {
+        (W::load(impulse) - share * added).store(impulse);
+    }
     let mut wrench = Wrench::zero();
-    wrench.add(&along, driven + limited);
+    wrench.add(&along, added);
     wrench
 }
 
@@ -196,21 +241,16 @@ fn solve_free<W: Wide, const AHEAD: bool>(
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
-    geometry: &Geometry<W>,
     masses: &Masses<W>,
     Locked { rows, locked }: &Locked<W>,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
-    let mut wanted = [W::zero(); SPATIAL_DIM];
-    for (wanted, row) in wanted.iter_mut().zip(rows) {
-        *wanted = row.rate(&bodies.velocities);
-    }
-    if AHEAD {
-        add_bias(&mut wanted, block, geometry, bodies, pass);
+    let mut wanted = if AHEAD {
+        LookAhead::new(block, bodies, bodies.before, pass).rates(block, rows, bodies, pass)
     } else {
-        add_held_bias(&mut wanted, block);
-    }
+        rates_here(block, rows, bodies)
+    };
     let swept = W::load(&block.swept);
     let mut solved = [W::zero(); SPATIAL_DIM];
     for k in 0..SPATIAL_DIM {
@@ -234,40 +274,69 @@ fn solve_locked<W: Wide, const AHEAD: bool>(
     wrench
 }
 
-/// Adds errors and the curvature ahead to the rates: see the module's head.
-#[inline(always)]
-pub(super) fn add_bias<W: Wide>(
-    rates: &mut [W; SPATIAL_DIM],
-    block: &mut JointBlock,
-    geometry: &Geometry<W>,
-    bodies: &Bodies<W>,
-    pass: &JointPass,
-) {
-    let h = W::splat(pass.substep);
-    let inv_h = W::splat(pass.inv_substep);
-    let ahead = [
-        advanced(&bodies.displacements[0], &bodies.velocities[0], h),
-        advanced(&bodies.displacements[1], &bodies.velocities[1], h),
-    ];
-    let then = Geometry::new(block, &ahead).errors();
-    let now = geometry.errors();
-    let bias_rate = W::load(&block.bias_rate);
-    for k in 0..SPATIAL_DIM {
-        // Ċ and the curvature together: all that the substep would change.
-        let change = (then[k] - now[k]) * inv_h;
-        let bias = now[k] * bias_rate;
-        bias.store(&mut block.held_bias[k]);
-        rates[k] = change + bias;
+/// Where the joints of a block are now, and where their bodies' velocities would lead them by the end of the
+/// substep.
+pub(super) struct LookAhead<W> {
+    pub now: Geometry<W>,
+    pub then: Geometry<W>,
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> LookAhead<W> {
+    /// With these velocities.
+    #[inline(always)]
+    pub fn new(
+        block: &JointBlock,
+        bodies: &Bodies<W>,
+        velocities: [WideMotion<W>; 2],
+        pass: &JointPass,
+    ) -> Self {
+        let h = W::splat(pass.substep);
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        let now = Geometry::new(block, &bodies.displacements);
+        Self { now, then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of the rows (those of now, or of then) by the end of the substep, with the bias of the errors:
+    /// see the module's head.
+    #[inline(always)]
+    pub fn rates(
+        &self,
+        block: &mut JointBlock,
+        rows: &[Row<W>; SPATIAL_DIM],
+        bodies: &Bodies<W>,
+        pass: &JointPass,
+    ) -> [W; SPATIAL_DIM] {
+        let (now, then) = (self.now.errors(), self.then.errors());
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); SPATIAL_DIM];
+        for k in 0..SPATIAL_DIM {
+            let bias = now[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            // All that the substep would change, and what has changed since that was foreseen.
+            let foreseen = (then[k] - now[k]) * inv_h - rows[k].rate(&self.velocities);
+            rates[k] = foreseen + rows[k].rate(&bodies.velocities) + bias;
+        }
+        rates
     }
 }
 
-/// What the relax pass adds to the rates: nothing, but for springs, which pull as they did.
+/// The rates of the rows in the relax pass; springs pull as they did in the solve pass.
 #[inline(always)]
-pub(super) fn add_held_bias<W: Wide>(rates: &mut [W; SPATIAL_DIM], block: &JointBlock) {
+pub(super) fn rates_here<W: Wide>(
+    block: &JointBlock,
+    rows: &[Row<W>; SPATIAL_DIM],
+    bodies: &Bodies<W>,
+) -> [W; SPATIAL_DIM] {
     let is_spring = W::load(&block.is_spring);
-    for (rate, bias) in rates.iter_mut().zip(&block.held_bias) {
-        *rate = *rate + W::load(bias) * is_spring;
+    let mut rates = [W::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        rates[k] = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]) * is_spring;
     }
+    rates
 }
 
 /// How much the rows yield in a pass: in the relax pass only springs do.

@@ -26,6 +26,16 @@ impl<W: Wide> Row<W> {
         Self { linear: WideVector::zero(), angular: [zero_ang(); 2] }
     }
 
+    /// This row without a share of another.
+    #[inline(always)]
+    pub fn minus(mut self, other: &Self, share: W) -> Self {
+        self.linear = self.linear - other.linear * share;
+        for side in 0..2 {
+            self.angular[side] = self.angular[side] - other.angular[side] * share;
+        }
+        self
+    }
+
     /// The rate of change of the constraint.
     #[inline(always)]
     pub fn rate(&self, [m1, m2]: &[WideMotion<W>; 2]) -> W {
@@ -81,6 +91,17 @@ impl<W: Wide> Masses<W> {
     #[inline(always)]
     pub fn effective(&self, row: &Row<W>) -> W {
         dot(row, &self.response(row))
+    }
+
+    /// `J M⁻¹ Jᵀ` of several rows with another.
+    #[inline(always)]
+    pub fn couplings(&self, rows: &[Row<W>; SPATIAL_DIM], other: &Row<W>) -> [W; SPATIAL_DIM] {
+        let response = self.response(other);
+        let mut couplings = [W::zero(); SPATIAL_DIM];
+        for (coupling, row) in couplings.iter_mut().zip(rows) {
+            *coupling = dot(row, &response);
+        }
+        couplings
     }
 
     /// `J M⁻¹ Jᵀ` of all locked axes; a row that is not locked is alone, with one on the diagonal.

@@ -2,14 +2,14 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, Locked, add_bias, add_held_bias, store_couple, yields_of};
+use super::super::passes::{Bodies, LookAhead, rates_here, store_couple, yields_of};
 use super::super::rows::{Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::BodyState;
-use crate::dim::wide::{WideVector, load_ang, store_ang};
+use crate::dim::wide::{WideVector, load_ang, select_ang, store_ang};
 use crate::model::params::JointPass;
 
 /// The locked axes of a block's joints at one moment.
@@ -50,22 +50,19 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+    again: bool,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, block) };
-    let geometry = Geometry::new(block, &bodies.displacements);
+    let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let masses = Masses::load(block);
-    let Locked { rows, .. } = Locked::new(block, &geometry);
-    let mut rates = [W::zero(); SPATIAL_DIM];
-    for (rate, row) in rates.iter_mut().zip(&rows) {
-        *rate = row.rate(&bodies.velocities);
-    }
-    if AHEAD {
-        add_bias(&mut rates, block, &geometry, &bodies, pass);
+    let (rows, rates) = if AHEAD {
+        rows_ahead(block, &bodies, again, pass)
     } else {
-        add_held_bias(&mut rates, block);
-    }
+        let rows = Geometry::new(block, &bodies.displacements).rows();
+        (rows, rates_here(block, &rows, &bodies))
+    };
     for k in 0..SPATIAL_DIM {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
@@ -82,6 +79,35 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
         }
     }
     yields_of::<W, AHEAD>(block).store(&mut memory.yields);
+}
+
+/// Rows and rates of the solve pass. Taut joints look ahead from where they are about to go, and take the rows
+/// there; others look ahead from the velocities before any impulse, or `again` from what they found, and take
+/// the rows where they are.
+#[inline(always)]
+fn rows_ahead<W: Wide>(
+    block: &mut JointBlock,
+    bodies: &Bodies<W>,
+    again: bool,
+    pass: &JointPass,
+) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
+    let taut = W::zero().lt(W::load(&block.is_taut));
+    let mut velocities = bodies.velocities;
+    if !again {
+        for (velocity, before) in velocities.iter_mut().zip(&bodies.before) {
+            velocity.linear = WideVector::select(taut, velocity.linear, before.linear);
+            velocity.angular = select_ang(taut, velocity.angular, before.angular);
+        }
+    }
+    let ahead = LookAhead::new(block, bodies, velocities, pass);
+    let (mut rows, then) = (ahead.now.rows(), ahead.then.rows());
+    for (row, then) in rows.iter_mut().zip(&then) {
+        row.linear = WideVector::select(taut, then.linear, row.linear);
+        for side in 0..2 {
+            row.angular[side] = select_ang(taut, then.angular[side], row.angular[side]);
+        }
+    }
+    (rows, ahead.rates(block, &rows, bodies, pass))
 }
 
 #[inline(always)]
@@ -111,10 +137,8 @@ pub(in super::super) fn finish<W: Wide>(
     let mut moment = load_ang::<W>(&block.total_moment);
     let mut rows = [Row::zero(); SPATIAL_DIM];
     for k in 0..SPATIAL_DIM {
-        let [(_, first), (linear, second)] = [
-            from_components(load_all(&memory.rows[k][0])),
-            from_components(load_all(&memory.rows[k][1])),
-        ];
+        let (_, first) = from_components::<W>(load_all(&memory.rows[k][0]));
+        let (linear, second) = from_components::<W>(load_all(&memory.rows[k][1]));
         rows[k] = Row { linear, angular: [-first, second] };
         let change = W::load(&memory.changes[k]);
         (W::load(&block.impulses[k]) + change).store(&mut block.impulses[k]);

@@ -38,6 +38,8 @@ pub(super) struct Direct {
     pattern: Pattern,
     /// One per component; some may be left over from larger steps.
     factors: Vec<Factor>,
+    /// By component.
+    taut: Vec<bool>,
 }
 
 impl Direct {
@@ -57,19 +59,33 @@ impl Direct {
         self.pattern.component_count() == 0
     }
 
-    /// Solves all components: gives the rows their change of impulse, and the bodies what it does to them.
+    /// Notes which components are taut, as `find` says of the members of each.
+    pub fn tighten(&mut self, mut find: impl FnMut(&[Member]) -> bool) {
+        self.taut.clear();
+        for index in 0..self.pattern.component_count() {
+            self.taut.push(find(self.pattern.component(index).members));
+        }
+    }
+
+    /// Is any component taut?
+    pub fn any_taut(&self) -> bool {
+        self.taut.contains(&true)
+    }
+
+    /// Solves all components, or only the taut ones: gives the rows their change of impulse, and the bodies what it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
+        taut_only: bool,
         tasks: Tasks,
     ) {
         let count = self.pattern.component_count();
-        let pattern = &self.pattern;
+        let (pattern, taut) = (&self.pattern, &self.taut);
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
-            for index in range {
+            for index in range.filter(|&index| taut[index] || !taut_only) {
                 // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
                 // task.
                 unsafe {
@@ -77,7 +93,7 @@ impl Direct {
                 }
             }
         });
-        for index in 0..count {
+        for index in (0..count).filter(|&index| taut[index] || !taut_only) {
             self.factors[index].write_changes(self.pattern.component(index), rows);
         }
     }

@@ -1,0 +1,8 @@
+//! The inertia of a body as one number.
+
+use crate::dim2::math::{AngularInertia, Real};
+
+/// The moment of inertia of a body with this inverse; `None` if it cannot turn.
+pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
+    (*inv_inertia > 0.0).then(|| 1.0 / inv_inertia)
+}

@@ -1,0 +1,79 @@
+//! Bodies that slide along an axis, and those that are held altogether.
+
+use super::stage::{bob, post};
+use crate::dim::{about_z, angle, cuboid, vec};
+use crate::suite::physics::stage::{G, RATES, run, world};
+use rapier::prelude::*;
+
+#[test]
+fn sliders_fall_along_their_axis_as_on_a_smooth_slope() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let post = post(&mut world, Vector::ZERO);
+        let load = world.insert_body(bob(1.0, 0.2));
+        let axis = vec(0.6, -0.8);
+        world.insert_impulse_joint(post, load, PrismaticJointBuilder::new(axis));
+        run(&mut world, 1.0);
+        let (at, h) = (world.bodies[load].translation(), world.integration_parameters.substep());
+        // g sin θ, with the step's own t (t + h) / 2.
+        let exact = 0.8 * G * 0.5 * (1.0 + h);
+        assert!((at - axis * exact).length() < 2.0e-3, "{at} at {rate} Hz instead of {exact}");
+        assert!(angle(world.bodies[load].rotation()).abs() < 1.0e-4);
+    }
+}
+
+#[test]
+fn sliders_on_a_turning_body_follow_it() {
+    let mut world = crate::suite::physics::stage::weightless(60);
+    let arm = RigidBodyBuilder::kinematic_velocity_based().angvel(about_z(2.0));
+    let arm = world.insert_body(arm);
+    let load = world.insert_body(bob(1.0, 0.2).translation(vec(0.5, 0.0)).linvel(vec(0.0, 1.0)));
+    world.insert_impulse_joint(arm, load, PrismaticJointBuilder::new(Vector::X));
+    run(&mut world, 1.0);
+    // r'' = ω² r from rest on the arm: r = r₀ cosh(ω t).
+    let exact = 0.5 * Real::cosh(2.0);
+    let at = world.bodies[load].translation();
+    assert!((at.length() / exact - 1.0).abs() < 0.03, "{at} instead of {exact}");
+    let along = at.y.atan2(at.x);
+    let turned = angle(world.bodies[arm].rotation());
+    assert!((along - turned).abs() < 1.0e-2, "{along} beside {turned}");
+}
+
+#[test]
+fn what_is_fixed_stays_as_one() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let mut last = post(&mut world, Vector::ZERO);
+        for k in 0..5_u8 {
+            let at = vec(0.5 + Real::from(k), 0.0);
+            let (plank, _) = world
+                .insert(RigidBodyBuilder::dynamic().translation(at), cuboid(0.5, 0.1).density(1.0));
+            let anchor = if k == 0 { Vector::ZERO } else { vec(0.5, 0.0) };
+            let joint = FixedJointBuilder::new()
+                .local_anchor1(anchor)
+                .local_anchor2(vec(-0.5, 0.0))
+                .contacts_enabled(false);
+            world.insert_impulse_joint(last, plank, joint);
+            last = plank;
+        }
+        run(&mut world, 3.0);
+        let (tip, bend) = (world.bodies[last].translation(), angle(world.bodies[last].rotation()));
+        println!("cantilever of 5 planks at {rate} Hz: sags {}, bends {bend}", -tip.y);
+        assert!(tip.y > -0.02 && bend.abs() < 0.01, "{tip} at {rate} Hz");
+    }
+}
+
+#[test]
+fn soft_joints_give_way_like_springs() {
+    let mut world = world(60);
+    let post = post(&mut world, Vector::ZERO);
+    let load = world.insert_body(bob(3.0, 0.2));
+    let softness = SpringCoefficients::new(2.0, 1.0);
+    let joint = FixedJointBuilder::new().softness(Some(softness));
+    world.insert_impulse_joint(post, load, joint);
+    run(&mut world, 5.0);
+    // A spring of the angular frequency ω under its mass: g / ω².
+    let exact = G / (softness.angular_frequency() * softness.angular_frequency());
+    let found = -world.bodies[load].translation().y;
+    assert!((found / exact - 1.0).abs() < 0.02, "{found} instead of {exact}");
+}
