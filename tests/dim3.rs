@@ -64,9 +64,14 @@ pub fn hinge() -> RevoluteJointBuilder {
 /// A joint that lets its bodies turn against each other, at these points of theirs: balls in sockets and hinges about several
 /// axes in turn.
 pub fn loose_joint(k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
-    let hinge = |axis| RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2);
+    let hinge =
+        |axis| RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2);
     match k % 4 {
-        0 => SphericalJointBuilder::new().local_anchor1(anchor1).local_anchor2(anchor2).build().into(),
+        0 => SphericalJointBuilder::new()
+            .local_anchor1(anchor1)
+            .local_anchor2(anchor2)
+            .build()
+            .into(),
         1 => hinge(Vector::Z).build().into(),
         2 => hinge(Vector::Y).build().into(),
         _ => {

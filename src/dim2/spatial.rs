@@ -77,22 +77,3 @@ pub fn free_axes(locked: LockedAxes) -> JointAxesMask {
 pub fn world_inertia(mass: &MassProperties, _: Rotation) -> [[Real; ANG_DIM]; ANG_DIM] {
     [[mass.principal_inertia()]]
 }
-
-/// An angle of a joint whose rotations are all free, and what changes it: its rate is `gradient · ω`.
-#[derive(Copy, Clone, Debug)]
-pub struct BallAngle {
-    /// The angle (radians).
-    pub angle: Real,
-    /// What turning changes.
-    pub gradient: AngVector,
-}
-
-/// The angle of the rotation.
-pub fn ball_angle(_: usize, rotation: Rotation) -> BallAngle {
-    BallAngle { angle: rotation_to_angle(&rotation), gradient: 1.0 }
-}
-
-/// There is no cone in the plane: the angle of the rotation.
-pub fn cone_angle(rotation: Rotation) -> BallAngle {
-    ball_angle(0, rotation)
-}

@@ -92,76 +92,9 @@ pub fn world_inertia(mass: &MassProperties, rotation: Rotation) -> [[Real; ANG_D
     inertia
 }
 
-/// An angle of a joint with three free rotations, and what changes it: its rate is `gradient · ω`, with the angular
-/// velocity `ω` of the second frame against the first, in the axes of the first.
-#[derive(Copy, Clone, Debug)]
-pub struct BallAngle {
-    /// The angle (radians).
-    pub angle: Real,
-    /// Per axis, what turning about it changes.
-    pub gradient: AngVector,
-}
-
-/// The twist about X (`axis` 0), or the swing about Y or Z: the component of the rotation vector that takes X to where
-/// it is.
-///
-/// Let `x` be the first frame's X and `x'` the second's. The twist changes by `ω·(x + x')/(1 + x·x')`. For the swing by
-/// `s` about the unit vector `n`, with `m = n × x` and `m' = n × x'`, `ṡ = ω·n` and `n` turns about `x` by
-/// `-ω·m'/sin s`, so that the rotation vector changes by `n (ω·n) + m (ω·m') s/sin s`.
-pub fn ball_angle(axis: usize, rotation: Rotation) -> BallAngle {
-    let (x, turned) = (Vector::X, rotation * Vector::X);
-    if axis == 0 {
-        let gradient = (x + turned) / (1.0 + x.dot(turned)).max(SWING_MIN);
-        return BallAngle { angle: angle_about(0, rotation), gradient };
-    }
-    let (swing, n) = swing_of(turned);
-    let (m, turned_m) = (n.cross(x), n.cross(turned));
-    let stretch = if swing > SWING_MIN { swing / swing.sin().max(SWING_MIN) } else { 1.0 };
-    let gradient = n * n[axis] + turned_m * (m[axis] * stretch);
-    BallAngle { angle: swing * n[axis], gradient }
-}
-
-/// The angle between the X axes of the two frames: the swing in whatever direction.
-pub fn cone_angle(rotation: Rotation) -> BallAngle {
-    let (angle, gradient) = swing_of(rotation * Vector::X);
-    BallAngle { angle, gradient }
-}
-
-/// Swings below this (rad) have no direction.
-const SWING_MIN: Real = 1.0e-4;
-
-/// The angle from X to `turned`, and the unit vector about which it is.
-fn swing_of(turned: Vector) -> (Real, AngVector) {
-    let across = Vector::X.cross(turned);
-    let sine = across.length();
-    let n = if sine > SWING_MIN { across / sine } else { Vector::Y };
-    (sine.atan2(turned.x), n)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dim::math::integrate_rotation;
-
-    fn some() -> Rotation {
-        Rotation::from_scaled_axis(AngVector::new(0.4, -0.7, 0.5))
-    }
-
-    #[test]
-    fn gradients_are_those_of_the_angles() {
-        let step = if Real::EPSILON < 1.0e-10 { 1.0e-6 } else { 2.0e-3 };
-        let angles: [fn(Rotation) -> BallAngle; 4] =
-            [|r| ball_angle(0, r), |r| ball_angle(1, r), |r| ball_angle(2, r), cone_angle];
-        for angle in angles {
-            for axis in ANG_AXES {
-                let [before, after] =
-                    [-step, step].map(|turn| angle(integrate_rotation(some(), axis * turn)).angle);
-                let measured = (after - before) / (2.0 * step);
-                let stated = angle(some()).gradient.dot(axis);
-                assert!((measured - stated).abs() < 1.0e-3, "{measured} for {stated}");
-            }
-        }
-    }
 
     #[test]
     fn two_angles_are_found_again() {

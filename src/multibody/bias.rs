@@ -77,7 +77,8 @@ impl Kinematics {
             spin += angular(&self.axes[dof]) * rates[dof];
         }
         if turns.len() == 2 {
-            let [a, b] = [turns.start, turns.start + 1].map(|dof| angular(&self.axes[dof]) * rates[dof]);
+            let [a, b] =
+                [turns.start, turns.start + 1].map(|dof| angular(&self.axes[dof]) * rates[dof]);
             spin_turn = ang_cross(a, b);
         }
         (slide, spin, spin_turn)

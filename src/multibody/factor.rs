@@ -77,9 +77,11 @@ impl Factor {
                 let axis = &kinematics.axes[dof];
                 let u = inertia.mul(axis);
                 let [mass, moment] = self.sizes[id];
-                let (along, about) = (linear(axis).length_squared(), ang_length_squared(angular(axis)));
+                let (along, about) =
+                    (linear(axis).length_squared(), ang_length_squared(angular(axis)));
                 let total = dot(axis, &u) + resistance.armature[dof];
-                let moves = total > INERTIA_MIN * (mass * along + moment * about) && total.is_finite();
+                let moves =
+                    total > INERTIA_MIN * (mass * along + moment * about) && total.is_finite();
                 let inv_inertia = if moves { 1.0 / total } else { 0.0 };
                 inertia.reduce(&u, inv_inertia);
                 self.pivots[dof] = Pivot { u, inv_inertia };
@@ -105,7 +107,12 @@ impl Factor {
 
     /// Turns forces on the degrees of freedom and wrenches on the links into accelerations (or impulses into velocities):
     /// `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. There may be no wrenches at all.
-    pub fn solve(&mut self, kinematics: &Kinematics, wrenches: &[SpatialVector], forces: &mut [Real]) {
+    pub fn solve(
+        &mut self,
+        kinematics: &Kinematics,
+        wrenches: &[SpatialVector],
+        forces: &mut [Real],
+    ) {
         self.gather(kinematics, wrenches, forces);
         self.respond(kinematics, forces);
     }

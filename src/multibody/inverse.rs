@@ -68,7 +68,9 @@ impl Multibody {
         joint_can_move: impl Fn(&MultibodyLink) -> bool,
         displacements: &mut Vec<Real>,
     ) {
-        let Some(target) = checked_pose(*target_pose).filter(|_| link_id < self.links.len()) else { return };
+        let Some(target) = checked_pose(*target_pose).filter(|_| link_id < self.links.len()) else {
+            return;
+        };
         let mut start = self.clone();
         start.forward_kinematics(bodies, false);
         let mut posed = start.clone();
@@ -88,7 +90,12 @@ impl Multibody {
                 mask(column, options.constrained_axes, *movable);
             }
             step.fill(0.0);
-            Self::inverse_kinematics_delta_with_jacobian(&jacobian, &error, options.damping, &mut step);
+            Self::inverse_kinematics_delta_with_jacobian(
+                &jacobian,
+                &error,
+                options.damping,
+                &mut step,
+            );
             self.shorten(&mut step);
             posed.apply_displacements(&step);
             posed.keep_limits();
@@ -117,7 +124,12 @@ impl Multibody {
     ) {
         if link_id < self.links.len() {
             let jacobian = self.jacobian_at_origin(link_id);
-            Self::inverse_kinematics_delta_with_jacobian(&jacobian, desired_movement, damping, displacements);
+            Self::inverse_kinematics_delta_with_jacobian(
+                &jacobian,
+                desired_movement,
+                damping,
+                displacements,
+            );
         }
     }
 

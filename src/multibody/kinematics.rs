@@ -84,8 +84,7 @@ impl Kinematics {
         let base = before.rotation * frame1.rotation;
         let anchor = before.rotation * (frame1.translation - parent_link.mass.local_com);
         let reach = anchor + base * link.joint.slide();
-        let rotation =
-            (base * link.joint.joint_rot() * frame2.rotation.inverse()).normalize();
+        let rotation = (base * link.joint.joint_rot() * frame2.rotation.inverse()).normalize();
         let arm = rotation * (mass.local_com - frame2.translation);
         let lever = reach + arm;
         let center = before.center + lever;
@@ -174,6 +173,10 @@ impl Multibody {
     ///
     /// It is that of the poses that the coordinates say now, with the root where it was in the last step.
     pub fn body_jacobian(&self, link_id: usize) -> Vec<SpatialVector> {
-        if link_id >= self.links.len() { Vec::new() } else { Kinematics::of(self).jacobian(link_id) }
+        if link_id >= self.links.len() {
+            Vec::new()
+        } else {
+            Kinematics::of(self).jacobian(link_id)
+        }
     }
 }

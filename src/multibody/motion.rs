@@ -100,7 +100,8 @@ impl Motion {
             self.take_momentum(|id| {
                 let link = &multibody.links[id];
                 // A body that was at rest when it became a link says nothing: the user may have set the joint's velocity.
-                let velocity = velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
+                let velocity =
+                    velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
                 velocity.filter(|_| body(link).is_some_and(|body| body.is_dynamic()))
             });
         }

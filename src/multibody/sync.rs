@@ -1,9 +1,9 @@
 //! What the user did to the bodies of a multibody, and what the multibody does to its bodies.
 
 use crate::dim::joint_axes::JointAxesMask;
+use crate::dim::math::SpatialVector;
 use crate::dim::math::{Pose, Real, integrate_rotation};
 use crate::dim::spatial::{angular, linear};
-use crate::dim::math::SpatialVector;
 use crate::model::body::RigidBodySet;
 use crate::model::check::checked_pose;
 use crate::model::multibody::Multibody;
@@ -15,7 +15,11 @@ impl Multibody {
     ///
     /// The root stays where it is unless `read_root_pose_from_rigid_body`, or its body was moved. Nothing happens if a
     /// link's body is missing.
-    pub fn forward_kinematics(&mut self, bodies: &RigidBodySet, read_root_pose_from_rigid_body: bool) {
+    pub fn forward_kinematics(
+        &mut self,
+        bodies: &RigidBodySet,
+        read_root_pose_from_rigid_body: bool,
+    ) {
         let Some(root) = self.links.first().and_then(|root| bodies.get(root.body)) else { return };
         if self.links.iter().any(|link| !bodies.contains(link.body)) {
             return;
@@ -57,7 +61,9 @@ impl Multibody {
     pub fn update_rigid_bodies(&mut self, bodies: &mut RigidBodySet, update_mass_properties: bool) {
         let _ = update_mass_properties;
         for link in &mut self.links {
-            let Some(body) = bodies.get_mut(link.body).filter(|body| body.is_dynamic()) else { continue };
+            let Some(body) = bodies.get_mut(link.body).filter(|body| body.is_dynamic()) else {
+                continue;
+            };
             body.set_position(link.pose, true);
             link.seen_pose = Some(*body.position());
         }

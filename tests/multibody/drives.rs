@@ -71,7 +71,12 @@ fn motors_accelerate_links_and_armature() {
             run(&mut world, 1.0);
             let found = rate_of(&world, handle);
             let expected = 2.0 / (inertia(1.0, 0.1) + 1.0 + armature);
-            table.row([rate.to_string(), armature.to_string(), found.to_string(), expected.to_string()]);
+            table.row([
+                rate.to_string(),
+                armature.to_string(),
+                found.to_string(),
+                expected.to_string(),
+            ]);
             table.check("the acceleration", found, expected, 1.0e-3 * expected);
         }
     }
@@ -171,5 +176,8 @@ fn sliders_slide() {
     let at = world.bodies[slider].translation();
     assert!((at - along * at.dot(along)).length() < 1.0e-4, "it left its rail: {at}");
     let body = &world.bodies[slider];
-    assert!(about_z_of(body.mass_properties().local_mprops()) > 0.0 && z_of(body.angvel()).abs() < 1.0e-5);
+    assert!(
+        about_z_of(body.mass_properties().local_mprops()) > 0.0
+            && z_of(body.angvel()).abs() < 1.0e-5
+    );
 }

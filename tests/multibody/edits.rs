@@ -30,10 +30,14 @@ fn a_removed_joint_splits() {
     assert!((velocity - after).length() < 1.0e-5);
     let (multibody, _) = world.multibody_joints.get(chain.joints[4]).expect("it is there");
     assert_eq!(multibody.root().expect("a root").rigid_body_handle(), chain.bodies[3]);
-    assert_eq!(multibody.root().expect("a root").ndofs(), multibody.root().expect("a root").ndofs());
+    assert_eq!(
+        multibody.root().expect("a root").ndofs(),
+        multibody.root().expect("a root").ndofs()
+    );
     world.bodies[chain.bodies[0]].set_linvel(vec(-3.0, 0.0), true);
     run(&mut world, 0.5);
-    let apart = world.bodies[chain.bodies[3]].translation() - world.bodies[chain.bodies[2]].translation();
+    let apart =
+        world.bodies[chain.bodies[3]].translation() - world.bodies[chain.bodies[2]].translation();
     assert!(apart.length() > 1.2, "the parts go their ways");
 }
 
@@ -119,7 +123,10 @@ fn a_body_that_was_moved_moves_its_joint() {
     assert!(coordinate(next).abs() < 1.0e-4);
     let expected = vec((0.5 as Real).sin(), -(0.5 as Real).cos());
     assert!((world.bodies[body].translation() - expected).length() < 1.0e-4, "its anchor holds");
-    assert!((world.bodies[tip].translation() - expected * 2.0).length() < 1.0e-4, "the tip follows");
+    assert!(
+        (world.bodies[tip].translation() - expected * 2.0).length() < 1.0e-4,
+        "the tip follows"
+    );
 }
 
 /// Rotations are made differently in each dimension.

@@ -36,8 +36,7 @@ fn a_tumbling_chain_keeps_energy_and_momentum() {
             }
         }
         let lost = (momentum(&world, bodies) - linear).length() / linear.length();
-        let turned =
-            ang_length(angular_momentum(&world, bodies) - angular) / ang_length(angular);
+        let turned = ang_length(angular_momentum(&world, bodies) - angular) / ang_length(angular);
         table.row([
             rate.to_string(),
             format!("{:.5}", largest * 100.0),
@@ -68,7 +67,9 @@ fn a_chain_falls_like_a_ball() {
     world.step();
     let mass: Real = chain.bodies.iter().map(|&body| world.bodies[body].mass()).sum();
     let center = |world: &PhysicsWorld| {
-        let of = |&body: &RigidBodyHandle| world.bodies[body].center_of_mass() * world.bodies[body].mass();
+        let of = |&body: &RigidBodyHandle| {
+            world.bodies[body].center_of_mass() * world.bodies[body].mass()
+        };
         chain.bodies.iter().map(of).sum::<Vector>() / mass
     };
     let velocity = momentum(&world, &chain.bodies) / mass - world.bodies[ball].linvel();

@@ -40,7 +40,14 @@ fn an_arm_reaches_targets_in_its_workspace() {
             ..Default::default()
         };
         let pose = Pose::from_parts(target, Rotation::IDENTITY);
-        multibody.inverse_kinematics(&world.bodies, tip, &options, &pose, |_| true, &mut displacements);
+        multibody.inverse_kinematics(
+            &world.bodies,
+            tip,
+            &options,
+            &pose,
+            |_| true,
+            &mut displacements,
+        );
         multibody.apply_displacements(&displacements);
         for link in multibody.links().skip(1) {
             let angle = link.joint().coords()[JointAxis::AngX as usize];
@@ -69,7 +76,14 @@ fn an_arm_reaches_a_pose() {
     let target = Pose::from_parts(vec(2.5, 2.0), turned);
     let options = InverseKinematicsOption { damping: 0.1, max_iters: 100, ..Default::default() };
     let mut displacements = vec![0.2; 5];
-    multibody.inverse_kinematics(&world.bodies, tip, &options, &target, |_| true, &mut displacements);
+    multibody.inverse_kinematics(
+        &world.bodies,
+        tip,
+        &options,
+        &target,
+        |_| true,
+        &mut displacements,
+    );
     multibody.apply_displacements(&displacements);
     let reached = multibody.link(tip).expect("the tip").local_to_world();
     let error = (reached.translation - target.translation).length();
@@ -94,10 +108,20 @@ fn an_arm_stretches_for_what_is_too_far() {
     let mut displacements = vec![0.3; 5];
     displacements[4] = 0.0;
     let can_move = |link: &MultibodyLink| link.link_id() != 5;
-    multibody.inverse_kinematics(&world.bodies, tip, &options, &target, can_move, &mut displacements);
+    multibody.inverse_kinematics(
+        &world.bodies,
+        tip,
+        &options,
+        &target,
+        can_move,
+        &mut displacements,
+    );
     assert_eq!(displacements[4], 0.0, "the last joint must not move");
     multibody.apply_displacements(&displacements);
     let reached = multibody.link(tip).expect("the tip").local_to_world().translation;
     let along = target.translation.normalize();
-    assert!((reached - along * 5.0).length() < 0.05, "stretched towards the target, not to {reached}");
+    assert!(
+        (reached - along * 5.0).length() < 0.05,
+        "stretched towards the target, not to {reached}"
+    );
 }

@@ -57,10 +57,12 @@ fn the_mass_matrix_is_that_of_the_links() {
             let jacobian = multibody.body_jacobian(link.link_id());
             let mut posed = world.bodies[link.rigid_body_handle()].clone();
             posed.set_position(*link.local_to_world(), false);
-            let momenta: Vec<_> = jacobian.iter().map(|j| crate::dim::momentum_of(&posed, j)).collect();
+            let momenta: Vec<_> =
+                jacobian.iter().map(|j| crate::dim::momentum_of(&posed, j)).collect();
             for row in 0..n {
                 for column in 0..n {
-                    let product: Real = jacobian[row].iter().zip(&momenta[column]).map(|(a, b)| a * b).sum();
+                    let product: Real =
+                        jacobian[row].iter().zip(&momenta[column]).map(|(a, b)| a * b).sum();
                     expected[(row, column)] += product;
                 }
             }
@@ -71,7 +73,10 @@ fn the_mass_matrix_is_that_of_the_links() {
             for column in 0..n {
                 let (found, expected) = (matrix[(row, column)], expected[(row, column)]);
                 let size = (matrix[(row, row)] * matrix[(column, column)]).sqrt();
-                assert!(near(&[found], &[expected], size), "{seed} {row} {column}: {found} {expected}");
+                assert!(
+                    near(&[found], &[expected], size),
+                    "{seed} {row} {column}: {found} {expected}"
+                );
             }
         }
     }

@@ -24,7 +24,9 @@ fn joints_that_cannot_be_are_refused() {
     assert_eq!((set.len(), set.multibodies().count()), (2, 1));
 
     let stale = MultibodyJointHandle::invalid();
-    assert!(set.get(stale).is_none() && set.get_mut(stale).is_none() && set.get_link(stale).is_none());
+    assert!(
+        set.get(stale).is_none() && set.get_mut(stale).is_none() && set.get_link(stale).is_none()
+    );
     assert!(set.remove(stale, true).is_none());
     set.remove_multibody_articulations(stale, true);
     set.remove_joints_attached_to_rigid_body(RigidBodyHandle::invalid());
@@ -87,10 +89,26 @@ fn nonsense_in_a_multibody_does_not_spoil_the_world() {
         let target = Pose::from_parts(vec(nonsense, 0.0), Rotation::IDENTITY);
         let mut displacements = vec![nonsense; 9];
         let options = InverseKinematicsOption { damping: nonsense, ..Default::default() };
-        multibody.inverse_kinematics(&world.bodies, link, &options, &target, |_| true, &mut displacements);
-        multibody.inverse_kinematics(&world.bodies, 99, &options, &target, |_| true, &mut displacements);
+        multibody.inverse_kinematics(
+            &world.bodies,
+            link,
+            &options,
+            &target,
+            |_| true,
+            &mut displacements,
+        );
+        multibody.inverse_kinematics(
+            &world.bodies,
+            99,
+            &options,
+            &target,
+            |_| true,
+            &mut displacements,
+        );
         assert!(multibody.link(99).is_none() && multibody.body_jacobian(99).is_empty());
-        assert!(multibody.kinematic_branch(99).is_empty() && multibody.joint_velocity(99).is_empty());
+        assert!(
+            multibody.kinematic_branch(99).is_empty() && multibody.joint_velocity(99).is_empty()
+        );
         run(&mut world, 0.5);
         let at = world.bodies[body].translation();
         assert!(at.is_finite(), "{nonsense}: {at}");
@@ -107,7 +125,11 @@ fn links_without_mass_and_other_axes() {
     let mut joints = Vec::new();
     for k in 0..8 {
         let at = vec(k as Real + 0.5, 0.0);
-        let body = if k % 2 == 0 { RigidBodyBuilder::dynamic().translation(at) } else { super::stage::slab(at) };
+        let body = if k % 2 == 0 {
+            RigidBodyBuilder::dynamic().translation(at)
+        } else {
+            super::stage::slab(at)
+        };
         let body = world.insert_body(body);
         let joint = loose_joint(k, vec(0.5, 0.0), vec(-0.5, 0.0));
         joints.push(world.multibody_joints.insert(parent, body, joint, true).expect("it fits"));

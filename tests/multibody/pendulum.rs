@@ -54,7 +54,8 @@ fn a_double_pendulum_keeps_its_energy() {
             error = energy(&world, &bodies) / (2.0 * G);
             largest = largest.max(error.abs());
         }
-        let row = [rate.to_string(), format!("{:.4}", largest * 100.0), format!("{:+.4}", error * 100.0)];
+        let row =
+            [rate.to_string(), format!("{:.4}", largest * 100.0), format!("{:+.4}", error * 100.0)];
         table.row(row);
         // Bounded: of second order in the angle of a substep, at the 20 rad/s that the second bob reaches.
         let angle = 20.0 * world.integration_parameters.substep();
@@ -86,7 +87,8 @@ fn heavy_ends_do_not_stretch_chains() {
 fn farthest(world: &PhysicsWorld) -> (Real, RigidBodyHandle) {
     let joints = world.multibody_joints.iter().map(|(_, _, multibody, link)| {
         let parent = &multibody.link(link.parent_id().expect("it has a parent")).expect("a link");
-        let [at, from] = [link, parent].map(|link| world.bodies[link.rigid_body_handle()].translation());
+        let [at, from] =
+            [link, parent].map(|link| world.bodies[link.rigid_body_handle()].translation());
         ((at - from).length(), link.rigid_body_handle())
     });
     joints.max_by(|a, b| (a.0 - 1.0).abs().total_cmp(&(b.0 - 1.0).abs())).expect("there are joints")

@@ -21,7 +21,8 @@ fn scene(change: impl FnOnce(&mut PhysicsWorld)) -> Vec<u64> {
     }
     change(&mut world);
     run(&mut world, 2.0);
-    let numbers = |(_, body): (_, &RigidBody)| components(body.position()).map(|x| f64::from(x).to_bits());
+    let numbers =
+        |(_, body): (_, &RigidBody)| components(body.position()).map(|x| f64::from(x).to_bits());
     world.bodies.iter().flat_map(numbers).collect()
 }
 

@@ -60,8 +60,9 @@ pub fn kinetic_energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real 
 /// All energy of some bodies, half a substep before their pose (see `gravitational_potential_energy`).
 pub fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     let h = world.integration_parameters.substep();
-    let potential =
-        |&body: &RigidBodyHandle| world.bodies[body].gravitational_potential_energy(h, world.gravity);
+    let potential = |&body: &RigidBodyHandle| {
+        world.bodies[body].gravitational_potential_energy(h, world.gravity)
+    };
     kinetic_energy(world, bodies) + bodies.iter().map(potential).sum::<Real>()
 }
 

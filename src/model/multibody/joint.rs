@@ -236,6 +236,9 @@ impl MultibodyJoint {
     pub fn angular_velocity(&self, velocities: &[Real]) -> AngVector {
         let linear = self.ndofs() - angular_axes(self.free_axes()).len();
         let rates = velocities.iter().skip(linear);
-        self.rotation_axes(self.free_axes()).iter().zip(rates).fold(ANG_ZERO, |sum, (axis, rate)| sum + *axis * *rate)
+        self.rotation_axes(self.free_axes())
+            .iter()
+            .zip(rates)
+            .fold(ANG_ZERO, |sum, (axis, rate)| sum + *axis * *rate)
     }
 }

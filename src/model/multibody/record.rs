@@ -246,7 +246,8 @@ impl Multibody {
     pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {
         self.links.iter().all(|link| {
             let is_root = link.parent.is_none();
-            let joint_acts = is_root || (link.joint.data.is_enabled() && link.joint.data.validate().is_ok());
+            let joint_acts =
+                is_root || (link.joint.data.is_enabled() && link.joint.data.validate().is_ok());
             joint_acts && body(link.body).is_some_and(|is_dynamic| is_dynamic || is_root)
         })
     }
@@ -258,9 +259,7 @@ impl Multibody {
         for link in &mut self.links {
             let free = match link.parent {
                 Some(_) => link.joint.free_axes(),
-                None if root.is_dynamic() => {
-                    free_axes(root.locked_axes())
-                }
+                None if root.is_dynamic() => free_axes(root.locked_axes()),
                 None => JointAxesMask::empty(),
             };
             changed |= free != link.free;
@@ -292,7 +291,8 @@ impl MultibodyLink {
 
 impl DofLists {
     fn all(&mut self) -> [&mut Vec<Real>; 6] {
-        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } = self;
+        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
+            self;
         [velocities, accelerations, damping, armature, frictions, friction_impulses]
     }
 

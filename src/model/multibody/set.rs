@@ -175,7 +175,11 @@ impl MultibodyJointSet {
     /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
     ///
     /// The link becomes the root of what hangs on it; a body on which nothing hangs is no link any more.
-    pub fn remove(&mut self, handle: MultibodyJointHandle, wake_up: bool) -> Option<MultibodyJoint> {
+    pub fn remove(
+        &mut self,
+        handle: MultibodyJointHandle,
+        wake_up: bool,
+    ) -> Option<MultibodyJoint> {
         let place = *self.joints.get(handle.0)?;
         let joint = self.get_link(handle)?.joint.clone();
         self.take_apart(place.multibody, wake_up, |link| link.id == place.id);
@@ -297,16 +301,12 @@ impl MultibodyJointSet {
         let multibody = place.and_then(|place| self.get_multibody(place.multibody));
         let links = multibody.map_or(&[] as &[MultibodyLink], |multibody| &multibody.links);
         let own = place.map(|place| place.id);
-        let attached =
-            links.iter().filter(move |link| Some(link.id) == own || link.parent == own);
+        let attached = links.iter().filter(move |link| Some(link.id) == own || link.parent == own);
         attached.filter_map(|link| Some((links[link.parent?].body, link.body, link.handle?)))
     }
 
     /// The bodies that joints join with a body.
-    pub fn attached_bodies(
-        &self,
-        body: RigidBodyHandle,
-    ) -> impl Iterator<Item = RigidBodyHandle> {
+    pub fn attached_bodies(&self, body: RigidBodyHandle) -> impl Iterator<Item = RigidBodyHandle> {
         let joints = self.attached_joints(body);
         joints.map(move |(parent, child, _)| if child == body { parent } else { child })
     }
@@ -329,8 +329,7 @@ impl MultibodyJointSet {
         body2: RigidBodyHandle,
     ) -> Option<(MultibodyJointHandle, &Multibody, &MultibodyLink)> {
         let mut joints = self.attached_joints(body1);
-        let (.., handle) =
-            joints.find(|&(parent, child, _)| parent == body2 || child == body2)?;
+        let (.., handle) = joints.find(|&(parent, child, _)| parent == body2 || child == body2)?;
         let (multibody, id) = self.get(handle)?;
         Some((handle, multibody, multibody.link(id)?))
     }

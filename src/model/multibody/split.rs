@@ -28,7 +28,10 @@ impl Multibody {
                     if link.parent.is_some() {
                         make_root(&mut link);
                     }
-                    parts.push(Self { self_contacts_enabled: self.self_contacts_enabled, ..Self::new() });
+                    parts.push(Self {
+                        self_contacts_enabled: self.self_contacts_enabled,
+                        ..Self::new()
+                    });
                     kept.push(Vec::new());
                     parts.len() - 1
                 }
@@ -37,7 +40,9 @@ impl Multibody {
             link.id = target.links.len();
             places.push((part, link.id));
             if link.free.bits().count_ones() as usize == old_dofs.len() {
-                target.dofs.extend(dofs[old_dofs.clone()].iter().map(|dof| Dof { link: link.id, ..*dof }));
+                target
+                    .dofs
+                    .extend(dofs[old_dofs.clone()].iter().map(|dof| Dof { link: link.id, ..*dof }));
                 kept[part].extend(old_dofs);
             }
             target.links.push(link);

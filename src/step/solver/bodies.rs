@@ -1,5 +1,6 @@
 //! Awake bodies as the solver sees them: dense, and in the order of the awake list.
 
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
 use crate::dim::gyro::Gyroscope;
@@ -15,7 +16,6 @@ use crate::model::check::checked_pose;
 use crate::model::contact::Placement;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
-use super::multibodies::SolverMultibodies;
 
 /// What integrates a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]

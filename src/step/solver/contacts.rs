@@ -74,7 +74,8 @@ impl SolverContacts {
                 self.inputs.push(ContactInput::EMPTY);
                 self.blocks.push(ContactBlock::EMPTY);
             }
-            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies, multibodies);
+            self.point_count +=
+                fill(&mut self.inputs[count], chunk, narrow_phase, bodies, multibodies);
             count += 1;
         }
         self.inputs.truncate(count);

@@ -133,18 +133,21 @@ impl SolverMultibodies {
     ) -> LinkContact {
         let data = &manifold.data;
         let along = tangents(geometry.normal);
-        let points = geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| Point {
-            position,
-            separation,
-            normal: self.row(sides, position, geometry.normal),
-            tangents: along.map(|tangent| self.row(sides, position, tangent)),
-            surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
-            impulse: known.warmstart_impulse,
-            friction: known.warmstart_tangent_impulse,
-            approach: 0.0,
-            total: 0.0,
-            bounce: 0.0,
-        });
+        let points =
+            geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
+                Point {
+                    position,
+                    separation,
+                    normal: self.row(sides, position, geometry.normal),
+                    tangents: along.map(|tangent| self.row(sides, position, tangent)),
+                    surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
+                    impulse: known.warmstart_impulse,
+                    friction: known.warmstart_tangent_impulse,
+                    approach: 0.0,
+                    total: 0.0,
+                    bounce: 0.0,
+                }
+            });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
         LinkContact { at, normal: geometry.normal, friction, restitution, points }
@@ -154,7 +157,8 @@ impl SolverMultibodies {
     fn row(&mut self, sides: &[Side<'_>; 2], point: Vector, direction: Vector) -> Row {
         let parts = match [sides[0].place, sides[1].place] {
             [Some(one), Some(two)] if one.multibody == two.multibody => {
-                let wrenches = [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)];
+                let wrenches =
+                    [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)];
                 let stands_firm = !(sides[0].gives_way || sides[1].gives_way);
                 let fill = |moving: &super::Moving, jacobian: &mut [Real]| {
                     let kinematics = &moving.motion.kinematics;
@@ -174,9 +178,14 @@ impl SolverMultibodies {
         let wrench = side.wrench(point, direction);
         if let Some(place) = side.place {
             let firm = !side.gives_way;
-            return self.numbers.add_links(&mut self.moving, place.multibody, firm, |moving, jacobian| {
-                moving.motion.kinematics.add_generalized_force(place.link, &wrench, jacobian);
-            });
+            return self.numbers.add_links(
+                &mut self.moving,
+                place.multibody,
+                firm,
+                |moving, jacobian| {
+                    moving.motion.kinematics.add_generalized_force(place.link, &wrench, jacobian);
+                },
+            );
         }
         let Some((body, index)) = side.body else { return Part::Nothing };
         let mprops = &body.mprops;
@@ -255,7 +264,13 @@ impl LinkContacts {
     }
 
     /// Solves the normal rows once.
-    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, pass: &SoftPass, bias: bool) {
+    pub fn solve(
+        &mut self,
+        numbers: &Numbers,
+        actors: &mut Actors<'_>,
+        pass: &SoftPass,
+        bias: bool,
+    ) {
         for point in self.points() {
             let velocity = numbers.velocity(&point.normal, actors);
             let separation = point.separation + numbers.displacement(&point.normal, actors);
@@ -301,7 +316,8 @@ impl LinkContacts {
                 if point.approach >= -threshold || point.total <= 0.0 {
                     continue;
                 }
-                let wanted = numbers.velocity(&point.normal, actors) + contact.restitution * point.approach;
+                let wanted =
+                    numbers.velocity(&point.normal, actors) + contact.restitution * point.approach;
                 let new = (point.bounce - wanted * point.normal.mass).max(-point.impulse);
                 numbers.push(&point.normal, new - point.bounce, actors);
                 point.total += new - point.bounce;

@@ -9,13 +9,14 @@
 //! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
 //! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
 //!
-//! `q` is a coordinate; of a ball joint an angle as `dim3/spatial.rs` has it, and of rotations that are coupled the angle of the cone.
+//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient.
 
 use super::rows::{Actors, Numbers, Part, Row};
 use super::{Moving, SoftPass};
-use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::joint::{FreeRotations, angle_about};
+use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real};
-use crate::dim::spatial::{BallAngle, ang_components, ball_angle, cone_angle};
+use crate::dim::spatial::ang_components;
 use crate::model::joint::{JointMotor, MotorModel, mask_of};
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 
@@ -127,7 +128,13 @@ impl JointRows {
     }
 
     /// Solves all rows once; with `bias`, limits that were overrun are undone.
-    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, pass: &SoftPass, bias: bool) {
+    pub fn solve(
+        &mut self,
+        numbers: &Numbers,
+        actors: &mut Actors<'_>,
+        pass: &SoftPass,
+        bias: bool,
+    ) {
         for drive in &mut self.drives {
             drive.solve(numbers, actors);
         }
@@ -191,7 +198,17 @@ impl Drive {
     fn friction(place: Place, row: Row, impulse_max: Real, impulse: Real) -> Self {
         let impulse = impulse.clamp(-impulse_max, impulse_max);
         let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
-        Self { place, row, is_friction: true, pull, distance, velocity, yielding, impulse, impulse_max }
+        Self {
+            place,
+            row,
+            is_friction: true,
+            pull,
+            distance,
+            velocity,
+            yielding,
+            impulse,
+            impulse_max,
+        }
     }
 
     fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
@@ -211,17 +228,18 @@ impl Drive {
 
 /// The angle or length that an axis's limits are about, and how much each axis of the joint changes it; `None` if another
 /// axis's limits stand for this one's.
-fn limited_angle(joint: &MultibodyJoint, axis: JointAxis) -> Option<(Real, [Real; JointAxis::ALL.len()])> {
+fn limited_angle(
+    joint: &MultibodyJoint,
+    axis: JointAxis,
+) -> Option<(Real, [Real; JointAxis::ALL.len()])> {
     if (axis as usize) < DIM || !joint.is_ball() {
         return Some((joint.coordinate(axis), unit(axis)));
     }
-    let rotation = joint.joint_rot();
-    let coupled = joint.data.coupled_axes & JointAxesMask::ANG_AXES;
-    let BallAngle { angle, gradient } = match coupled.contains(mask_of(axis)) {
-        false => ball_angle(axis as usize - DIM, rotation),
-        true if coupled.bits() & (mask_of(axis).bits() - 1) == 0 => cone_angle(rotation),
-        true => return None,
-    };
+    if !joint.data.driven_axes().any(|own| own == axis) {
+        return None;
+    }
+    let rotations = FreeRotations::new(joint.free_axes(), joint.data.coupled_axes);
+    let (angle, gradient) = angle_about(axis, rotations, &joint.joint_rot());
     let mut all = [0.0; JointAxis::ALL.len()];
     all[DIM..].copy_from_slice(&ang_components(gradient));
     Some((angle, all))

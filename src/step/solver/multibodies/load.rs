@@ -109,10 +109,13 @@ impl Moving {
         self.motion.drives.clear();
         for (position, dof) in dofs.iter().enumerate() {
             let joint = &links[dof.link].joint;
-            let (stiffness, rest) =
-                if dof.link == 0 { (0.0, 0.0) } else { joint.spring(dof.axis) };
+            let (stiffness, rest) = if dof.link == 0 { (0.0, 0.0) } else { joint.spring(dof.axis) };
             self.motion.drives.push(Drive {
-                armature: if joint.kinematic { Real::INFINITY } else { usable(lists.armature[position]) },
+                armature: if joint.kinematic {
+                    Real::INFINITY
+                } else {
+                    usable(lists.armature[position])
+                },
                 stiffness,
                 damping: usable(lists.damping[position]),
                 pull: stiffness * rest,
@@ -126,7 +129,9 @@ impl Moving {
             let dof = self.multibody.dofs[position];
             let joint = &self.multibody.links[dof.link].joint;
             let motor = joint.data.motor(dof.axis).filter(|motor| motor.max_force >= Real::MAX);
-            let Some(&motor) = motor.filter(|_| dof.link != 0 && !joint.kinematic) else { continue };
+            let Some(&motor) = motor.filter(|_| dof.link != 0 && !joint.kinematic) else {
+                continue;
+            };
             let inertia = self.inertia_against(position, &motor);
             let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
             let drive = &mut self.motion.drives[position];

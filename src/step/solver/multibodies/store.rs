@@ -89,8 +89,8 @@ impl Moving {
     fn is_sound(&mut self) -> bool {
         let links = &self.multibody.links;
         let joints_are = links.iter().all(|link| link.joint.is_sound());
-        let poses_are =
-            (1..links.len()).all(|id| checked_pose(self.motion.kinematics.pose(id, &self.multibody)).is_some());
+        let poses_are = (1..links.len())
+            .all(|id| checked_pose(self.motion.kinematics.pose(id, &self.multibody)).is_some());
         joints_are
             && poses_are
             && checked_pose(links[0].pose).is_some()
