@@ -20,13 +20,15 @@
 //! `M̃ = M + h D + h² K`: springs of stiffness `K` and dampers `D` are taken at the end of the substep.
 //!
 //! # Momentum
-//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third order; a chain
-//! that tumbles freely would slowly stray. So the momentum is compared at the end, and what is missing is given to the root as one impulse.
+//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third order, and so do
+//! pushes from outside, whose responses are frozen during a step. So the momentum is followed beside the velocities: it changes by
+//! gravity, forces and pushes alone, and what the velocities miss of it is given to the root as one impulse. Chains that
+//! tumble freely do not stray, and what a contact gives to one side it takes from the other.
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
 use super::spatial::{ZERO, add_scaled, carry_back, turn};
-use crate::dim::math::{Real, SpatialVector};
+use crate::dim::math::{Real, SpatialVector, Vector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::multibody::{Multibody, MultibodyLink};
@@ -69,8 +71,12 @@ pub struct Motion {
     root: SpatialVector,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
-    /// Root momentum at the substep's beginning, and in its middle before anything acted.
-    momentum: [SpatialVector; 2],
+    /// The momentum of all links about the root's centre of mass, but for [`Self::outside`].
+    momentum: SpatialVector,
+    /// The impulses from outside since then, about [`Self::origin`].
+    outside: SpatialVector,
+    /// Where the root's centre of mass was when the step began.
+    origin: Vector,
     velocities: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
@@ -105,6 +111,19 @@ impl Motion {
                 velocity.filter(|_| body(link).is_some_and(|body| body.is_dynamic()))
             });
         }
+        self.follow_momentum();
+    }
+
+    /// Notes an impulse from outside that the rates have felt already, as the impulses on the root's degrees of freedom.
+    pub fn note_outside(&mut self, impulses: &[Real], factor: Real) {
+        for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
+            add_scaled(&mut self.outside, axis, impulse * factor);
+        }
+    }
+
+    /// Number of degrees of freedom of the root.
+    pub fn root_dofs(&self) -> usize {
+        self.kinematics.links[0].dofs.len()
     }
 
     /// Gives the links the momentum that bodies with these velocities have.
@@ -127,6 +146,13 @@ impl Motion {
         self.change = change;
     }
 
+    /// Begins to follow the momentum.
+    fn follow_momentum(&mut self) {
+        self.momentum = self.root_momentum();
+        self.outside = ZERO;
+        self.origin = self.kinematics.links[0].center;
+    }
+
     /// Adds up the articulated inertias for substeps of `h` seconds, with springs and dampers.
     pub fn resist(&mut self, h: Real) {
         self.armature.clear();
@@ -145,18 +171,18 @@ impl Motion {
 
     /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle.
     pub fn accelerate(&mut self, multibody: &mut Multibody, h: Real) {
+        self.keep_momentum(self.kinematics.links[0].center);
         let mut change = core::mem::take(&mut self.change);
         self.kick(multibody, h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
         multibody.lists.accelerations.clone_from(&change);
-        self.momentum[0] = self.root_momentum();
+        self.momentum = self.root_momentum();
         let before = self.rates.clone();
         for _ in 0..VISITS {
             self.drift(0.5 * h, &mut change);
             self.rates.clone_from(&before);
             add_all(&mut self.rates, &change, 1.0);
         }
-        self.momentum[1] = self.root_momentum();
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
         total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });
         self.change = change;
@@ -203,10 +229,6 @@ impl Motion {
 
     /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end.
     pub fn advance(&mut self, multibody: &mut Multibody, h: Real) {
-        let [start, middle] = self.momentum;
-        let mut wanted = self.root_momentum();
-        add_scaled(&mut wanted, &start, 1.0);
-        add_scaled(&mut wanted, &middle, -1.0);
         let root_center = self.kinematics.links[0].center;
         multibody.integrate(h, &self.rates, &self.root);
         self.kinematics.update(multibody);
@@ -214,21 +236,34 @@ impl Motion {
         let mut change = core::mem::take(&mut self.change);
         self.drift(0.5 * h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
-        if !self.kinematics.links[0].dofs.is_empty() {
-            let wanted = carry_back(&wanted, root_center - self.kinematics.links[0].center);
-            self.keep_momentum(&wanted, &mut change);
-        }
         self.change = change;
+        self.keep_momentum(root_center);
     }
 
-    /// Gives the root the impulse that is missing to this momentum about its centre of mass.
-    fn keep_momentum(&mut self, wanted: &SpatialVector, change: &mut Vec<Real>) {
-        let mut missing = *wanted;
+    /// Ends the step.
+    pub fn finish(&mut self) {
+        self.keep_momentum(self.kinematics.links[0].center);
+    }
+
+    /// Gives the root the impulse that the velocities miss of the momentum. That was about `before`, and is about the root's
+    /// centre of mass from now on.
+    fn keep_momentum(&mut self, before: Vector) {
+        if self.root_dofs() == 0 {
+            return;
+        }
+        let center = self.kinematics.links[0].center;
+        let mut wanted = carry_back(&self.momentum, before - center);
+        add_scaled(&mut wanted, &carry_back(&self.outside, self.origin - center), 1.0);
+        self.outside = ZERO;
+        self.momentum = wanted;
+        let mut missing = wanted;
         add_scaled(&mut missing, &self.root_momentum(), -1.0);
+        let mut change = core::mem::take(&mut self.change);
         change.clear();
         change.resize(self.rates.len(), 0.0);
-        self.factor.solve(&self.kinematics, &[missing], change);
-        add_all(&mut self.rates, change, 1.0);
+        self.factor.solve(&self.kinematics, &[missing], &mut change);
+        add_all(&mut self.rates, &change, 1.0);
+        self.change = change;
     }
 
     /// The momentum of all links together, about the root's centre of mass.

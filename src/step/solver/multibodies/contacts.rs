@@ -159,14 +159,13 @@ impl SolverMultibodies {
             [Some(one), Some(two)] if one.multibody == two.multibody => {
                 let wrenches =
                     [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)];
-                let stands_firm = !(sides[0].gives_way || sides[1].gives_way);
+                let gives_way = sides[0].gives_way || sides[1].gives_way;
                 let fill = |moving: &super::Moving, jacobian: &mut [Real]| {
                     let kinematics = &moving.motion.kinematics;
                     kinematics.add_generalized_force(one.link, &wrenches[0], jacobian);
                     kinematics.add_generalized_force(two.link, &wrenches[1], jacobian);
                 };
-                let part =
-                    self.numbers.add_links(&mut self.moving, one.multibody, stands_firm, fill);
+                let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
                 [part, Part::Nothing]
             }
             _ => [self.part(&sides[0], point, -direction), self.part(&sides[1], point, direction)],
@@ -177,11 +176,10 @@ impl SolverMultibodies {
     fn part(&mut self, side: &Side<'_>, point: Vector, direction: Vector) -> Part {
         let wrench = side.wrench(point, direction);
         if let Some(place) = side.place {
-            let firm = !side.gives_way;
             return self.numbers.add_links(
                 &mut self.moving,
                 place.multibody,
-                firm,
+                side.gives_way,
                 |moving, jacobian| {
                     moving.motion.kinematics.add_generalized_force(place.link, &wrench, jacobian);
                 },

@@ -264,7 +264,7 @@ fn row_of(
     link: &MultibodyLink,
     by_axis: &[Real; JointAxis::ALL.len()],
 ) -> Row {
-    let part = numbers.add_links(multibodies, place.multibody, false, |_, jacobian| {
+    let part = numbers.add_links(multibodies, place.multibody, true, |_, jacobian| {
         let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
         for (dof, axis) in link.dofs().zip(axes) {
             jacobian[dof] = by_axis[axis as usize];

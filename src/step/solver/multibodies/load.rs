@@ -64,6 +64,8 @@ impl SolverMultibodies {
                 list.clear();
                 list.resize(ndofs, 0.0);
             }
+            moving.root_pushed.clear();
+            moving.root_pushed.resize(moving.motion.root_dofs(), 0.0);
             let links = &moving.multibody.links;
             moving.travel.clear();
             moving.travel.resize(links.len(), [0.0; 2]);

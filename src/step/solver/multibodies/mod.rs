@@ -42,6 +42,8 @@ pub(super) struct Moving {
     motion: Motion,
     /// What the impulses so far in this substep did to the rates.
     pushed: Vec<Real>,
+    /// The same impulses on the root's degrees of freedom.
+    root_pushed: Vec<Real>,
     /// How far the degrees of freedom moved since the step began.
     shift: Vec<Real>,
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
@@ -176,6 +178,8 @@ impl SolverMultibodies {
                 *pushed *= warmth;
                 *rate += *pushed;
             }
+            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
+            moving.motion.note_outside(&moving.root_pushed, 1.0);
         });
         if warmth != 1.0 {
             self.joints.scale_impulses(warmth);

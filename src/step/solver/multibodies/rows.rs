@@ -18,8 +18,8 @@ use crate::dim::state::{BodyState, READ_ONLY};
 pub enum Part {
     /// Something that stands still.
     Nothing,
-    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`.
-    Links { multibody: usize, start: usize },
+    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
+    Links { multibody: usize, start: usize, gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
 }
@@ -52,12 +52,12 @@ impl Numbers {
         self.responses.clear();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros. Nothing moves it if it `stands_firm`.
+    /// A part whose Jacobian `fill` adds to zeros. Nothing moves it unless it `gives_way`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],
         multibody: usize,
-        stands_firm: bool,
+        gives_way: bool,
         fill: impl FnOnce(&Moving, &mut [Real]),
     ) -> Part {
         let start = self.jacobians.len();
@@ -65,20 +65,19 @@ impl Numbers {
         let end = start + moving.motion.rates.len();
         self.jacobians.resize(end, 0.0);
         fill(moving, &mut self.jacobians[start..]);
-        if stands_firm {
-            self.responses.resize(end, 0.0);
-        } else {
-            self.responses.extend_from_slice(&self.jacobians[start..]);
+        self.responses.extend_from_slice(&self.jacobians[start..]);
+        if gives_way {
             moving.motion.respond(&mut self.responses[start..]);
         }
-        Part::Links { multibody, start }
+        Part::Links { multibody, start, gives_way }
     }
 
     /// A row of these parts.
     pub fn row(&self, multibodies: &[Moving], parts: [Part; 2]) -> Row {
         let resistance = |part: &Part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start } => {
+            Part::Links { gives_way: false, .. } => 0.0,
+            Part::Links { multibody, start, .. } => {
                 let range = *start..start + multibodies[*multibody].motion.rates.len();
                 product(&self.jacobians[range.clone()], &self.responses[range])
             }
@@ -93,7 +92,7 @@ impl Numbers {
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start } => {
+            Part::Links { multibody, start, .. } => {
                 let rates = &actors.multibodies[*multibody].motion.rates;
                 product(&self.jacobians[*start..start + rates.len()], rates)
             }
@@ -108,7 +107,7 @@ impl Numbers {
     pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start } => {
+            Part::Links { multibody, start, .. } => {
                 let shift = &actors.multibodies[*multibody].shift;
                 product(&self.jacobians[*start..start + shift.len()], shift)
             }
@@ -125,16 +124,17 @@ impl Numbers {
 
     /// Pushes with an impulse.
     pub fn push(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, response| {
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
-            add(&mut moving.pushed, response, impulse);
+            moving.note_push(jacobian, response, impulse);
+            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
     /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.
     pub fn push_early(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, response| {
-            add(&mut moving.pushed, response, impulse);
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+            moving.note_push(jacobian, response, impulse);
         });
     }
 
@@ -143,7 +143,7 @@ impl Numbers {
         row: &Row,
         impulse: Real,
         actors: &mut Actors<'_>,
-        push_links: impl Fn(&mut Moving, &[Real]),
+        push_links: impl Fn(&mut Moving, &[Real], &[Real]),
     ) {
         if impulse == 0.0 {
             return;
@@ -151,10 +151,13 @@ impl Numbers {
         for part in &row.parts {
             match part {
                 Part::Nothing => {}
-                Part::Links { multibody, start } => {
+                Part::Links { gives_way: false, .. } => {}
+                Part::Links { multibody, start, .. } => {
                     let moving = &mut actors.multibodies[*multibody];
                     let end = start + moving.pushed.len();
-                    push_links(moving, &self.responses[*start..end]);
+                    let (jacobian, response) =
+                        (&self.jacobians[*start..end], &self.responses[*start..end]);
+                    push_links(moving, jacobian, response);
                 }
                 Part::Body { index, response, .. } if index & READ_ONLY == 0 => {
                     let state = &mut actors.states[at(*index)];
@@ -167,6 +170,14 @@ impl Numbers {
                 Part::Body { .. } => {}
             }
         }
+    }
+}
+
+impl Moving {
+    /// Notes what an impulse does.
+    fn note_push(&mut self, jacobian: &[Real], response: &[Real], impulse: Real) {
+        add(&mut self.pushed, response, impulse);
+        add(&mut self.root_pushed, jacobian, impulse);
     }
 }
 

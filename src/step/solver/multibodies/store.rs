@@ -43,6 +43,7 @@ impl Moving {
     }
 
     fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
+        self.motion.finish();
         if !self.is_sound() {
             self.stop();
         }
