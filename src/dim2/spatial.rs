@@ -77,3 +77,9 @@ pub fn free_axes(locked: LockedAxes) -> JointAxesMask {
 pub fn world_inertia(mass: &MassProperties, _: Rotation) -> [[Real; ANG_DIM]; ANG_DIM] {
     [[mass.principal_inertia()]]
 }
+
+/// The error if the rotation is locked, and how the relative angular velocity changes it. `rotation` is the second frame's,
+/// seen from the first.
+pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
+    [(rotation_to_angle(&rotation), 1.0)]
+}

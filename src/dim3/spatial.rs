@@ -92,6 +92,17 @@ pub fn world_inertia(mass: &MassProperties, rotation: Rotation) -> [[Real; ANG_D
     inertia
 }
 
+/// By axis: the error if the rotation about it is locked, and the direction in the first frame along which the relative angular
+/// velocity changes it. `rotation` is the second frame's, seen from the first. See `dim3/joint/mod.rs`.
+pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
+    let (x, y, z, w) = (rotation.x, rotation.y, rotation.z, rotation.w);
+    [
+        (2.0 * x, AngVector::new(w, z, -y)),
+        (2.0 * y, AngVector::new(-z, w, x)),
+        (2.0 * z, AngVector::new(y, -x, w)),
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

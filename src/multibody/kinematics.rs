@@ -2,8 +2,10 @@
 
 use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
-use crate::dim::math::{ANG_ZERO, DIM, Pose, Real, Rotation, SpatialVector, Vector, cross};
-use crate::dim::spatial::{join, turn_axis, world_inertia};
+use crate::dim::math::{
+    ANG_ZERO, DIM, Pose, Real, Rotation, SpatialVector, Vector, ang_length_squared, cross,
+};
+use crate::dim::spatial::{angular, join, linear, turn_axis, world_inertia};
 use crate::model::joint::mask_of;
 use crate::model::multibody::{Multibody, MultibodyLink};
 use core::ops::Range;
@@ -140,6 +142,31 @@ impl Kinematics {
         while let Some(link) = next.map(|id| &self.links[id]) {
             for dof in link.dofs.clone() {
                 out[dof] += dot(&self.axes[dof], &wrench);
+            }
+            wrench = carry_back(&wrench, link.lever);
+            next = link.parent;
+        }
+    }
+
+    /// The same, and to `sizes` how large the force on each degree of freedom could be: the product of lengths whose vectors may
+    /// stand across each other. What is far below that is rounding.
+    pub fn add_measured_force(
+        &self,
+        id: usize,
+        wrench: &SpatialVector,
+        out: &mut [Real],
+        sizes: &mut [Real],
+    ) {
+        let mut wrench = *wrench;
+        let mut next = Some(id);
+        while let Some(link) = next.map(|id| &self.links[id]) {
+            let (force, couple) =
+                (linear(&wrench).length(), ang_length_squared(angular(&wrench)).sqrt());
+            for dof in link.dofs.clone() {
+                let axis = &self.axes[dof];
+                out[dof] += dot(axis, &wrench);
+                sizes[dof] += linear(axis).length() * force
+                    + ang_length_squared(angular(axis)).sqrt() * couple;
             }
             wrench = carry_back(&wrench, link.lever);
             next = link.parent;

@@ -10,6 +10,7 @@ mod edits;
 mod free;
 mod inverse;
 mod laws;
+mod loops;
 mod nonsense;
 mod pendulum;
 mod repeat;

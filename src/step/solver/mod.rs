@@ -1,6 +1,6 @@
 //! # Solver — make velocities obey
 //!
-//! Reads:   manifolds, joints, the constraint graphs, parameters
+//! Reads:   manifolds, joints, multibodies, the constraint graphs, parameters
 //! Writes:  velocities and poses of awake bodies, impulses of manifolds and joints; breaks joints
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
@@ -37,7 +37,7 @@ use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use joints::SolverJoints;
-use multibodies::SolverMultibodies;
+use multibodies::{SolverMultibodies, Surroundings};
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -84,12 +84,13 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     let early_pass = ContactPass { is_last_visit: false, ..pass };
     let joint_pass = JointPass::new(params, h);
     let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
-    joints.load(islands, set, bodies, states, &joint_pass);
+    joints.load(islands, set, bodies, states, multibodies, &joint_pass);
     joints.warm_start(states, *simd, tasks);
     multibodies.begin(bodies, gravity, h);
     contacts.load(&islands.graph, narrow_phase, states, multibodies);
     contacts.prepare(states, params, *simd, tasks);
-    multibodies.prepare(narrow_phase, bodies, states, h);
+    let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
+    multibodies.prepare(around, states, &joint_pass);
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
@@ -121,9 +122,9 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 
     counters.velocity_writeback_time.resume();
     contacts.store(&islands.graph, narrow_phase, multibodies);
-    joints.store(islands, set, params.inv_dt(), broken);
+    joints.store(islands, set, multibodies, params.inv_dt(), broken);
     states.store(islands, bodies, multibodies, params);
-    multibodies.store(scene.multibodies, narrow_phase, islands, bodies);
+    multibodies.store(scene.multibodies, set, narrow_phase, islands, bodies, params.inv_dt());
     counters.velocity_writeback_time.pause();
     counters.nconstraints = contacts.len() + joints.len();
     counters.ncontacts = contacts.point_count();

@@ -61,6 +61,7 @@ mod taut;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
@@ -122,6 +123,7 @@ impl SolverJoints {
         joints: &mut ImpulseJointSet,
         set: &RigidBodySet,
         bodies: &SolverBodies,
+        multibodies: &SolverMultibodies,
         pass: &JointPass,
     ) {
         self.colors.clear();
@@ -144,6 +146,9 @@ impl SolverJoints {
             block.first_row = self.rows.len();
             for (lane, &slot) in chunk.iter().enumerate() {
                 let Some(link) = islands.joints.get(slot) else { continue };
+                if multibodies.claims(link.body_slots()) {
+                    continue;
+                }
                 let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
                 let rows = &mut self.rows;
                 let tautness = &mut self.tautness;
@@ -262,6 +267,7 @@ impl SolverJoints {
         &self,
         islands: &IslandManager,
         joints: &mut ImpulseJointSet,
+        multibodies: &SolverMultibodies,
         inv_dt: Real,
         broken: &mut Vec<JointBreakEvent>,
     ) {
@@ -269,9 +275,9 @@ impl SolverJoints {
             let block = &self.blocks[index];
             let rows = &self.rows[block.first_row..block.first_row + block.row_count];
             for (lane, &slot) in chunk.iter().enumerate() {
-                let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
-                    continue;
-                };
+                let link = islands.joints.get(slot);
+                let link = link.filter(|link| !multibodies.claims(link.body_slots()));
+                let Some(handle) = link.map(|link| link.handle) else { continue };
                 let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
                 store::store_lane(block, rows, lane, joint, inv_dt);
                 if let Some(event) = store::break_if_overloaded(handle, joint) {

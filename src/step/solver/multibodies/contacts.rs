@@ -52,13 +52,13 @@ pub struct LinkContacts {
 }
 
 /// One side of a manifold as it stands now.
-struct Side<'a> {
+pub(super) struct Side<'a> {
     place: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     body: Option<(&'a RigidBody, u32)>,
-    rotation: Rotation,
+    pub rotation: Rotation,
     /// The centre of mass; none for what never moves.
-    center: Option<Vector>,
+    pub center: Option<Vector>,
     /// Does the other side move it?
     gives_way: bool,
 }
@@ -101,7 +101,7 @@ impl SolverMultibodies {
         }
     }
 
-    fn side<'a>(
+    pub(super) fn side<'a>(
         &self,
         slot: u32,
         gives_way: bool,
@@ -155,33 +155,45 @@ impl SolverMultibodies {
 
     /// The row of the second side's velocity against the first's, at a point along a direction.
     fn row(&mut self, sides: &[Side<'_>; 2], point: Vector, direction: Vector) -> Row {
+        self.row_of_wrenches(
+            sides,
+            [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)],
+        )
+    }
+
+    /// The row whose impulse gives each side a wrench about its centre of mass.
+    pub(super) fn row_of_wrenches(
+        &mut self,
+        sides: &[Side<'_>; 2],
+        wrenches: [SpatialVector; 2],
+    ) -> Row {
         let parts = match [sides[0].place, sides[1].place] {
             [Some(one), Some(two)] if one.multibody == two.multibody => {
-                let wrenches =
-                    [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)];
                 let gives_way = sides[0].gives_way || sides[1].gives_way;
-                let fill = |moving: &super::Moving, jacobian: &mut [Real]| {
+                let fill = |moving: &super::Moving, jacobian: &mut [Real], sizes: &mut [Real]| {
                     let kinematics = &moving.motion.kinematics;
-                    kinematics.add_generalized_force(one.link, &wrenches[0], jacobian);
-                    kinematics.add_generalized_force(two.link, &wrenches[1], jacobian);
+                    kinematics.add_measured_force(one.link, &wrenches[0], jacobian, sizes);
+                    kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
                 };
                 let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
                 [part, Part::Nothing]
             }
-            _ => [self.part(&sides[0], point, -direction), self.part(&sides[1], point, direction)],
+            _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };
         self.numbers.row(&self.moving, parts)
     }
 
-    fn part(&mut self, side: &Side<'_>, point: Vector, direction: Vector) -> Part {
-        let wrench = side.wrench(point, direction);
+    fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
         if let Some(place) = side.place {
             return self.numbers.add_links(
                 &mut self.moving,
                 place.multibody,
                 side.gives_way,
-                |moving, jacobian| {
-                    moving.motion.kinematics.add_generalized_force(place.link, &wrench, jacobian);
+                |moving, jacobian, sizes| {
+                    moving
+                        .motion
+                        .kinematics
+                        .add_measured_force(place.link, &wrench, jacobian, sizes);
                 },
             );
         }
@@ -198,7 +210,7 @@ impl SolverMultibodies {
 
 impl Side<'_> {
     /// A unit force along a direction at a point, as a wrench on the centre of mass.
-    fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
+    pub fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
         let lever = self.center.map_or(Vector::ZERO, |center| point - center);
         join(direction, torque(lever, direction))
     }

@@ -17,21 +17,23 @@ use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real};
 use crate::dim::spatial::ang_components;
-use crate::model::joint::{JointMotor, MotorModel, mask_of};
+use crate::model::joint::{
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
+};
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 
-/// Which joint's axis a row is about.
+/// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
-struct Place {
-    multibody: usize,
-    link: usize,
-    axis: JointAxis,
+pub enum Owner {
+    Link { multibody: usize, link: usize },
+    Loop { joint: ImpulseJointHandle },
 }
 
 /// Both limits of an axis. They share a row: the one pushes along it, the other against it.
 #[derive(Copy, Clone, Debug)]
 struct Limit {
-    place: Place,
+    owner: Owner,
+    axis: JointAxis,
     row: Row,
     /// How far the coordinate is from the lower and from the upper end.
     room: [Real; 2],
@@ -41,7 +43,8 @@ struct Limit {
 /// A motor with a largest force, or friction.
 #[derive(Copy, Clone, Debug)]
 struct Drive {
-    place: Place,
+    owner: Owner,
+    axis: JointAxis,
     row: Row,
     is_friction: bool,
     /// Stiffness over `h k + d` (1/s): what a distance from the target adds to the velocity that is wanted.
@@ -88,27 +91,50 @@ impl JointRows {
         let data = &link.joint.data;
         let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
         for (dof, axis) in link.dofs().zip(axes) {
-            let place = Place { multibody, link: link.id, axis };
+            let owner = Owner::Link { multibody, link: link.id };
             if let Some(limits) = data.limits(axis)
                 && let Some((q, gradient)) = limited_angle(&link.joint, axis)
             {
-                let row = row_of(numbers, multibodies, place, link, &gradient);
-                let room = [q - limits.min, limits.max - q];
-                let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
-                self.limits.push(Limit { place, row, room, impulses });
+                let row = row_of(numbers, multibodies, multibody, link, &gradient);
+                self.add_limits((owner, axis), row, q, limits);
             }
             let unit = unit(axis);
             if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
-                let row = row_of(numbers, multibodies, place, link, &unit);
-                self.drives.push(Drive::motor(place, row, motor, &link.joint, h));
+                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                self.add_motor((owner, axis), row, link.joint.coordinate(axis), motor, h);
             }
             let lists = &multibodies[multibody].multibody.lists;
             let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
             if friction > 0.0 && friction.is_finite() {
-                let row = row_of(numbers, multibodies, place, link, &unit);
-                self.drives.push(Drive::friction(place, row, friction * h, impulse));
+                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                self.drives.push(Drive::friction((owner, axis), row, friction * h, impulse));
             }
         }
+    }
+
+    /// Adds the limits of an axis whose coordinate is `q`.
+    pub fn add_limits(
+        &mut self,
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        limits: &JointLimits,
+    ) {
+        let room = [q - limits.min, limits.max - q];
+        let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
+        self.limits.push(Limit { owner, axis, row, room, impulses });
+    }
+
+    /// Adds the motor of an axis whose coordinate is `q`, for substeps of `h` seconds.
+    pub fn add_motor(
+        &mut self,
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        motor: &JointMotor,
+        h: Real,
+    ) {
+        self.drives.push(Drive::motor((owner, axis), row, q, motor, h));
     }
 
     /// Starts the step with the last one's impulses.
@@ -152,28 +178,55 @@ impl JointRows {
     }
 
     /// Writes the impulses to the joints.
-    pub fn store(&self, multibodies: &mut [Moving]) {
-        for Limit { place, impulses, .. } in &self.limits {
-            let link = &mut multibodies[place.multibody].multibody.links[place.link];
-            link.joint.data.limits[place.axis as usize].impulse = finite(impulses[0] - impulses[1]);
+    pub fn store(&self, multibodies: &mut [Moving], joints: &mut ImpulseJointSet) {
+        for Limit { owner, axis, impulses, .. } in &self.limits {
+            if let Some(data) = owner.data(multibodies, joints) {
+                data.limits[*axis as usize].impulse = finite(impulses[0] - impulses[1]);
+            }
         }
-        for drive in &self.drives {
-            let Place { multibody, link, axis } = drive.place;
-            let target = &mut multibodies[multibody].multibody;
-            let impulse = finite(drive.impulse);
-            if drive.is_friction {
-                let link = &target.links[link];
-                let dof = link.first_dof + position(link, axis);
-                target.lists.friction_impulses[dof] = impulse;
-            } else {
-                target.links[link].joint.data.motors[axis as usize].impulse = impulse;
+        for Drive { owner, axis, is_friction, impulse, .. } in &self.drives {
+            let impulse = finite(*impulse);
+            match *owner {
+                Owner::Link { multibody, link } if *is_friction => {
+                    let target = &mut multibodies[multibody].multibody;
+                    let link = &target.links[link];
+                    let dof = link.first_dof + position(link, *axis);
+                    target.lists.friction_impulses[dof] = impulse;
+                }
+                owner => {
+                    if let Some(data) = owner.data(multibodies, joints) {
+                        data.motors[*axis as usize].impulse = impulse;
+                    }
+                }
             }
         }
     }
 }
 
+impl Owner {
+    /// The joint.
+    fn data<'a>(
+        self,
+        multibodies: &'a mut [Moving],
+        joints: &'a mut ImpulseJointSet,
+    ) -> Option<&'a mut GenericJoint> {
+        match self {
+            Self::Link { multibody, link } => {
+                Some(&mut multibodies[multibody].multibody.links[link].joint.data)
+            }
+            Self::Loop { joint } => Some(&mut joints.get_unnoted_mut(joint)?.data),
+        }
+    }
+}
+
 impl Drive {
-    fn motor(place: Place, row: Row, motor: &JointMotor, joint: &MultibodyJoint, h: Real) -> Self {
+    fn motor(
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        motor: &JointMotor,
+        h: Real,
+    ) -> Self {
         let inertia = match motor.model {
             MotorModel::AccelerationBased => row.mass,
             MotorModel::ForceBased => 1.0,
@@ -181,13 +234,14 @@ impl Drive {
         let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
         let resistance = h * stiffness + damping;
         let share = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
-        let impulse_max = motor.max_force * h;
+        let impulse_max = (motor.max_force * h).min(Real::MAX);
         Self {
-            place,
+            owner,
+            axis,
             row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
             is_friction: false,
             pull: share(stiffness),
-            distance: motor.target_pos - joint.coordinate(place.axis),
+            distance: motor.target_pos - q,
             velocity: share(damping) * motor.target_vel,
             yielding: share(1.0 / h),
             impulse: motor.impulse.clamp(-impulse_max, impulse_max),
@@ -195,11 +249,17 @@ impl Drive {
         }
     }
 
-    fn friction(place: Place, row: Row, impulse_max: Real, impulse: Real) -> Self {
+    fn friction(
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        impulse_max: Real,
+        impulse: Real,
+    ) -> Self {
         let impulse = impulse.clamp(-impulse_max, impulse_max);
         let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
         Self {
-            place,
+            owner,
+            axis,
             row,
             is_friction: true,
             pull,
@@ -260,11 +320,11 @@ fn position(link: &MultibodyLink, axis: JointAxis) -> usize {
 fn row_of(
     numbers: &mut Numbers,
     multibodies: &mut [Moving],
-    place: Place,
+    multibody: usize,
     link: &MultibodyLink,
     by_axis: &[Real; JointAxis::ALL.len()],
 ) -> Row {
-    let part = numbers.add_links(multibodies, place.multibody, true, |_, jacobian| {
+    let part = numbers.add_links(multibodies, multibody, true, |_, jacobian, _| {
         let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
         for (dof, axis) in link.dofs().zip(axes) {
             jacobian[dof] = by_axis[axis as usize];

@@ -10,6 +10,7 @@
 mod contacts;
 mod limits;
 mod load;
+mod loops;
 mod rows;
 mod store;
 
@@ -20,11 +21,14 @@ use crate::dim::math::{Pose, Real};
 use crate::model::body::RigidBodySet;
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::NarrowPhase;
+use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
-use crate::model::params::{ContactPass, IntegrationParameters, Softness};
+use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
 use crate::multibody::Motion;
 use contacts::LinkContacts;
 use limits::JointRows;
+use loops::Loops;
 use rows::{Actors, Numbers};
 
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
@@ -75,7 +79,17 @@ pub(super) struct SolverMultibodies {
     left_out: Vec<ManifoldRef>,
     numbers: Numbers,
     joints: JointRows,
+    loops: Loops,
     contacts: LinkContacts,
+}
+
+/// What constraints are made of.
+#[derive(Copy, Clone)]
+pub(super) struct Surroundings<'a> {
+    pub narrow_phase: &'a NarrowPhase,
+    pub islands: &'a IslandManager,
+    pub joints: &'a ImpulseJointSet,
+    pub world: &'a RigidBodySet,
 }
 
 /// How limits and contacts are softened, and how much of a row's error a visit removes.
@@ -154,19 +168,20 @@ impl SolverMultibodies {
     /// Makes the constraints, and gives everybody last step's impulses.
     pub fn prepare(
         &mut self,
-        narrow_phase: &NarrowPhase,
-        world: &RigidBodySet,
+        Surroundings { narrow_phase, islands, joints, world }: Surroundings<'_>,
         bodies: &mut SolverBodies,
-        h: Real,
+        pass: &JointPass,
     ) {
         self.numbers.clear();
-        self.joints.prepare(&mut self.numbers, &mut self.moving, h);
+        self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
+        self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
-        let Self { numbers, joints, contacts, moving, .. } = self;
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut before = Actors { multibodies: moving, states: &mut bodies.before };
         contacts.note_approach(numbers, &mut before);
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         joints.warm_start(numbers, &mut actors);
+        loops.warm_start(numbers, &mut actors);
         contacts.warm_start(numbers, &mut actors);
     }
 
@@ -183,6 +198,7 @@ impl SolverMultibodies {
         });
         if warmth != 1.0 {
             self.joints.scale_impulses(warmth);
+            self.loops.scale_impulses(warmth);
             self.contacts.scale_impulses(warmth);
         }
     }
@@ -200,8 +216,9 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, contacts, moving, .. } = self;
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        loops.solve(numbers, &mut actors, true);
         joints.solve(numbers, &mut actors, &limit, true);
         contacts.solve(numbers, &mut actors, &contact, true);
     }
@@ -214,12 +231,14 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, contacts, moving, .. } = self;
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        loops.solve(numbers, &mut actors, false);
         joints.solve(numbers, &mut actors, &limit, false);
         contacts.solve(numbers, &mut actors, &contact, false);
         contacts.rub(numbers, &mut actors);
         if pass.is_last_visit {
+            loops.count();
             contacts.count();
         }
     }

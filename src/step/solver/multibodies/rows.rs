@@ -37,7 +37,13 @@ pub struct Row {
 pub struct Numbers {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
+    /// Of the part that is being added: how large each number could be.
+    sizes: Vec<Real>,
 }
+
+/// What is below this share of what it could be is rounding. Where the joints leave a row nothing to move, all of `J` is, and
+/// `1/K` would be of any size.
+const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Everything that rows act on.
 pub struct Actors<'a> {
@@ -52,19 +58,24 @@ impl Numbers {
         self.responses.clear();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros. Nothing moves it unless it `gives_way`.
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],
         multibody: usize,
         gives_way: bool,
-        fill: impl FnOnce(&Moving, &mut [Real]),
+        fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
     ) -> Part {
         let start = self.jacobians.len();
         let moving = &mut multibodies[multibody];
         let end = start + moving.motion.rates.len();
         self.jacobians.resize(end, 0.0);
-        fill(moving, &mut self.jacobians[start..]);
+        self.sizes.clear();
+        self.sizes.resize(end - start, 0.0);
+        fill(moving, &mut self.jacobians[start..], &mut self.sizes);
+        for (number, size) in self.jacobians[start..].iter_mut().zip(&self.sizes) {
+            *number = if number.abs() < ROUNDING * size { 0.0 } else { *number };
+        }
         self.responses.extend_from_slice(&self.jacobians[start..]);
         if gives_way {
             moving.motion.respond(&mut self.responses[start..]);

@@ -8,6 +8,7 @@ use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::contact::NarrowPhase;
 use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 
 impl SolverMultibodies {
@@ -16,12 +17,15 @@ impl SolverMultibodies {
     pub fn store(
         &mut self,
         set: &mut MultibodyJointSet,
+        joints: &mut ImpulseJointSet,
         narrow_phase: &mut NarrowPhase,
         islands: &mut IslandManager,
         bodies: &mut RigidBodySet,
+        inv_dt: Real,
     ) {
         self.contacts.store(narrow_phase);
-        self.joints.store(&mut self.moving);
+        self.joints.store(&mut self.moving, joints);
+        self.loops.store(joints, inv_dt);
         for mut moving in self.moving.drain(..) {
             moving.store(islands, bodies);
             if let Some(place) = set.get_unnoted_mut(moving.index) {
