@@ -3,12 +3,17 @@
 //! A locked axis is a row that must stay where it is: `C = 0` with an impulse of either sign, softened like other joints
 //! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of the first frame at the
 //! second anchor, rotations about them. Limits and motors of free axes are rows like those of multibody joints (`limits.rs`).
-//! They are visited one after the other; the exact solution of connected joints is for ordinary bodies.
+//!
+//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
+//! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
+//! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
+//! connected joints is for ordinary bodies. They do not break.
 
 use super::SolverMultibodies;
 use super::contacts::Side;
 use super::limits::Owner;
 use super::rows::{Actors, Numbers, Row};
+use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -43,6 +48,8 @@ struct Loop {
     handle: ImpulseJointHandle,
     softness: Softness,
     locked: ArrayVec<Locked, SPATIAL_DIM>,
+    /// `K⁻¹`, column by column.
+    inverse: ArrayVec<SpatialVector, SPATIAL_DIM>,
 }
 
 /// All impulse joints on links.
@@ -116,7 +123,27 @@ impl SolverMultibodies {
         let softness = joint.softness.map_or(pass.softness, |spring| {
             Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
         });
-        self.loops.loops.push(Loop { handle, softness, locked });
+        let inverse = self.inverse_of(&locked);
+        self.loops.loops.push(Loop { handle, softness, locked, inverse });
+    }
+
+    /// `K⁻¹` of locked axes.
+    fn inverse_of(&self, locked: &[Locked]) -> ArrayVec<SpatialVector, SPATIAL_DIM> {
+        let mut matrix = SquareMatrix::zeros(locked.len());
+        for (i, first) in locked.iter().enumerate() {
+            for (j, second) in locked.iter().enumerate() {
+                let (rows, numbers) = ((&first.row, &second.row), &self.numbers);
+                matrix[(i, j)] = numbers.coupling(&self.moving, rows.0, rows.1);
+            }
+        }
+        let column = |k: usize| {
+            let mut unit = vec![0.0; locked.len()];
+            unit[k] = 1.0;
+            let mut column = [0.0; SPATIAL_DIM];
+            column[..locked.len()].copy_from_slice(&matrix.solve_symmetric(&unit));
+            column
+        };
+        (0..locked.len()).map(column).collect()
     }
 
     fn add_driven(
@@ -211,44 +238,30 @@ impl Frames {
 }
 
 impl Loops {
-    fn locked(&mut self) -> impl Iterator<Item = (Softness, &mut Locked)> {
-        self.loops.iter_mut().flat_map(|joint| {
-            let softness = joint.softness;
-            joint.locked.iter_mut().map(move |locked| (softness, locked))
-        })
+    fn locked(&mut self) -> impl Iterator<Item = &mut Locked> {
+        self.loops.iter_mut().flat_map(|joint| &mut joint.locked)
     }
 
     /// Starts the step with the last one's impulses.
     pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
-        for (_, locked) in self.locked() {
+        for locked in self.locked() {
             numbers.push_early(&locked.row, locked.impulse, actors);
         }
     }
 
     /// Lets a substep start with this share of the last one's impulses.
     pub fn scale_impulses(&mut self, factor: Real) {
-        self.locked().for_each(|(_, locked)| locked.impulse *= factor);
+        self.locked().for_each(|locked| locked.impulse *= factor);
     }
 
     /// Solves all rows once; with `bias`, errors are undone.
     pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
-        for (softness, Locked { row, error, impulse, .. }) in self.locked() {
-            let velocity = numbers.velocity(row, actors);
-            let change = if bias {
-                let Softness { bias_rate, mass_scale, impulse_scale } = softness;
-                let error = *error + numbers.displacement(row, actors);
-                -(velocity + error * bias_rate) * mass_scale * row.mass - *impulse * impulse_scale
-            } else {
-                -velocity * row.mass
-            };
-            *impulse += change;
-            numbers.push(row, change, actors);
-        }
+        self.loops.iter_mut().for_each(|joint| joint.solve(numbers, actors, bias));
     }
 
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
-        self.locked().for_each(|(_, locked)| locked.total += locked.impulse);
+        self.locked().for_each(|locked| locked.total += locked.impulse);
     }
 
     /// Writes impulses and mean forces to the joints.
@@ -264,6 +277,30 @@ impl Loops {
             if !joint.is_sound() {
                 joint.forget_impulses();
             }
+        }
+    }
+}
+
+impl Loop {
+    /// Solves all locked axes together, once.
+    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+        let Softness { bias_rate, mass_scale, impulse_scale } =
+            if bias { self.softness } else { Softness::RIGID };
+        let mut changes = [0.0; SPATIAL_DIM];
+        for (locked, column) in self.locked.iter().zip(&self.inverse) {
+            let mut wrong = numbers.velocity(&locked.row, actors);
+            if bias {
+                let error = locked.error + numbers.displacement(&locked.row, actors);
+                wrong += error * bias_rate;
+            }
+            for (change, number) in changes.iter_mut().zip(column) {
+                *change -= wrong * mass_scale * number;
+            }
+        }
+        for (locked, change) in self.locked.iter_mut().zip(changes) {
+            let change = change - locked.impulse * impulse_scale;
+            locked.impulse += change;
+            numbers.push(&locked.row, change, actors);
         }
     }
 }

@@ -85,18 +85,31 @@ impl Numbers {
 
     /// A row of these parts.
     pub fn row(&self, multibodies: &[Moving], parts: [Part; 2]) -> Row {
-        let resistance = |part: &Part| match part {
-            Part::Nothing => 0.0,
-            Part::Links { gives_way: false, .. } => 0.0,
-            Part::Links { multibody, start, .. } => {
-                let range = *start..start + multibodies[*multibody].motion.rates.len();
-                product(&self.jacobians[range.clone()], &self.responses[range])
-            }
-            Part::Body { jacobian, response, .. } => product(jacobian, response),
-        };
-        let k = resistance(&parts[0]) + resistance(&parts[1]);
+        let mut row = Row { parts, mass: 0.0 };
+        let k = self.coupling(multibodies, &row, &row);
         let inverse = 1.0 / k;
-        Row { parts, mass: if k > 0.0 && inverse.is_finite() { inverse } else { 0.0 } }
+        if k > 0.0 && inverse.is_finite() {
+            row.mass = inverse;
+        }
+        row
+    }
+
+    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same two sides.
+    pub fn coupling(&self, multibodies: &[Moving], first: &Row, second: &Row) -> Real {
+        let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
+            (
+                Part::Links { multibody, start: i, .. },
+                Part::Links { start: j, gives_way: true, .. },
+            ) => {
+                let len = multibodies[*multibody].motion.rates.len();
+                product(&self.jacobians[*i..i + len], &self.responses[*j..j + len])
+            }
+            (Part::Body { jacobian, .. }, Part::Body { response, .. }) => {
+                product(jacobian, response)
+            }
+            _ => 0.0,
+        };
+        of(0) + of(1)
     }
 
     /// `Ċ`.
