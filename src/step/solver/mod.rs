@@ -96,6 +96,9 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         states.integrate_velocities(h, params, substep == 0);
+        if substep > 0 {
+            multibodies.follow_loops(bodies, states);
+        }
         multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);

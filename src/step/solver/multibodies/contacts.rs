@@ -55,7 +55,7 @@ pub struct LinkContacts {
 pub(super) struct Side<'a> {
     place: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
-    body: Option<(&'a RigidBody, u32)>,
+    pub body: Option<(&'a RigidBody, u32)>,
     pub rotation: Rotation,
     /// The centre of mass; none for what never moves.
     pub center: Option<Vector>,

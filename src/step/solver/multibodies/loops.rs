@@ -4,6 +4,9 @@
 //! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of the first frame at the
 //! second anchor, rotations about them. Limits and motors of free axes are rows like those of multibody joints (`limits.rs`).
 //!
+//! Contacts may be frozen during a step, but a loop that swings must follow its links, or its rows would brake it: they are made
+//! anew in each substep ([`SolverMultibodies::follow_loops`]).
+//!
 //! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
 //! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
 //! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
@@ -18,8 +21,10 @@ use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
     ANG_ZERO, AngVector, DIM, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
+    integrate_rotation,
 };
 use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
+use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
 use crate::model::island::IslandManager;
 use crate::model::joint::{
@@ -46,6 +51,8 @@ struct Locked {
 #[derive(Clone, Debug)]
 struct Loop {
     handle: ImpulseJointHandle,
+    slots: [u32; 2],
+    joint: GenericJoint,
     softness: Softness,
     locked: ArrayVec<Locked, SPATIAL_DIM>,
     /// `K⁻¹`, column by column.
@@ -56,6 +63,8 @@ struct Loop {
 #[derive(Debug, Default)]
 pub struct Loops {
     loops: Vec<Loop>,
+    /// Where the numbers of their locked axes begin.
+    first_number: usize,
 }
 
 /// The frames of a joint in world space.
@@ -91,20 +100,67 @@ impl SolverMultibodies {
             let Some(joint) = joints.get(handle) else { continue };
             let sides = slots.map(|slot| self.side(slot, true, world, bodies));
             let Some(frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
-            self.add_locked(handle, &joint.data, &joint.impulses, &sides, &frames, pass);
             self.add_driven(handle, &joint.data, &sides, &frames, pass.substep);
+            let softness = joint.data.softness.map_or(pass.softness, |spring| {
+                Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
+            });
+            let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());
+            let joint = Loop { handle, slots, joint: joint.data, softness, locked, inverse };
+            self.loops.loops.push(joint);
         }
     }
 
-    fn add_locked(
+    /// Makes the rows of the locked axes. They must be the last ones.
+    pub(super) fn lock_loops(
         &mut self,
-        handle: ImpulseJointHandle,
-        joint: &GenericJoint,
-        impulses: &SpatialVector,
-        sides: &[Side<'_>; 2],
-        frames: &Frames,
-        pass: &JointPass,
+        joints: &ImpulseJointSet,
+        world: &RigidBodySet,
+        bodies: &mut SolverBodies,
     ) {
+        self.loops.first_number = self.numbers.len();
+        for position in 0..self.loops.loops.len() {
+            let handle = self.loops.loops[position].handle;
+            let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
+            self.lock(position, world, bodies, |axis| (impulses[axis as usize], 0.0));
+        }
+    }
+
+    /// Makes the rows of the locked axes anew, where the links and bodies are now.
+    pub fn follow_loops(&mut self, world: &RigidBodySet, bodies: &mut SolverBodies) {
+        self.warm_loops(bodies, -1.0);
+        self.numbers.truncate(self.loops.first_number);
+        for position in 0..self.loops.loops.len() {
+            let old = self.loops.loops[position].locked.clone();
+            self.lock(position, world, bodies, |axis| {
+                let same = old.iter().find(|locked| locked.axis == axis);
+                same.map_or((0.0, 0.0), |locked| (locked.impulse, locked.total))
+            });
+        }
+        self.warm_loops(bodies, 1.0);
+    }
+
+    /// Adds this share of the impulses so far to what the substep starts with.
+    pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
+        let Self { numbers, loops, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for locked in loops.locked() {
+            numbers.push_early(&locked.row, locked.impulse * share, &mut actors);
+        }
+    }
+
+    /// Makes the rows of one joint's locked axes. `known` tells each one's impulse and total.
+    fn lock(
+        &mut self,
+        position: usize,
+        world: &RigidBodySet,
+        bodies: &mut SolverBodies,
+        known: impl Fn(JointAxis) -> (Real, Real),
+    ) {
+        let Loop { slots, joint, locked, .. } = &mut self.loops.loops[position];
+        let (slots, joint) = (*slots, *joint);
+        locked.clear();
+        let sides = slots.map(|slot| self.side_now(slot, world, bodies));
+        let Some(frames) = Frames::of(&joint, &sides, world, slots) else { return };
         let along = frames.first.inverse() * frames.separation;
         let about = locked_angles(frames.between);
         let mut locked = ArrayVec::new();
@@ -117,14 +173,25 @@ impl SolverMultibodies {
                 let (error, direction) = about[k - DIM];
                 (join(Vector::ZERO, turn_axis(frames.first, direction)), error)
             };
-            let row = self.row_at(sides, frames, &wrench);
-            locked.push(Locked { axis, row, wrench, error, impulse: impulses[k], total: 0.0 });
+            let row = self.row_at(&sides, &frames, &wrench);
+            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
+            let error = error - self.numbers.displacement(&row, &actors);
+            let (impulse, total) = known(axis);
+            locked.push(Locked { axis, row, wrench, error, impulse, total });
         }
-        let softness = joint.softness.map_or(pass.softness, |spring| {
-            Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
-        });
-        let inverse = self.inverse_of(&locked);
-        self.loops.loops.push(Loop { handle, softness, locked, inverse });
+        self.loops.loops[position].inverse = self.inverse_of(&locked);
+        self.loops.loops[position].locked = locked;
+    }
+
+    /// A side of a joint where it is now.
+    fn side_now<'a>(&self, slot: u32, world: &'a RigidBodySet, bodies: &SolverBodies) -> Side<'a> {
+        let mut side = self.side(slot, true, world, bodies);
+        if let Some((_, index)) = side.body {
+            let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
+            side.center = side.center.map(|center| center + shift);
+            side.rotation = integrate_rotation(side.rotation, turn);
+        }
+        side
     }
 
     /// `K⁻¹` of locked axes.
@@ -240,13 +307,6 @@ impl Frames {
 impl Loops {
     fn locked(&mut self) -> impl Iterator<Item = &mut Locked> {
         self.loops.iter_mut().flat_map(|joint| &mut joint.locked)
-    }
-
-    /// Starts the step with the last one's impulses.
-    pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
-        for locked in self.locked() {
-            numbers.push_early(&locked.row, locked.impulse, actors);
-        }
     }
 
     /// Lets a substep start with this share of the last one's impulses.

@@ -176,13 +176,14 @@ impl SolverMultibodies {
         self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        self.lock_loops(joints, world, bodies);
+        let Self { numbers, joints, contacts, moving, .. } = self;
         let mut before = Actors { multibodies: moving, states: &mut bodies.before };
         contacts.note_approach(numbers, &mut before);
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         joints.warm_start(numbers, &mut actors);
-        loops.warm_start(numbers, &mut actors);
         contacts.warm_start(numbers, &mut actors);
+        self.warm_loops(bodies, 1.0);
     }
 
     /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.

@@ -58,6 +58,17 @@ impl Numbers {
         self.responses.clear();
     }
 
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.jacobians.len()
+    }
+
+    /// Forgets all numbers but the first ones.
+    pub fn truncate(&mut self, len: usize) {
+        self.jacobians.truncate(len);
+        self.responses.truncate(len);
+    }
+
     /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
     pub fn add_links(
         &mut self,
