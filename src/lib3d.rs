@@ -49,6 +49,7 @@ use dim3 as dim; // the one line that decides the dimension
 
 mod base;
 mod model;
+mod multibody;
 mod collide;
 mod step;
 mod query;

@@ -53,6 +53,27 @@ pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new()
 }
 
+/// A joint that lets its bodies turn against each other, at these points of theirs.
+pub fn loose_joint(_: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
+    hinge().local_anchor1(anchor1).local_anchor2(anchor2).build().into()
+}
+
+/// Mass and inertia of a rectangle.
+pub fn slab() -> MassProperties {
+    MassProperties::from_cuboid(1.0, Vector::new(0.5, 0.25))
+}
+
+/// An angular velocity.
+pub fn tumble(about_z: Real, _: Real) -> AngVector {
+    about_z
+}
+
+/// The momentum of a body at this spatial velocity.
+pub fn momentum_of(body: &RigidBody, velocity: &[Real; 3]) -> [Real; 3] {
+    let [x, y, w] = *velocity;
+    [x * body.mass(), y * body.mass(), w * about_z_of(body.mass_properties().local_mprops())]
+}
+
 /// The moment of inertia.
 pub fn about_z_of(mass: &MassProperties) -> Real {
     mass.principal_inertia()

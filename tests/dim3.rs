@@ -63,6 +63,45 @@ pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new(Vector::Z)
 }
 
+/// A joint that lets its bodies turn against each other, at these points of theirs: balls in sockets and hinges about several
+/// axes in turn.
+pub fn loose_joint(k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
+    let hinge =
+        |axis| RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2);
+    match k % 4 {
+        0 => SphericalJointBuilder::new()
+            .local_anchor1(anchor1)
+            .local_anchor2(anchor2)
+            .build()
+            .into(),
+        1 => hinge(Vector::Z).build().into(),
+        2 => hinge(Vector::Y).build().into(),
+        _ => {
+            let locked = JointAxesMask::LIN_AXES | JointAxesMask::ANG_X;
+            GenericJointBuilder::new(locked).local_anchor1(anchor1).local_anchor2(anchor2).build()
+        }
+    }
+}
+
+/// Mass and inertia of a box that is as long as wide as nothing else.
+pub fn slab() -> MassProperties {
+    MassProperties::from_cuboid(1.0, Vector::new(0.5, 0.25, 0.15))
+}
+
+/// An angular velocity about an axis that stands askew.
+pub fn tumble(about_z: Real, across: Real) -> AngVector {
+    AngVector::new(across, 0.6 * across, about_z)
+}
+
+/// The momentum of a body at this spatial velocity.
+pub fn momentum_of(body: &RigidBody, velocity: &[Real; 6]) -> [Real; 6] {
+    let mut moving = body.clone();
+    let [x, y, z, a, b, c] = *velocity;
+    moving.set_angvel(AngVector::new(a, b, c), false);
+    let (p, l) = (Vector::new(x, y, z) * body.mass(), spin_momentum(&moving));
+    [p.x, p.y, p.z, l.x, l.y, l.z]
+}
+
 /// The moment of inertia about that axis.
 pub fn about_z_of(mass: &MassProperties) -> Real {
     mass.principal_inertia().z

@@ -10,5 +10,6 @@ pub mod ghosts;
 pub mod characters;
 pub mod hostile;
 pub mod joints;
+pub mod multibody;
 pub mod physics;
 mod queries;

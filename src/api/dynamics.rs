@@ -12,14 +12,19 @@ pub use crate::model::island::IslandManager;
 pub use crate::model::joint::{
     FixedJoint, FixedJointBuilder, GenericJoint, GenericJointBuilder, ImpulseJoint,
     ImpulseJointHandle, ImpulseJointSet, InvalidJoint, JointEnabled, JointLimits, JointMotor,
-    MotorModel, MultibodyJointSet, PrismaticJoint, PrismaticJointBuilder, RevoluteJoint,
-    RevoluteJointBuilder, RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint,
-    SpringJointBuilder,
+    MotorModel, PrismaticJoint, PrismaticJointBuilder, RevoluteJoint, RevoluteJointBuilder,
+    RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint, SpringJointBuilder,
 };
 // A glob, because each of the two dimensions has a joint of its own.
+pub use crate::base::square::SquareMatrix;
 pub use crate::dim::surface::joint::*;
+pub use crate::model::multibody::{
+    Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet,
+    MultibodyLink, MultibodyLinkId,
+};
 pub use crate::model::params::{
     CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,
     JOINT_SHARE, Softness,
 };
+pub use crate::multibody::InverseKinematicsOption;
 pub use parry::mass_properties::MassProperties;

@@ -9,7 +9,8 @@ use crate::model::counters::Counters;
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
-use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::{self, StepParts, StepScratch};
@@ -67,7 +68,6 @@ impl PhysicsPipeline {
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) {
-        debug_assert!(multibody_joints.is_empty());
         let gravity = *gravity.borrow();
         if !is_point(gravity) {
             log::error!(
@@ -91,6 +91,6 @@ impl PhysicsPipeline {
             events,
             counters: &mut self.counters,
         };
-        step::step(parts, impulse_joints, &mut self.scratch);
+        step::step(parts, impulse_joints, multibody_joints, &mut self.scratch);
     }
 }

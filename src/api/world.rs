@@ -9,9 +9,8 @@ use crate::model::contact::{ContactPair, NarrowPhase};
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
-use crate::model::joint::{
-    GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, MultibodyJointSet,
-};
+use crate::model::joint::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet};
+use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 

@@ -12,8 +12,10 @@ pub(crate) mod hash;
 pub(crate) mod measure;
 pub mod nearest;
 pub mod segments;
+pub mod square;
 pub mod tasks;
 pub mod timer;
+pub mod trig;
 pub mod walk;
 pub mod wide;
 #[cfg(test)]

@@ -9,7 +9,8 @@ use crate::dim::outline::{box_outline, pseudo_normals};
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType};
 use crate::model::collider::{Collider, ColliderSet};
 use crate::model::contact::NarrowPhase;
-use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
 
 bitflags::bitflags! {
     /// What is drawn.

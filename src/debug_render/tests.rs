@@ -5,7 +5,8 @@ use crate::dim::math::{DIM, Real, Vector};
 use crate::model::body::{RigidBodyBuilder, RigidBodySet};
 use crate::model::collider::{ColliderBuilder, ColliderSet};
 use crate::model::contact::NarrowPhase;
-use crate::model::joint::{ImpulseJointSet, MultibodyJointSet};
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
 
 /// Keeps what is drawn; draws nothing of sensors.
 #[derive(Default)]

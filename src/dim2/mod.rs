@@ -14,6 +14,8 @@ pub mod mask;
 pub mod mass;
 pub mod math;
 pub mod shapes;
+#[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
+pub mod spatial;
 pub mod vehicle;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;

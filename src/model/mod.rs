@@ -13,6 +13,7 @@ pub mod event;
 pub mod hooks;
 pub mod island;
 pub mod joint;
+pub mod multibody;
 pub mod params;
 pub(crate) mod structure;
 pub mod tree;

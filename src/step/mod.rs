@@ -25,6 +25,7 @@ use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
@@ -62,17 +63,19 @@ pub(crate) struct StepScratch {
 pub(crate) fn step(
     mut parts: StepParts<'_>,
     joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
     scratch: &mut StepScratch,
 ) {
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
-    take_in_user_changes(&mut parts, joints, scratch);
+    let edits = multibodies.settle(parts.bodies);
+    take_in_user_changes(&mut parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
     find_contacts(&mut parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {
-        move_bodies(&mut parts, joints, scratch);
+        move_bodies(&mut parts, joints, multibodies, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
     } else {
@@ -94,12 +97,13 @@ pub(crate) fn detect_collisions(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     if take_in_changes {
-        take_in_user_changes(&mut parts, joints, scratch);
+        take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
         let params = parts.params;
         let (structure, tree) = parts.structure();
         let events = &mut scratch.notes.events;
-        Digest { structure, tree, joints, params, events }.run_removals();
+        let multibodies = MultibodyEdits::default();
+        Digest { structure, tree, joints, multibodies, params, events }.run_removals();
     }
     find_contacts(&mut parts, scratch);
     parts.bodies.renew_places();
@@ -112,13 +116,14 @@ pub(crate) fn detect_collisions(
 fn take_in_user_changes(
     parts: &mut StepParts<'_>,
     joints: &ImpulseJointSet,
+    multibodies: MultibodyEdits,
     scratch: &mut StepScratch,
 ) {
     parts.counters.stages.user_changes.resume();
     let params = parts.params;
     let (structure, tree) = parts.structure();
     let events = &mut scratch.notes.events;
-    Digest { structure, tree, joints, params, events }.run();
+    Digest { structure, tree, joints, multibodies, params, events }.run();
     parts.counters.stages.user_changes.pause();
 }
 
@@ -155,7 +160,12 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.pause();
 }
 
-fn move_bodies(parts: &mut StepParts<'_>, joints: &mut ImpulseJointSet, scratch: &mut StepScratch) {
+fn move_bodies(
+    parts: &mut StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
     parts.counters.stages.solver_time.resume();
     let scene = solver::Scene {
         gravity: parts.gravity,
@@ -164,6 +174,7 @@ fn move_bodies(parts: &mut StepParts<'_>, joints: &mut ImpulseJointSet, scratch:
         bodies: parts.bodies,
         narrow_phase: parts.narrow_phase,
         joints,
+        multibodies,
         islands: parts.islands,
         broken: &mut scratch.notes.broken,
     };

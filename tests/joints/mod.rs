@@ -12,6 +12,6 @@ mod limits;
 mod momentum;
 mod motors;
 mod nonsense;
-mod pendulum;
+pub mod pendulum;
 mod sliding;
 mod springs;

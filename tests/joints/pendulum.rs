@@ -14,7 +14,7 @@ fn agm(mut a: f64, mut b: f64) -> f64 {
 
 /// The period `2π √(L/g) / agm(1, cos(θ/2))` of a pendulum that is let go at the angle θ. For a body the
 /// length is `I / (m L)` with the inertia about the hinge.
-fn exact_period(length: Real, radius: Real, angle: Real) -> Real {
+pub fn exact_period(length: Real, radius: Real, angle: Real) -> Real {
     let effective = f64::from((inertia(1.0, radius) + length * length) / length);
     let small = 2.0 * core::f64::consts::PI * (effective / f64::from(G)).sqrt();
     (small / agm(1.0, f64::from(0.5 * angle).cos())) as Real

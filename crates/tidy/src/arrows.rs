@@ -18,6 +18,8 @@ enum Room<'a> {
     /// What a user calls differently in each dimension: inherent methods of the model's types.
     DimSurface,
     Model,
+    /// The laws of motion of articulated bodies: no world, no contacts.
+    Multibody,
     /// Where two shapes touch: no bodies, no time.
     Collide,
     /// The names in `step/` that every stage may use.
@@ -56,6 +58,7 @@ impl<'a> Room<'a> {
             ["dim" | "dim2" | "dim3", "vehicle", ..] => Self::Controllers,
             ["dim" | "dim2" | "dim3", ..] => Self::Dim,
             ["model", ..] => Self::Model,
+            ["multibody", ..] => Self::Multibody,
             ["collide", ..] => Self::Collide,
             ["step", notes, ..] if NOTES.contains(notes) => Self::Notes,
             ["step", stage, ..] if stage.starts_with(char::is_lowercase) && *stage != "mod" => {
@@ -78,20 +81,22 @@ impl<'a> Room<'a> {
     fn may_use(self, other: Self) -> bool {
         use Room::{
             Api, Base, Collide, Controllers, DebugRender, Dim, DimContact, DimSurface, Door, Model,
-            Notes, Query, Stage, Step,
+            Multibody, Notes, Query, Stage, Step,
         };
         match self {
             _ if self == other => true,
             Door | Api => true,
             Base => false,
             Dim => other == Base,
-            DimContact | DimSurface | Collide | Notes | DebugRender => {
+            DimContact | DimSurface | Multibody | Collide | Notes | DebugRender => {
                 matches!(other, Base | Dim | Model)
             }
             Query => matches!(other, Base | Dim | Model | Collide),
             Controllers => matches!(other, Base | Dim | Model | Collide | Query),
             Model => matches!(other, Base | Dim),
-            Stage(_) => matches!(other, Base | Dim | DimContact | Model | Collide | Notes),
+            Stage(_) => {
+                matches!(other, Base | Dim | DimContact | Model | Multibody | Collide | Notes)
+            }
             Step => matches!(other, Base | Dim | Model | Notes | Stage(_)),
         }
     }

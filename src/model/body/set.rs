@@ -213,6 +213,11 @@ impl RigidBodySet {
         }
     }
 
+    /// The handles of the bodies that the user removed, in that order.
+    pub(crate) fn removed(&self) -> impl Iterator<Item = RigidBodyHandle> {
+        self.notes.removed.iter().map(|(handle, ..)| *handle)
+    }
+
     /// The bodies that the user removed, in that order.
     ///
     /// One that was put in the place of another just before it was removed gets that one's place, and

@@ -1,5 +1,6 @@
 //! Which bodies are awake, and which islands they form.
 
+use super::groups::BodyGroups;
 use super::link::NONE;
 use crate::dim::math::Real;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
@@ -43,6 +44,8 @@ pub struct IslandManager {
     pub(crate) joint_graph: ConstraintGraph<u32>,
     /// The joints that have been taken in.
     pub(crate) joints: JointLinks,
+    /// Bodies that multibodies hold together.
+    pub(crate) groups: BodyGroups,
     /// Counts steps, to know how long ago an island was split.
     pub(crate) step: u32,
     /// By body slot: a bound (length units) of how far any point of the body moved in the last step.

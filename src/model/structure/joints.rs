@@ -51,6 +51,7 @@ impl Structure<'_> {
                 link.bodies.into_iter().for_each(|body| structure.wake_body(body));
             }
         });
+        self.wake_group_of(body);
     }
 
     /// Gives the joints of a body that woke or fell asleep a colour, or takes it away.
@@ -67,7 +68,7 @@ impl Structure<'_> {
             .any(|&slot| self.islands.joints.get(slot).is_some_and(|link| link.slot.is_some()))
     }
 
-    /// The bodies that share an island with this one because of a joint.
+    /// The bodies that share an island with this one because of a joint of either kind.
     pub(super) fn for_each_joined(&self, body: RigidBodyHandle, mut visit: impl FnMut(u32)) {
         let own = body.into_raw_parts().0;
         for &slot in self.islands.joints.of_body(own) {
@@ -76,6 +77,8 @@ impl Structure<'_> {
             };
             link.body_slots().into_iter().filter(|&other| other != own).for_each(&mut visit);
         }
+        let group = self.islands.groups.of(own).iter().map(|other| other.into_raw_parts().0);
+        group.filter(|&other| other != own).for_each(visit);
     }
 
     fn for_each_joint_of(&mut self, body: RigidBodyHandle, visit: impl Fn(&mut Self, u32)) {

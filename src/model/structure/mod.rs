@@ -13,6 +13,7 @@
 //! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs to
 //!   know where it is.
 
+mod groups;
 mod joints;
 mod validate;
 

@@ -1,6 +1,7 @@
 //! Awake bodies as the solver sees them: dense, and group after group.
 
 use super::groups::{Group, Groups};
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
 use crate::dim::gyro::Gyroscope;
@@ -55,47 +56,32 @@ pub(super) struct SolverBodies {
 const WORLD: u32 = BodyPose::WORLD_INDEX;
 
 impl SolverBodies {
-    /// Gathers all awake bodies.
+    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it.
     pub fn load(
         &mut self,
         groups: &Groups,
         bodies: &mut RigidBodySet,
+        multibodies: &SolverMultibodies,
         gravity: Vector,
         params: &IntegrationParameters,
     ) {
         self.clear();
         self.indices.resize(bodies.slot_count().max(self.indices.len()), WORLD);
         let spectators = 0..groups.spectators();
-        self.load_members(&groups.order()[spectators], bodies, gravity, params, params.dt);
+        let mut load = |members: Range<usize>, h: Real| {
+            for &handle in &groups.order()[members] {
+                let body = bodies.get_unnoted_mut(handle);
+                match body.filter(|_| !multibodies.moves(handle.into_raw_parts().0)) {
+                    Some(body) => self.push(handle, body, gravity, params, h),
+                    None => self.push_nobody(), // positions in the order are indices here
+                }
+            }
+        };
+        load(spectators, params.dt);
         for group in groups.iter() {
-            let h = params.dt / group.substeps as Real;
-            let members = &groups.order()[group.members.clone()];
-            self.load_members(members, bodies, gravity, params, h);
+            load(group.members.clone(), params.dt / group.substeps as Real);
         }
         self.before.clone_from(&self.states);
-    }
-
-    fn load_members(
-        &mut self,
-        members: &[RigidBodyHandle],
-        bodies: &mut RigidBodySet,
-        gravity: Vector,
-        params: &IntegrationParameters,
-        h: Real,
-    ) {
-        for &handle in members {
-            let Some(body) = bodies.get_unnoted_mut(handle) else {
-                self.push_nobody(); // positions in the order are indices here
-                continue;
-            };
-            let slot = handle.into_raw_parts().0;
-            let index = self.states.len() as u32;
-            // Colours keep constraints apart at bodies with an island, and at no others.
-            let writable = body.link.island != NONE;
-            self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
-            self.listed.push(slot);
-            self.push(body, gravity, params, h);
-        }
     }
 
     /// From now on this group is solved; the others stand still.
@@ -151,11 +137,18 @@ impl SolverBodies {
 
     fn push(
         &mut self,
+        handle: RigidBodyHandle,
         body: &mut RigidBody,
         gravity: Vector,
         params: &IntegrationParameters,
         h: Real,
     ) {
+        let slot = handle.into_raw_parts().0;
+        let index = self.states.len() as u32;
+        // Colours keep constraints apart at bodies with an island, and at no others.
+        let writable = body.link.island != NONE;
+        self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
+        self.listed.push(slot);
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
         self.poses.push(BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia));
@@ -233,9 +226,13 @@ impl SolverBodies {
         groups: &Groups,
         islands: &mut IslandManager,
         bodies: &mut RigidBodySet,
+        multibodies: &SolverMultibodies,
         params: &IntegrationParameters,
     ) {
         for (position, &handle) in groups.order().iter().enumerate() {
+            if multibodies.moves(handle.into_raw_parts().0) {
+                continue;
+            }
             let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
             let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
             let bound = match body.body_type {

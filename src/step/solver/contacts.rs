@@ -1,6 +1,7 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
@@ -43,25 +44,31 @@ impl SolverContacts {
     }
 
     /// Fills the inputs from the manifolds of the bodies that are solved: whole lanes of a colour, single
-    /// manifolds of the overflow.
+    /// manifolds of the overflow. Those of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
         narrow_phase: &NarrowPhase,
         bodies: &SolverBodies,
+        multibodies: &mut SolverMultibodies,
     ) {
         self.colors.clear();
         self.manifolds.clear();
         self.starts.clear();
         self.point_count = 0;
-        let slots = |manifold: &ManifoldRef| narrow_phase.contacts.bodies(manifold.pair);
+        let are_all = bodies.are_one_group() && multibodies.is_empty();
         for (color, list) in graph.in_solving_order() {
             let start = self.manifolds.len();
-            if bodies.are_one_group() {
+            if are_all {
                 self.manifolds.extend_from_slice(list);
-            } else {
-                let members = list.iter().filter(|manifold| bodies.has_one_of(slots(manifold)));
-                self.manifolds.extend(members);
+            }
+            for manifold in list.iter().filter(|_| !are_all) {
+                let slots = narrow_phase.contacts.bodies(manifold.pair);
+                if multibodies.claims(slots) {
+                    multibodies.leave_out(*manifold);
+                } else if bodies.has_one_of(slots) {
+                    self.manifolds.push(*manifold);
+                }
             }
             self.add_color(color, start, narrow_phase, bodies);
         }

@@ -25,6 +25,7 @@ impl Digest<'_> {
         self.inform_colliders(handle);
         self.structure.refresh_pairs_of(handle);
         self.take_in_joints_of(handle);
+        self.structure.link_group_of(handle);
     }
 
     /// Colliders know the type of their body, and do not take part without it.

@@ -10,12 +10,14 @@
 mod bodies;
 mod colliders;
 mod joints;
+mod multibodies;
 mod removals;
 
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyEdits;
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
@@ -25,6 +27,7 @@ pub(crate) struct Digest<'a> {
     pub structure: Structure<'a>,
     pub tree: &'a mut BroadPhaseBvh,
     pub joints: &'a ImpulseJointSet,
+    pub multibodies: MultibodyEdits,
     pub params: &'a IntegrationParameters,
     pub events: &'a mut Vec<CollisionEvent>,
 }
@@ -50,6 +53,7 @@ impl Digest<'_> {
             self.reweigh(handle);
         }
         self.take_in_joints();
+        self.take_in_multibodies();
         self.take_in_sleepers(&bodies);
     }
 

@@ -32,6 +32,7 @@ impl Digest<'_> {
         self.structure.forget_bodies(&mut links);
         for (handle, _) in links {
             self.structure.remove_joints_of(handle);
+            self.structure.islands.groups.leave(handle.into_raw_parts().0);
         }
         for removed in self.structure.colliders.take_removed() {
             self.remove_pairs_of(removed.handle, removed.wake_up, CollisionEventFlags::REMOVED);

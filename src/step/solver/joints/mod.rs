@@ -61,6 +61,7 @@ mod taut;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
@@ -117,6 +118,7 @@ impl SolverJoints {
         joints: &mut ImpulseJointSet,
         set: &RigidBodySet,
         bodies: &SolverBodies,
+        multibodies: &SolverMultibodies,
         pass: &JointPass,
     ) {
         self.colors.clear();
@@ -130,7 +132,10 @@ impl SolverJoints {
             let (first, start) = (self.blocks.len(), self.joints.len());
             let is_member = |slot: &&u32| {
                 let link = islands.joints.get(**slot);
-                link.is_some_and(|link| bodies.has_one_of(link.body_slots()))
+                link.is_some_and(|link| {
+                    let slots = link.body_slots();
+                    bodies.has_one_of(slots) && !multibodies.claims(slots)
+                })
             };
             self.joints.extend(list.iter().filter(is_member));
             let size = if color == OVERFLOW { 1 } else { LANES };

@@ -1,0 +1,57 @@
+//! Bodies that move and sleep as one because they are links of one multibody.
+//!
+//! The set of multibodies is the user's; this table says what the step has taken in of it.
+
+use super::link::NONE;
+use crate::model::body::RigidBodyHandle;
+
+/// Which bodies belong together.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct BodyGroups {
+    /// All groups, with holes.
+    groups: Vec<Vec<RigidBodyHandle>>,
+    free: Vec<u32>,
+    /// By body slot: its group.
+    of_body: Vec<u32>,
+}
+
+impl BodyGroups {
+    /// The bodies of the group of the body in a slot; none if it has no group.
+    pub fn of(&self, body_slot: u32) -> &[RigidBodyHandle] {
+        let group = self.of_body.get(body_slot as usize).filter(|&&group| group != NONE);
+        group.map_or(&[], |&group| &self.groups[group as usize])
+    }
+
+    /// Makes a group of bodies that have none.
+    pub fn insert(&mut self, bodies: Vec<RigidBodyHandle>) {
+        let group = self.free.pop().unwrap_or_else(|| {
+            self.groups.push(Vec::new());
+            self.groups.len() as u32 - 1
+        });
+        for body in &bodies {
+            let slot = body.into_raw_parts().0 as usize;
+            if slot >= self.of_body.len() {
+                self.of_body.resize(slot + 1, NONE);
+            }
+            debug_assert_eq!(self.of_body[slot], NONE);
+            self.of_body[slot] = group;
+        }
+        self.groups[group as usize] = bodies;
+    }
+
+    /// Takes a body out of its group. Was it in one?
+    pub fn leave(&mut self, body_slot: u32) -> bool {
+        let Some(group) = self.of_body.get_mut(body_slot as usize) else { return false };
+        let group = core::mem::replace(group, NONE);
+        if group == NONE {
+            return false;
+        }
+        let bodies = &mut self.groups[group as usize];
+        bodies.retain(|body| body.into_raw_parts().0 != body_slot);
+        if bodies.is_empty() {
+            self.free.push(group);
+        }
+        true
+    }
+}

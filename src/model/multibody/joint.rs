@@ -1,0 +1,244 @@
+//! The joint between a link and its parent: its coordinates, and the pose that follows from them.
+
+use crate::base::measure::is_coordinate;
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::math::{
+    ANG_DIM, ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
+    integrate_rotation, rotation_from_angle, rotation_to_angle,
+};
+use crate::dim::spatial::{ANG_AXES, angle_about, angles_about, angular, join, rotation_about};
+use crate::model::check::{is_non_negative, refuse};
+use crate::model::joint::{GenericJoint, mask_of};
+use arrayvec::ArrayVec;
+
+/// A spring along one axis of a joint.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+struct Spring {
+    stiffness: Real,
+    rest: Real,
+}
+
+/// The joint between a link and its parent.
+///
+/// Each axis that [`GenericJoint::locked_axes`] leaves free is a degree of freedom with a coordinate: a length along an
+/// axis of translation, an angle (radians, counted on beyond whole turns) about an axis of rotation. Where all rotations
+/// are free (3D), they are kept as one rotation, which has no direction in which it gets stuck; where two are free, the
+/// second turns about the axis to which the first takes it, like a universal joint.
+///
+/// Locked axes are exact, so `softness`, `break_force` and `break_torque` mean nothing here. Coupled rotations share a
+/// limit on the swing of a ball joint; other couplings mean nothing.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct MultibodyJoint {
+    /// What the joint locks, limits and drives. The parent is its first body.
+    pub data: GenericJoint,
+    /// Does the joint move at the velocity that the user gives it, whatever pushes?
+    pub kinematic: bool,
+    /// By axis: the coordinate. Zero for locked axes, and for the rotations of a ball.
+    coords: SpatialVector,
+    /// The rotation of a ball.
+    ball: Rotation,
+    springs: [Spring; SPATIAL_DIM],
+}
+
+/// The free ones of a joint's axes of rotation, numbered from 0.
+pub(crate) fn angular_axes(free: JointAxesMask) -> ArrayVec<usize, ANG_DIM> {
+    (0..ANG_DIM).filter(|axis| free.contains(mask_of(JointAxis::ALL[DIM + axis]))).collect()
+}
+
+impl MultibodyJoint {
+    /// A joint whose coordinates are all zero.
+    pub fn new(data: GenericJoint, kinematic: bool) -> Self {
+        let (coords, springs) = ([0.0; SPATIAL_DIM], [Spring::default(); SPATIAL_DIM]);
+        Self { data, kinematic, coords, ball: Rotation::IDENTITY, springs }
+    }
+
+    /// The axes that are free.
+    pub(crate) fn free_axes(&self) -> JointAxesMask {
+        !self.data.locked_axes
+    }
+
+    /// Are the rotations those of a ball in a socket?
+    pub(crate) fn is_ball(&self) -> bool {
+        ANG_DIM == 3 && angular_axes(self.free_axes()).len() == ANG_DIM
+    }
+
+    /// Number of degrees of freedom: of free axes.
+    pub fn ndofs(&self) -> usize {
+        self.free_axes().bits().count_ones() as usize
+    }
+
+    /// By axis: the coordinate (length units, radians). The rotations of a ball are given as one rotation vector.
+    pub fn coords(&self) -> SpatialVector {
+        if !self.is_ball() {
+            return self.coords;
+        }
+        join(self.slide(), rotation_to_angle(&self.ball))
+    }
+
+    /// The coordinate of an axis.
+    pub(crate) fn coordinate(&self, axis: JointAxis) -> Real {
+        if axis as usize >= DIM && self.is_ball() {
+            return self.coords()[axis as usize];
+        }
+        self.coords[axis as usize]
+    }
+
+    /// Translation along the free axes, in the joint's frame on the parent.
+    pub(crate) fn slide(&self) -> Vector {
+        crate::dim::spatial::linear(&self.coords)
+    }
+
+    /// Rotation of the joint's frame on the link against that on the parent.
+    pub fn joint_rot(&self) -> Rotation {
+        let q = |axis: usize| self.coords[DIM + axis];
+        match angular_axes(self.free_axes()).as_slice() {
+            [] => Rotation::IDENTITY,
+            &[a] => rotation_about(a, q(a)),
+            &[a, b] => rotation_about(a, q(a)) * rotation_about(b, q(b)),
+            _ => self.ball,
+        }
+    }
+
+    /// Pose of the link's body in the frame of its parent's body.
+    pub fn body_to_parent(&self) -> Pose {
+        let joint = Pose::from_parts(self.slide(), self.joint_rot());
+        self.data.local_frame1 * joint * self.data.local_frame2.inverse()
+    }
+
+    /// Moves the coordinates by as many displacements as there are degrees of freedom: translations first, in the order
+    /// of the axes. Displacements that are missing are taken for 0.
+    pub fn apply_displacement(&mut self, displacements: &[Real]) {
+        self.displace(displacements, |ball, turn| (rotation_from_angle(turn) * ball).normalize());
+    }
+
+    /// Moves the coordinates for `dt` seconds at these velocities, one per degree of freedom.
+    pub fn integrate(&mut self, dt: Real, velocities: &[Real]) {
+        let mut displacements = [0.0; SPATIAL_DIM];
+        for (displacement, velocity) in displacements.iter_mut().zip(velocities) {
+            *displacement = velocity * dt;
+        }
+        self.displace(&displacements, integrate_rotation);
+    }
+
+    fn displace(
+        &mut self,
+        displacements: &[Real],
+        turn_ball: impl Fn(Rotation, AngVector) -> Rotation,
+    ) {
+        let mut by_axis = [0.0; SPATIAL_DIM];
+        let free = self.free_axes();
+        let axes = JointAxis::ALL.into_iter().filter(|axis| free.contains(mask_of(*axis)));
+        for (axis, displacement) in axes.zip(displacements) {
+            by_axis[axis as usize] = *displacement;
+        }
+        if self.is_ball() {
+            self.ball = turn_ball(self.ball, angular(&by_axis));
+            by_axis[DIM..].fill(0.0);
+        }
+        for (coordinate, displacement) in self.coords.iter_mut().zip(by_axis) {
+            *coordinate += displacement;
+        }
+    }
+
+    /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the parent's
+    /// body. Angles are the ones that are closest to what they were.
+    pub(crate) fn read_pose(&mut self, link: &Pose) {
+        let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);
+        let relative = frame1.inverse() * *link * frame2;
+        let free = self.free_axes();
+        for axis in JointAxis::ALL.into_iter().take(DIM) {
+            if free.contains(mask_of(axis)) {
+                self.coords[axis as usize] = relative.translation[axis as usize];
+            }
+        }
+        let mut set = |axis: usize, angle: Real| {
+            let old = &mut self.coords[DIM + axis];
+            let turn = 2.0 * core::f64::consts::PI as Real;
+            let turns = ((*old - angle) / turn).round();
+            *old = if is_coordinate(turns) { angle + turn * turns } else { angle };
+        };
+        match angular_axes(free).as_slice() {
+            [] => {}
+            &[a] => set(a, angle_about(a, relative.rotation)),
+            &[a, b] => {
+                let [p, q] = angles_about([a, b], relative.rotation);
+                set(a, p);
+                set(b, q);
+            }
+            _ => self.ball = relative.rotation.normalize(),
+        }
+    }
+
+    /// Brings coordinates that are beyond their limits back. Those of a ball stay.
+    pub(crate) fn keep_limits(&mut self) {
+        let free = self.free_axes();
+        for axis in JointAxis::ALL.into_iter().filter(|axis| free.contains(mask_of(*axis))) {
+            if let Some(limits) = self.data.limits(axis)
+                && limits.min <= limits.max
+            {
+                let coordinate = &mut self.coords[axis as usize];
+                *coordinate = coordinate.clamp(limits.min, limits.max);
+            }
+        }
+    }
+
+    /// The displacement along an axis from the coordinates of this joint to those of the same one, moved.
+    pub(crate) fn displacement_to(&self, other: &Self, axis: JointAxis) -> Real {
+        if axis as usize >= DIM && self.is_ball() {
+            let turn = rotation_to_angle(&(other.ball * self.ball.inverse()));
+            return join(Vector::ZERO, turn)[axis as usize];
+        }
+        other.coords[axis as usize] - self.coords[axis as usize]
+    }
+
+    /// Are all coordinates numbers that one can calculate with?
+    pub(crate) fn is_sound(&self) -> bool {
+        self.coords.iter().all(|&coordinate| is_coordinate(coordinate))
+            && crate::dim::math::rotation_is_valid(&self.ball)
+    }
+
+    /// The axis of each rotation that is free, in the joint's frame on the parent.
+    pub(crate) fn rotation_axes(&self, free: JointAxesMask) -> ArrayVec<AngVector, ANG_DIM> {
+        let mut axes: ArrayVec<AngVector, ANG_DIM> = ArrayVec::new();
+        match angular_axes(free).as_slice() {
+            &[a, b] => {
+                let first = rotation_about(a, self.coords[DIM + a]);
+                axes.push(ANG_AXES[a]);
+                axes.push(crate::dim::spatial::turn_axis(first, ANG_AXES[b]));
+            }
+            free => axes.extend(free.iter().map(|&axis| ANG_AXES[axis])),
+        }
+        axes
+    }
+
+    /// The spring along an axis: its stiffness (force per length, torque per radian) and the coordinate at which it is
+    /// at rest.
+    pub fn spring(&self, axis: JointAxis) -> (Real, Real) {
+        let Spring { stiffness, rest } = self.springs[axis as usize];
+        (stiffness, rest)
+    }
+
+    /// Sets the spring along an axis: its stiffness (force per length, torque per radian; 0 for none, the default) and
+    /// the coordinate at which it is at rest. Its damping is [`Multibody::damping_mut`](super::Multibody::damping_mut).
+    ///
+    /// It is integrated implicitly, so no stiffness is too large.
+    pub fn set_spring(&mut self, axis: JointAxis, stiffness: Real, rest: Real) {
+        if !is_non_negative(stiffness) || !rest.is_finite() {
+            return refuse("the spring of a multibody joint", (stiffness, rest));
+        }
+        self.springs[axis as usize] = Spring { stiffness, rest };
+    }
+
+    /// Angular velocity of the link against its parent at these velocities of the degrees of freedom, in the joint's
+    /// frame on the parent.
+    pub fn angular_velocity(&self, velocities: &[Real]) -> AngVector {
+        let linear = self.ndofs() - angular_axes(self.free_axes()).len();
+        let rates = velocities.iter().skip(linear);
+        self.rotation_axes(self.free_axes())
+            .iter()
+            .zip(rates)
+            .fold(ANG_ZERO, |sum, (axis, rate)| sum + *axis * *rate)
+    }
+}

@@ -1,0 +1,100 @@
+//! One body of a multibody.
+
+use super::{MultibodyJoint, MultibodyJointHandle};
+use crate::dim::joint_axes::JointAxesMask;
+use crate::dim::mass::no_mass;
+use crate::dim::math::Pose;
+use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
+use parry::mass_properties::MassProperties;
+
+/// One body of a multibody, and the joint that holds it.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct MultibodyLink {
+    /// The joint to the parent. That of a root joins it to nothing, and means nothing.
+    pub joint: MultibodyJoint,
+    pub(crate) id: usize,
+    pub(crate) parent: Option<usize>,
+    pub(crate) body: RigidBodyHandle,
+    pub(crate) handle: Option<MultibodyJointHandle>,
+    /// Where the link's degrees of freedom begin among the multibody's.
+    pub(crate) first_dof: usize,
+    /// The axes that are degrees of freedom. For a root: along and about the axes of the world, at its centre of mass.
+    pub(crate) free: JointAxesMask,
+    pub(crate) pose: Pose,
+    /// The body's own, as of the last look at it.
+    pub(crate) mass: MassProperties,
+    /// The body's pose as the multibody last saw it, or gave it. `None`: not yet.
+    pub(crate) seen_pose: Option<Pose>,
+    /// The same of its velocity.
+    pub(crate) seen_velocity: Option<RigidBodyVelocity>,
+}
+
+impl MultibodyLink {
+    /// A link that stands nowhere yet.
+    pub(super) fn new(body: RigidBodyHandle, joint: MultibodyJoint, parent: Option<usize>) -> Self {
+        Self {
+            free: if parent.is_some() { joint.free_axes() } else { JointAxesMask::empty() },
+            joint,
+            id: 0,
+            parent,
+            body,
+            handle: None,
+            first_dof: 0,
+            pose: Pose::IDENTITY,
+            mass: no_mass(),
+            seen_pose: None,
+            seen_velocity: None,
+        }
+    }
+
+    /// The joint to the parent.
+    pub fn joint(&self) -> &MultibodyJoint {
+        &self.joint
+    }
+
+    /// The handle of the joint; `None` for a root.
+    pub fn joint_handle(&self) -> Option<MultibodyJointHandle> {
+        self.handle
+    }
+
+    /// The link's position among the multibody's links. Parents come before their children.
+    pub fn link_id(&self) -> usize {
+        self.id
+    }
+
+    /// The parent's position among the multibody's links; `None` for a root.
+    pub fn parent_id(&self) -> Option<usize> {
+        self.parent
+    }
+
+    /// Is it the root?
+    pub fn is_root(&self) -> bool {
+        self.parent.is_none()
+    }
+
+    /// The body.
+    pub fn rigid_body_handle(&self) -> RigidBodyHandle {
+        self.body
+    }
+
+    /// Where the link's degrees of freedom begin among the multibody's.
+    pub fn assembly_id(&self) -> usize {
+        self.first_dof
+    }
+
+    /// Number of degrees of freedom that this link adds to the multibody.
+    pub fn ndofs(&self) -> usize {
+        self.free.bits().count_ones() as usize
+    }
+
+    /// Pose of the body in world space, as of the last step or [forward kinematics](super::Multibody::forward_kinematics).
+    pub fn local_to_world(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Pose of the body in the frame of the parent's body, from the joint's coordinates.
+    pub fn local_to_parent(&self) -> Pose {
+        self.joint.body_to_parent()
+    }
+}

@@ -1,0 +1,326 @@
+//! The record of one multibody: its links, and a number of each kind per degree of freedom.
+
+use super::{MultibodyJoint, MultibodyLink};
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::math::Real;
+use crate::dim::spatial::free_axes;
+use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::joint::{GenericJoint, mask_of};
+use core::ops::Range;
+
+/// One degree of freedom: an axis of a link's joint.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Dof {
+    pub link: usize,
+    pub axis: JointAxis,
+}
+
+/// What is known of a degree of freedom.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct DofLists {
+    pub velocities: Vec<Real>,
+    pub accelerations: Vec<Real>,
+    pub damping: Vec<Real>,
+    pub armature: Vec<Real>,
+    pub frictions: Vec<Real>,
+    /// Impulses of the frictions in the last substep. The next step starts with them.
+    pub friction_impulses: Vec<Real>,
+}
+
+/// Bodies that joints hold together as a tree. Made by [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
+///
+/// The state is one coordinate and one velocity per *degree of freedom*. They are numbered link by link, parents first,
+/// and within a link in the order of [`JointAxis`]: translations, then rotations. A root that is dynamic can move along
+/// and about all axes of the world (but those that [`RigidBody::locked_axes`] locks); one that is fixed or kinematic has
+/// no degree of freedom and carries the others along.
+///
+/// # Links and bodies
+///
+/// Each step moves the links and writes their poses and velocities to the bodies. What the user does to the bodies in
+/// between counts: a link that was moved gives its joint new coordinates, as far as its free axes allow, and impulses
+/// and velocities given to bodies act on the whole multibody. Forces, gravity scale and damping of the bodies act on the links.
+/// Colliders touch as those of all bodies do; who is lighter by dominance gives way.
+///
+/// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are valid and
+/// enabled. Otherwise the bodies move as if nothing joined them.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct Multibody {
+    pub(crate) links: Vec<MultibodyLink>,
+    pub(crate) dofs: Vec<Dof>,
+    pub(crate) lists: DofLists,
+    pub(super) self_contacts_enabled: bool,
+}
+
+impl Default for Multibody {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Multibody {
+    /// A multibody without links. Those of a world come from [`MultibodyJointSet`](super::MultibodyJointSet).
+    pub fn new() -> Self {
+        Self {
+            links: Vec::new(),
+            dofs: Vec::new(),
+            lists: DofLists::default(),
+            self_contacts_enabled: true,
+        }
+    }
+
+    /// A multibody of one body alone.
+    pub(super) fn with_root(body: RigidBodyHandle) -> Self {
+        let joint = MultibodyJoint::new(GenericJoint::default(), false);
+        let mut multibody = Self::new();
+        multibody.push(MultibodyLink::new(body, joint, None));
+        multibody
+    }
+
+    /// Adds a link behind all others and returns its position.
+    pub(super) fn push(&mut self, link: MultibodyLink) -> usize {
+        let id = self.links.len();
+        self.links.push(MultibodyLink { id, ..link });
+        self.renumber();
+        id
+    }
+
+    /// Adds all links of another multibody. Its root becomes a child of `parent`, held by `joint`.
+    pub(super) fn append(&mut self, mut other: Self, parent: usize, joint: MultibodyJoint) {
+        let offset = self.links.len();
+        for (id, mut link) in (offset..).zip(other.links) {
+            (link.id, link.parent) = match link.parent {
+                Some(parent) => (id, Some(parent + offset)),
+                None => {
+                    link.free = joint.free_axes();
+                    link.joint = joint.clone();
+                    (link.seen_pose, link.seen_velocity) = (None, None);
+                    (id, Some(parent))
+                }
+            };
+            self.links.push(link);
+        }
+        // The root's own degrees of freedom are no more; the bodies' velocities tell what they did.
+        let root_end = other.dofs.iter().take_while(|dof| dof.link == 0).count();
+        let kept: Vec<_> = (root_end..other.dofs.len()).collect();
+        let known = other.dofs[root_end..].iter();
+        self.dofs.extend(known.map(|dof| Dof { link: dof.link + offset, ..*dof }));
+        self.lists.extend(other.lists.select(&kept));
+        self.renumber();
+    }
+
+    // ---- Links ----
+
+    /// The root; `None` if there are no links.
+    pub fn root(&self) -> Option<&MultibodyLink> {
+        self.links.first()
+    }
+
+    /// The root, for changing it.
+    pub fn root_mut(&mut self) -> Option<&mut MultibodyLink> {
+        self.links.first_mut()
+    }
+
+    /// The link at a position.
+    pub fn link(&self, id: usize) -> Option<&MultibodyLink> {
+        self.links.get(id)
+    }
+
+    /// The link at a position, for changing it.
+    pub fn link_mut(&mut self, id: usize) -> Option<&mut MultibodyLink> {
+        self.links.get_mut(id)
+    }
+
+    /// All links, parents before their children.
+    pub fn links(&self) -> impl DoubleEndedIterator<Item = &MultibodyLink> + ExactSizeIterator {
+        self.links.iter()
+    }
+
+    /// All links, parents before their children, for changing them.
+    pub fn links_mut(
+        &mut self,
+    ) -> impl DoubleEndedIterator<Item = &mut MultibodyLink> + ExactSizeIterator {
+        self.links.iter_mut()
+    }
+
+    /// Number of links, with the root.
+    pub fn num_links(&self) -> usize {
+        self.links.len()
+    }
+
+    /// The links from the root to this one, both included; empty if there is no such link.
+    pub fn kinematic_branch(&self, link_id: usize) -> Vec<usize> {
+        let start = (link_id < self.links.len()).then_some(link_id);
+        let mut branch: Vec<_> =
+            core::iter::successors(start, |&id| self.links[id].parent).collect();
+        branch.reverse();
+        branch
+    }
+
+    /// Do the colliders of its links touch each other?
+    pub fn self_contacts_enabled(&self) -> bool {
+        self.self_contacts_enabled
+    }
+
+    /// Says whether the colliders of its links touch each other (default: yes). Those of a link and its parent do only if
+    /// their joint's [`contacts_enabled`](GenericJoint::contacts_enabled) says so, too.
+    pub fn set_self_contacts_enabled(&mut self, enabled: bool) {
+        self.self_contacts_enabled = enabled;
+    }
+
+    /// Do the colliders of two links touch each other?
+    pub(crate) fn may_touch(&self, link1: usize, link2: usize) -> bool {
+        let parts = |child: usize, parent: usize| {
+            let link = &self.links[child];
+            link.parent == Some(parent) && !link.joint.data.contacts_enabled
+        };
+        self.self_contacts_enabled && !parts(link1, link2) && !parts(link2, link1)
+    }
+
+    // ---- Degrees of freedom ----
+
+    /// Number of degrees of freedom.
+    pub fn ndofs(&self) -> usize {
+        self.dofs.len()
+    }
+
+    /// The velocity of each degree of freedom (length/s, rad/s).
+    pub fn generalized_velocity(&self) -> &[Real] {
+        &self.lists.velocities
+    }
+
+    /// The velocity of each degree of freedom (length/s, rad/s), for changing it.
+    pub fn generalized_velocity_mut(&mut self) -> &mut [Real] {
+        &mut self.lists.velocities
+    }
+
+    /// The acceleration of each degree of freedom (length/s², rad/s²) in the last substep, by all but contacts, limits
+    /// and bounded motors.
+    pub fn generalized_acceleration(&self) -> &[Real] {
+        &self.lists.accelerations
+    }
+
+    /// The velocities of the degrees of freedom of a link; empty if there is no such link.
+    pub fn joint_velocity(&self, link_id: usize) -> &[Real] {
+        self.link(link_id).map_or(&[], |link| &self.lists.velocities[link.dofs()])
+    }
+
+    /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are not finite,
+    /// count as 0.
+    pub fn damping(&self) -> &[Real] {
+        &self.lists.damping
+    }
+
+    /// Damping of each degree of freedom, for changing it.
+    pub fn damping_mut(&mut self) -> &mut [Real] {
+        &mut self.lists.damping
+    }
+
+    /// Inertia of each degree of freedom beyond that of the links (mass, or mass·length², default 0): that of a rotor
+    /// behind a gear, times the square of the gear's ratio. Negative ones, and those that are not finite, count as 0.
+    pub fn armature(&self) -> &[Real] {
+        &self.lists.armature
+    }
+
+    /// Inertia of each degree of freedom beyond that of the links, for changing it.
+    pub fn armature_mut(&mut self) -> &mut [Real] {
+        &mut self.lists.armature
+    }
+
+    /// Dry friction of each degree of freedom (force, or torque, default 0): the most with which it resists its motion.
+    /// Negative ones, and those that are not finite, count as 0.
+    pub fn frictions(&self) -> &[Real] {
+        &self.lists.frictions
+    }
+
+    /// Dry friction of each degree of freedom, for changing it.
+    pub fn frictions_mut(&mut self) -> &mut [Real] {
+        &mut self.lists.frictions
+    }
+
+    // ---- Layout ----
+
+    /// Does it act, with these bodies?
+    pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {
+        self.links.iter().all(|link| {
+            let is_root = link.parent.is_none();
+            let joint_acts =
+                is_root || (link.joint.data.is_enabled() && link.joint.data.validate().is_ok());
+            joint_acts && body(link.body).is_some_and(|is_dynamic| is_dynamic || is_root)
+        })
+    }
+
+    /// Lets the degrees of freedom be the free axes of the joints, and of the root's body. Numbers of those that stay
+    /// are kept.
+    pub(crate) fn follow_axes(&mut self, root: &RigidBody) {
+        let mut changed = false;
+        for link in &mut self.links {
+            let free = match link.parent {
+                Some(_) => link.joint.free_axes(),
+                None if root.is_dynamic() => free_axes(root.locked_axes()),
+                None => JointAxesMask::empty(),
+            };
+            changed |= free != link.free;
+            link.free = free;
+        }
+        if changed {
+            self.renumber();
+        }
+    }
+
+    /// Numbers the degrees of freedom anew, and lets what is known of those that stay follow.
+    pub(super) fn renumber(&mut self) {
+        let old = core::mem::take(&mut self.dofs);
+        for link in &mut self.links {
+            link.first_dof = self.dofs.len();
+            let free = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+            self.dofs.extend(free.map(|axis| Dof { link: link.id, axis }));
+        }
+        self.lists.rearrange(&old, &self.dofs);
+    }
+}
+
+impl MultibodyLink {
+    /// Its degrees of freedom among the multibody's.
+    pub(crate) fn dofs(&self) -> Range<usize> {
+        self.first_dof..self.first_dof + self.ndofs()
+    }
+}
+
+impl DofLists {
+    fn all(&mut self) -> [&mut Vec<Real>; 6] {
+        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
+            self;
+        [velocities, accelerations, damping, armature, frictions, friction_impulses]
+    }
+
+    fn extend(&mut self, mut other: Self) {
+        for (list, more) in self.all().into_iter().zip(other.all()) {
+            list.append(more);
+        }
+    }
+
+    fn rearrange(&mut self, old: &[Dof], new: &[Dof]) {
+        let key = |dof: &Dof| (dof.link, dof.axis as u8);
+        debug_assert!(old.is_sorted_by_key(key) && new.is_sorted_by_key(key));
+        for list in self.all() {
+            let mut known = old.iter().zip(list.iter()).peekable();
+            let moved = new.iter().map(|dof| {
+                while known.next_if(|(other, _)| key(other) < key(dof)).is_some() {}
+                known.next_if(|(other, _)| *other == dof).map_or(0.0, |(_, value)| *value)
+            });
+            *list = moved.collect();
+        }
+    }
+
+    /// The numbers of some degrees of freedom.
+    pub(super) fn select(&mut self, kept: &[usize]) -> Self {
+        let mut selected = Self::default();
+        for (list, target) in self.all().into_iter().zip(selected.all()) {
+            target.extend(kept.iter().map(|&at| list[at]));
+        }
+        selected
+    }
+}

@@ -1,0 +1,382 @@
+//! All multibodies of a simulation, and the notes that the user's changes leave for the next step.
+
+use super::{
+    Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyLink, MultibodyLinkId,
+};
+use crate::base::arena::Arena;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::joint::{GenericJoint, InvalidJoint};
+use std::collections::BTreeMap;
+
+/// How multibodies changed since the last step. Each comes with whether it wakes.
+#[derive(Debug, Default)]
+pub(crate) struct MultibodyEdits {
+    /// Bodies that lost a joint.
+    pub cut: Vec<(RigidBodyHandle, bool)>,
+    /// The bodies of each multibody that is new or was changed.
+    pub groups: Vec<(Vec<RigidBodyHandle>, bool)>,
+}
+
+/// The joints that make bodies links of articulated wholes, each found by its handle, and these [`Multibody`]s.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut world = PhysicsWorld::new();
+/// let ceiling = world.insert_body(RigidBodyBuilder::fixed());
+/// let bob = RigidBodyBuilder::dynamic().translation(vector![1.0, 0.0, 0.0]);
+/// let (bob, _) = world.insert(bob, ColliderBuilder::ball(0.1));
+/// let hinge = RevoluteJointBuilder::new(vector![0.0, 0.0, 1.0]).local_anchor2(vector![-1.0, 0.0, 0.0]);
+/// let joint = world.multibody_joints.insert(ceiling, bob, hinge.build(), true).unwrap();
+/// for _ in 0..60 {
+///     world.step();
+/// }
+/// let (pendulum, link) = world.multibody_joints.get(joint).unwrap();
+/// assert_eq!((pendulum.ndofs(), link), (1, 1));
+/// assert!((world.bodies[bob].translation().length() - 1.0).abs() < 1.0e-4, "it swings, and stays on its rod");
+/// ```
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct MultibodyJointSet {
+    multibodies: Arena<Multibody>,
+    joints: Arena<MultibodyLinkId>,
+    /// By body slot: the body there that is a link, and which. A tree, because nothing bounds the slots of handles that a
+    /// user made up.
+    of_body: BTreeMap<u32, (RigidBodyHandle, MultibodyLinkId)>,
+    /// Multibodies whose links changed since the last step, and whether they wake.
+    modified: Vec<(MultibodyIndex, bool)>,
+    /// Bodies that lost a joint since the last step, and whether they wake.
+    cut: Vec<(RigidBodyHandle, bool)>,
+}
+
+impl MultibodyJointSet {
+    /// An empty set.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of joints.
+    pub fn len(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// Is there no joint?
+    pub fn is_empty(&self) -> bool {
+        self.joints.is_empty()
+    }
+
+    /// Does the handle find a joint?
+    pub fn contains(&self, handle: MultibodyJointHandle) -> bool {
+        self.joints.contains(handle.0)
+    }
+
+    // ---- Inserting ----
+
+    /// Makes `body2` a child of `body1`, and wakes both if `wake_up`. Multibodies that they belonged to become one.
+    ///
+    /// The joint's coordinates are read from the poses of the bodies in the next step, which puts `body2` where they say.
+    ///
+    /// `None` if `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint is
+    /// not usable; the log says why. Joints of handles that find no body go in the next step.
+    pub fn insert(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: impl Into<GenericJoint>,
+        wake_up: bool,
+    ) -> Option<MultibodyJointHandle> {
+        self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), false), wake_up)
+    }
+
+    /// The same as [`Self::insert`], for a joint that moves at the velocity that the user gives it
+    /// ([`Multibody::generalized_velocity_mut`]), whatever pushes.
+    pub fn insert_kinematic(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: impl Into<GenericJoint>,
+        wake_up: bool,
+    ) -> Option<MultibodyJointHandle> {
+        self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), true), wake_up)
+    }
+
+    fn insert_joint(
+        &mut self,
+        bodies: [RigidBodyHandle; 2],
+        joint: MultibodyJoint,
+        wake_up: bool,
+    ) -> Option<MultibodyJointHandle> {
+        if let Err(reason) = self.check(bodies, &joint.data) {
+            log::warn!("a multibody joint was not inserted: {reason}");
+            return None;
+        }
+        let [body1, body2] = bodies;
+        let parent = self.rigid_body_link(body1).copied().unwrap_or_else(|| self.add_root(body1));
+        let child = self.rigid_body_link(body2).copied();
+        let other = child.and_then(|child| self.multibodies.remove(child.multibody.0));
+        let multibody = self.multibodies.get_mut(parent.multibody.0)?;
+        let id = multibody.num_links();
+        match other {
+            Some(other) => multibody.append(other, parent.id, joint),
+            None => drop(multibody.push(MultibodyLink::new(body2, joint, Some(parent.id)))),
+        }
+        let link = MultibodyLinkId { multibody: parent.multibody, id };
+        let handle = MultibodyJointHandle(self.joints.insert(link));
+        multibody.links[id].handle = Some(handle);
+        self.file(parent.multibody, id);
+        self.modified.push((parent.multibody, wake_up));
+        Some(handle)
+    }
+
+    /// May these bodies be joined?
+    fn check(
+        &self,
+        [body1, body2]: [RigidBodyHandle; 2],
+        data: &GenericJoint,
+    ) -> Result<(), String> {
+        data.validate().map_err(|error| error.to_string())?;
+        if body1 == body2 {
+            return Err(InvalidJoint::SameBody { body: body1 }.to_string());
+        }
+        for body in [body1, body2] {
+            if body == RigidBodyHandle::invalid() {
+                return Err(InvalidJoint::MissingBody { body }.to_string());
+            }
+        }
+        let [link1, link2] = [body1, body2].map(|body| self.rigid_body_link(body));
+        match (link1, link2) {
+            (_, Some(child)) if child.id != 0 => Err(format!("{body2:?} has a parent already")),
+            (Some(parent), Some(child)) if parent.multibody == child.multibody => {
+                Err(format!("{body2:?} is an ancestor of {body1:?}"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn add_root(&mut self, body: RigidBodyHandle) -> MultibodyLinkId {
+        let multibody = MultibodyIndex(self.multibodies.insert(Multibody::with_root(body)));
+        self.file(multibody, 0);
+        MultibodyLinkId { multibody, id: 0 }
+    }
+
+    /// Lets bodies and handles find the links of a multibody, from the position `first` on.
+    fn file(&mut self, index: MultibodyIndex, first: usize) {
+        let Some(multibody) = self.multibodies.get(index.0) else { return };
+        for link in &multibody.links[first..] {
+            let place = MultibodyLinkId { multibody: index, id: link.id };
+            if let Some(joint) = link.handle.and_then(|handle| self.joints.get_mut(handle.0)) {
+                *joint = place;
+            }
+            self.of_body.insert(link.body.into_raw_parts().0, (link.body, place));
+        }
+    }
+
+    // ---- Removing ----
+
+    /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
+    ///
+    /// The link becomes the root of what hangs on it; a body on which nothing hangs is no link any more.
+    pub fn remove(
+        &mut self,
+        handle: MultibodyJointHandle,
+        wake_up: bool,
+    ) -> Option<MultibodyJoint> {
+        let place = *self.joints.get(handle.0)?;
+        let joint = self.get_link(handle)?.joint.clone();
+        self.take_apart(place.multibody, wake_up, |link| link.id == place.id);
+        Some(joint)
+    }
+
+    /// Takes all joints of the multibody to which a joint belongs out of the set. Its bodies wake if `wake_up`. Nothing
+    /// happens if the handle finds no joint.
+    pub fn remove_multibody_articulations(&mut self, handle: MultibodyJointHandle, wake_up: bool) {
+        if let Some(place) = self.joints.get(handle.0).copied() {
+            self.take_apart(place.multibody, wake_up, |_| true);
+        }
+    }
+
+    /// Takes all joints of a body out of the set, and wakes the bodies that they held.
+    ///
+    /// This need not be called for bodies that are removed: the next step does it.
+    pub fn remove_joints_attached_to_rigid_body(&mut self, body: RigidBodyHandle) {
+        if let Some(place) = self.rigid_body_link(body).copied() {
+            let is_cut =
+                |link: &MultibodyLink| link.id == place.id || link.parent == Some(place.id);
+            self.take_apart(place.multibody, true, is_cut);
+        }
+    }
+
+    /// Cuts joints. Parts of one body alone are multibodies no more.
+    fn take_apart(
+        &mut self,
+        index: MultibodyIndex,
+        wake_up: bool,
+        is_cut: impl Fn(&MultibodyLink) -> bool,
+    ) {
+        let Some(whole) = self.multibodies.remove(index.0) else { return };
+        for link in &whole.links {
+            self.cut.push((link.body, wake_up));
+            self.of_body.remove(&link.body.into_raw_parts().0);
+            if let Some(handle) = link.handle.filter(|_| is_cut(link)) {
+                self.joints.remove(handle.0);
+            }
+        }
+        for part in whole.split(is_cut) {
+            if part.num_links() > 1 {
+                let part = MultibodyIndex(self.multibodies.insert(part));
+                self.file(part, 0);
+                self.modified.push((part, wake_up));
+            }
+        }
+    }
+
+    // ---- Finding ----
+
+    /// The multibody of a joint, and the position of the joint's link in it.
+    pub fn get(&self, handle: MultibodyJointHandle) -> Option<(&Multibody, usize)> {
+        let place = self.joints.get(handle.0)?;
+        Some((self.multibodies.get(place.multibody.0)?, place.id))
+    }
+
+    /// The multibody of a joint, for changing it, and the position of the joint's link in it. Its bodies wake.
+    pub fn get_mut(&mut self, handle: MultibodyJointHandle) -> Option<(&mut Multibody, usize)> {
+        let place = *self.joints.get(handle.0)?;
+        Some((self.get_multibody_mut(place.multibody)?, place.id))
+    }
+
+    /// The link that a joint holds.
+    pub fn get_link(&self, handle: MultibodyJointHandle) -> Option<&MultibodyLink> {
+        let (multibody, id) = self.get(handle)?;
+        multibody.link(id)
+    }
+
+    /// Whatever joint stands in a slot (the first number of a handle) now: its multibody, the position of its link, and its
+    /// handle.
+    pub fn get_unknown_gen(&self, slot: u32) -> Option<(&Multibody, usize, MultibodyJointHandle)> {
+        let (index, place) = self.joints.at_slot(slot)?;
+        Some((self.multibodies.get(place.multibody.0)?, place.id, MultibodyJointHandle(index)))
+    }
+
+    /// Which link of which multibody a body is; `None` if it is none.
+    pub fn rigid_body_link(&self, body: RigidBodyHandle) -> Option<&MultibodyLinkId> {
+        let (owner, place) = self.of_body.get(&body.into_raw_parts().0)?;
+        (*owner == body).then_some(place)
+    }
+
+    /// The multibody at an index.
+    pub fn get_multibody(&self, index: MultibodyIndex) -> Option<&Multibody> {
+        self.multibodies.get(index.0)
+    }
+
+    /// The multibody at an index, for changing it. Its bodies wake.
+    pub fn get_multibody_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
+        let multibody = self.multibodies.get_mut(index.0)?;
+        if self.modified.last() != Some(&(index, true)) {
+            self.modified.push((index, true));
+        }
+        Some(multibody)
+    }
+
+    /// All multibodies, in the order of their slots.
+    pub fn multibodies(&self) -> impl DoubleEndedIterator<Item = &Multibody> {
+        self.multibodies.iter().map(|(_, multibody)| multibody)
+    }
+
+    /// All joints, in the order of their slots: handle, link, multibody.
+    pub fn iter(
+        &self,
+    ) -> impl Iterator<Item = (MultibodyJointHandle, &MultibodyLinkId, &Multibody, &MultibodyLink)>
+    {
+        self.joints.iter().filter_map(|(index, place)| {
+            let multibody = self.multibodies.get(place.multibody.0)?;
+            Some((MultibodyJointHandle(index), place, multibody, multibody.link(place.id)?))
+        })
+    }
+
+    /// The joints of a body, as (parent, child, handle): the one to its parent first.
+    pub fn attached_joints(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = (RigidBodyHandle, RigidBodyHandle, MultibodyJointHandle)> {
+        let place = self.rigid_body_link(body).copied();
+        let multibody = place.and_then(|place| self.get_multibody(place.multibody));
+        let links = multibody.map_or(&[] as &[MultibodyLink], |multibody| &multibody.links);
+        let own = place.map(|place| place.id);
+        let attached = links.iter().filter(move |link| Some(link.id) == own || link.parent == own);
+        attached.filter_map(|link| Some((links[link.parent?].body, link.body, link.handle?)))
+    }
+
+    /// The bodies that joints join with a body.
+    pub fn attached_bodies(&self, body: RigidBodyHandle) -> impl Iterator<Item = RigidBodyHandle> {
+        let joints = self.attached_joints(body);
+        joints.map(move |(parent, child, _)| if child == body { parent } else { child })
+    }
+
+    /// Those of [`Self::attached_bodies`] whose joint is enabled.
+    pub fn bodies_attached_with_enabled_joint(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = RigidBodyHandle> {
+        self.attached_joints(body).filter_map(move |(parent, child, handle)| {
+            let enabled = self.get_link(handle)?.joint.data.is_enabled();
+            enabled.then_some(if child == body { parent } else { child })
+        })
+    }
+
+    /// The joint between two bodies, given in either order, with its multibody and its link.
+    pub fn joint_between(
+        &self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ) -> Option<(MultibodyJointHandle, &Multibody, &MultibodyLink)> {
+        let mut joints = self.attached_joints(body1);
+        let (.., handle) = joints.find(|&(parent, child, _)| parent == body2 || child == body2)?;
+        let (multibody, id) = self.get(handle)?;
+        Some((handle, multibody, multibody.link(id)?))
+    }
+
+    // ---- For the step ----
+
+    /// A multibody for the step's own use: leaves no note.
+    pub(crate) fn get_unnoted_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
+        self.multibodies.get_mut(index.0)
+    }
+
+    /// Every multibody stands at a position below this bound.
+    pub(crate) fn index_bound(&self) -> u32 {
+        self.multibodies.slot_count() as u32
+    }
+
+    /// The index of the multibody at a position, if there is one.
+    pub(crate) fn index_at(&self, position: u32) -> Option<MultibodyIndex> {
+        self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
+    }
+
+    /// Removes joints whose bodies are gone, and says how the others changed since the last time.
+    pub(crate) fn settle(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
+        for removed in bodies.removed() {
+            self.remove_joints_attached_to_rigid_body(removed);
+        }
+        let mut next = 0;
+        while let Some(&(index, _)) = self.modified.get(next) {
+            let links = self.get_multibody(index).map_or(&[] as &[_], |multibody| &multibody.links);
+            let missing: Vec<_> =
+                links.iter().map(|link| link.body).filter(|&body| !bodies.contains(body)).collect();
+            missing.into_iter().for_each(|body| self.remove_joints_attached_to_rigid_body(body));
+            next += 1;
+        }
+        let modified = core::mem::take(&mut self.modified);
+        let groups = modified.into_iter().filter_map(|(index, wake_up)| {
+            let links = &self.get_multibody(index)?.links;
+            Some((links.iter().map(|link| link.body).collect(), wake_up))
+        });
+        let groups = groups.collect();
+        let mut cut = core::mem::take(&mut self.cut);
+        cut.retain(|&(body, _)| bodies.contains(body));
+        MultibodyEdits { cut, groups }
+    }
+
+    /// Has the next step look at a multibody again.
+    pub(crate) fn note(&mut self, index: MultibodyIndex) {
+        self.modified.push((index, false));
+    }
+}

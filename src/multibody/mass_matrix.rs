@@ -1,0 +1,80 @@
+//! The mass matrix: composite rigid bodies.
+//!
+//! If only the degree of freedom `j` accelerates, all that hangs on it moves like one rigid body, whose inertia `I^C` is the sum
+//! of the links'. The wrench `I^C sⱼ` that this takes is felt, through the levers, by each degree of freedom on the way to the
+//! root (Featherstone 2008, section 6.2):
+//!
+//! ```text
+//! I^C_parent += Xᵀ I^C X        M_ij = sᵢᵀ Xᵀ … Xᵀ I^C sⱼ
+//! ```
+
+use super::factor::{Factor, Resistance};
+use super::kinematics::Kinematics;
+use super::spatial::{SpatialMatrix, carry_back, dot};
+use crate::base::square::SquareMatrix;
+use crate::dim::math::Real;
+use crate::model::multibody::Multibody;
+
+impl Multibody {
+    /// The mass matrix `M`, one row and column per degree of freedom: `½ q̇ᵀ M q̇` is the kinetic energy, and `M q̈` the forces
+    /// that accelerate. Symmetric; [armature](Self::armature) stands on the diagonal.
+    pub fn mass_matrix(&self) -> SquareMatrix {
+        let kinematics = Kinematics::of(self);
+        let mut matrix = SquareMatrix::zeros(self.ndofs());
+        let links = &kinematics.links;
+        let rigid = links.iter().map(|link| SpatialMatrix::rigid(link.mass, &link.inertia));
+        let mut composites: Vec<_> = rigid.collect();
+        for (id, link) in links.iter().enumerate().rev() {
+            for dof in link.dofs.clone() {
+                fill_column(&mut matrix, &kinematics, id, dof, &composites[id]);
+            }
+            if let Some(parent) = link.parent {
+                let felt = composites[id].carried_back(link.lever);
+                composites[parent].add(&felt);
+            }
+        }
+        for (dof, &armature) in self.armature().iter().enumerate() {
+            matrix[(dof, dof)] += usable(armature);
+        }
+        matrix
+    }
+
+    /// `M⁻¹ τ`: how much the degrees of freedom accelerate under these forces on them (or how much velocity impulses give
+    /// them), in time proportional to their number. Forces that are missing are taken for 0.
+    pub fn accelerations_of(&self, forces: &[Real]) -> Vec<Real> {
+        let kinematics = Kinematics::of(self);
+        let armature: Vec<_> = self.armature().iter().copied().map(usable).collect();
+        let mut factor = Factor::default();
+        factor.update(&kinematics, Resistance { armature: &armature, drag: &[] });
+        let mut forces = forces.to_vec();
+        forces.resize(self.ndofs(), 0.0);
+        factor.solve(&kinematics, &[], &mut forces);
+        forces
+    }
+}
+
+/// A number of a degree of freedom as the user gave it, or zero if it makes no sense.
+pub fn usable(value: Real) -> Real {
+    if value.is_finite() && value > 0.0 { value } else { 0.0 }
+}
+
+/// All entries of one degree of freedom and those before it.
+fn fill_column(
+    matrix: &mut SquareMatrix,
+    kinematics: &Kinematics,
+    id: usize,
+    dof: usize,
+    composite: &SpatialMatrix,
+) {
+    let mut wrench = composite.mul(&kinematics.axes[dof]);
+    let mut next = Some(id);
+    while let Some(link) = next.map(|id| &kinematics.links[id]) {
+        for other in link.dofs.clone().filter(|&other| other <= dof) {
+            let entry = dot(&kinematics.axes[other], &wrench);
+            matrix[(other, dof)] = entry;
+            matrix[(dof, other)] = entry;
+        }
+        wrench = carry_back(&wrench, link.lever);
+        next = link.parent;
+    }
+}

@@ -1,0 +1,48 @@
+//! # Multibodies — the laws of motion of an articulated whole
+//!
+//! What follows from a [`Multibody`](crate::model::multibody::Multibody) alone: where its links are, how they resist and
+//! respond. No contacts, no world, no time step but the one that [`Motion`] is told; the solver puts them together.
+//!
+//! ## Notation
+//! The state is `q` (coordinates) and `q̇` (velocities of the degrees of freedom). A link's spatial velocity `v` is that of its
+//! centre of mass and its angular velocity, its wrench `f` a force at the centre of mass and a torque about it, both in
+//! world axes. In these, a link's inertia is `diag(m, m, m, I)`, and the only change of frame there is goes along a
+//! *lever* `r`, from the parent's centre of mass to the link's:
+//!
+//! ```text
+//! v = X v_parent + Σ sⱼ q̇ⱼ        X: (v, ω) ↦ (v + ω × r, ω)        Xᵀ: (F, N) ↦ (F, N + r × F)
+//! ```
+//!
+//! with the *axis* `sⱼ` of each degree of freedom of the link's joint: the spatial velocity that `q̇ⱼ = 1` gives the link. Levers
+//! are added up from rotations alone, so that a robot far from the origin is as exact as one at it.
+//!
+//! ## Algorithms
+//! | file | what | after |
+//! |---|---|---|
+//! | `kinematics.rs` | poses, levers, axes, velocities, Jacobians | |
+//! | `factor.rs` | `M⁻¹ τ` in `O(n)`: the articulated-body algorithm, as a factorisation | Featherstone 2008, chapter 7 |
+//! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
+//! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
+//! | `motion.rs` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
+//! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
+//!
+//! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. We cut it where it depends
+//! on the velocity: the *factorisation* is made once per configuration, and then turns any number of forces and impulses into
+//! accelerations and velocities, those of contacts among them.
+//!
+//! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
+
+mod bias;
+mod factor;
+mod inverse;
+mod kinematics;
+mod mass_matrix;
+mod motion;
+mod spatial;
+mod sync;
+#[cfg(test)]
+mod tests;
+
+pub use inverse::InverseKinematicsOption;
+pub(crate) use mass_matrix::usable;
+pub(crate) use motion::{Drive, LinkForce, Motion};

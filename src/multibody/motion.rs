@@ -1,0 +1,303 @@
+//! One multibody on its way through a step: a substep without contacts, and its response to impulses.
+//!
+//! # A substep
+//! Forces kick, then the links fly on by themselves, then forces kick again: for the flight the velocity of the middle of the
+//! substep is what counts. With the inertial forces `-C q̇` and the step `h`
+//!
+//! ```text
+//! q̇  ← q̇ + h M̃⁻¹ (gravity, forces of the user, springs, dampers, motors)      at q
+//! q̇½ = q̇ - ½ h M̃⁻¹ C(q, q̇½) q̇½                                               implicit: by iteration
+//!      contacts and limits act on q̇½
+//! q  ← q + h q̇½
+//! q̇  ← q̇½ - ½ h M̃⁻¹ C(q, q̇½) q̇½                                               explicit, at the new q
+//! ```
+//!
+//! The two halves of the flight are each other's mirror image, so that the whole is reversible and of second order, and its
+//! energy does not drift: the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, chapter
+//! VI) in velocities. An explicit step `q̇ - h M⁻¹ C q̇` instead, which is what one visit of forward dynamics gives, makes a tumbling chain gain
+//! energy until it explodes. A body of its own is moved the same way (`dim3/gyro.rs`), so chains and bodies fall alike.
+//!
+//! `M̃ = M + h D + h² K`: springs of stiffness `K` and dampers `D` are taken at the end of the substep.
+//!
+//! # Momentum
+//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third order, and so do
+//! pushes from outside, whose responses are frozen during a step. So the momentum is followed beside the velocities: it changes by
+//! gravity, forces and pushes alone, and what the velocities miss of it is given to the root as one impulse. Chains that
+//! tumble freely do not stray, and what a contact gives to one side it takes from the other.
+
+use super::factor::{Factor, Resistance};
+use super::kinematics::Kinematics;
+use super::spatial::{ZERO, add_scaled, carry_back, turn};
+use crate::dim::math::{Real, SpatialVector, Vector};
+use crate::dim::spatial::{angular, join, linear};
+use crate::model::body::{RigidBodySet, RigidBodyVelocity};
+use crate::model::multibody::{Multibody, MultibodyLink};
+
+/// Visits of the implicit half. Each makes the error smaller by the angle (rad) of half a substep.
+const VISITS: usize = 3;
+
+/// What acts on a link all through a step.
+#[derive(Copy, Clone, Debug)]
+pub struct LinkForce {
+    /// Gravity and the user's forces.
+    pub wrench: SpatialVector,
+    /// Damping of the body, linear and angular (1/s).
+    pub damping: [Real; 2],
+}
+
+/// What acts on a degree of freedom all through a step: `pull - stiffness q - damping q̇`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Drive {
+    /// Inertia beyond that of the links; infinite for a degree of freedom that moves as it is told.
+    pub armature: Real,
+    /// Force per coordinate.
+    pub stiffness: Real,
+    /// Force per velocity.
+    pub damping: Real,
+    /// Force at the coordinate 0 and the velocity 0.
+    pub pull: Real,
+}
+
+/// See the [module](self). Fields that are lists have a number per degree of freedom.
+#[derive(Clone, Debug, Default)]
+pub struct Motion {
+    pub kinematics: Kinematics,
+    factor: Factor,
+    /// The velocities.
+    pub rates: Vec<Real>,
+    pub forces: Vec<LinkForce>,
+    pub drives: Vec<Drive>,
+    /// The velocity of a root without degrees of freedom.
+    root: SpatialVector,
+    armature: Vec<Real>,
+    drag: Vec<[Real; 2]>,
+    /// The momentum of all links about the root's centre of mass, but for [`Self::outside`].
+    momentum: SpatialVector,
+    /// The impulses from outside since then, about [`Self::origin`].
+    outside: SpatialVector,
+    /// Where the root's centre of mass was when the step began.
+    origin: Vector,
+    velocities: Vec<SpatialVector>,
+    accelerations: Vec<SpatialVector>,
+    wrenches: Vec<SpatialVector>,
+    change: Vec<Real>,
+}
+
+impl Motion {
+    /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set before.
+    ///
+    /// Velocities and impulses that the user gave to bodies since the last step count as momentum: the multibody gets the
+    /// velocities that have, at each degree of freedom, the momentum of the bodies.
+    pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
+        self.kinematics.update(multibody);
+        self.rates.clear();
+        let rates = multibody.generalized_velocity().iter();
+        self.rates.extend(rates.map(|rate| if rate.is_finite() { *rate } else { 0.0 }));
+        self.armature.clear();
+        self.armature.extend(self.drives.iter().map(|drive| drive.armature));
+        self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
+        let body = |link: &MultibodyLink| bodies.get(link.body);
+        self.root = ZERO;
+        if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
+            self.root = join(root.linvel, root.angvel);
+        }
+        let velocity = |link: &MultibodyLink| Some(body(link)?.vels());
+        if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
+            self.take_momentum(|id| {
+                let link = &multibody.links[id];
+                // A body that was at rest when it became a link says nothing: the user may have set the joint's velocity.
+                let velocity =
+                    velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
+                velocity.filter(|_| body(link).is_some_and(|body| body.is_dynamic()))
+            });
+        }
+        self.follow_momentum();
+    }
+
+    /// Notes an impulse from outside that the rates have felt already, as the impulses on the root's degrees of freedom.
+    pub fn note_outside(&mut self, impulses: &[Real], factor: Real) {
+        for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
+            add_scaled(&mut self.outside, axis, impulse * factor);
+        }
+    }
+
+    /// Number of degrees of freedom of the root.
+    pub fn root_dofs(&self) -> usize {
+        self.kinematics.links[0].dofs.len()
+    }
+
+    /// Gives the links the momentum that bodies with these velocities have.
+    fn take_momentum(&mut self, body: impl Fn(usize) -> Option<RigidBodyVelocity>) {
+        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        self.wrenches.clear();
+        for (id, link) in self.kinematics.links.iter().enumerate() {
+            let own = &self.velocities[id];
+            let missing = body(id).map_or(ZERO, |velocity| {
+                let angvel = velocity.angvel - angular(own);
+                join((velocity.linvel - linear(own)) * link.mass, turn(&link.inertia, angvel))
+            });
+            self.wrenches.push(missing);
+        }
+        let mut change = core::mem::take(&mut self.change);
+        change.clear();
+        change.resize(self.rates.len(), 0.0);
+        self.factor.solve(&self.kinematics, &self.wrenches, &mut change);
+        add_all(&mut self.rates, &change, 1.0);
+        self.change = change;
+    }
+
+    /// Begins to follow the momentum.
+    fn follow_momentum(&mut self) {
+        self.momentum = self.root_momentum();
+        self.outside = ZERO;
+        self.origin = self.kinematics.links[0].center;
+    }
+
+    /// Adds up the articulated inertias for substeps of `h` seconds, with springs and dampers.
+    pub fn resist(&mut self, h: Real) {
+        self.armature.clear();
+        let resisting = |drive: &Drive| drive.armature + h * (drive.damping + h * drive.stiffness);
+        self.armature.extend(self.drives.iter().map(resisting));
+        self.drag.clear();
+        self.drag.extend(self.forces.iter().map(|force| force.damping.map(|c| 1.0 + h * c)));
+        let resistance = Resistance { armature: &self.armature, drag: &self.drag };
+        self.factor.update(&self.kinematics, resistance);
+    }
+
+    /// Turns impulses on the degrees of freedom into velocities.
+    pub fn respond(&mut self, impulses: &mut [Real]) {
+        self.factor.solve(&self.kinematics, &[], impulses);
+    }
+
+    /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle.
+    pub fn accelerate(&mut self, multibody: &mut Multibody, h: Real) {
+        self.keep_momentum(self.kinematics.links[0].center);
+        let mut change = core::mem::take(&mut self.change);
+        self.kick(multibody, h, &mut change);
+        add_all(&mut self.rates, &change, 1.0);
+        multibody.lists.accelerations.clone_from(&change);
+        self.momentum = self.root_momentum();
+        let before = self.rates.clone();
+        for _ in 0..VISITS {
+            self.drift(0.5 * h, &mut change);
+            self.rates.clone_from(&before);
+            add_all(&mut self.rates, &change, 1.0);
+        }
+        let total = multibody.lists.accelerations.iter_mut().zip(&change);
+        total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });
+        self.change = change;
+    }
+
+    /// What forces, springs and dampers add to the velocities.
+    fn kick(&mut self, multibody: &Multibody, h: Real, change: &mut Vec<Real>) {
+        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        self.wrenches.clear();
+        for ((link, force), velocity) in
+            self.kinematics.links.iter().zip(&self.forces).zip(&self.velocities)
+        {
+            let [along, about] = force.damping;
+            let drag = join(
+                linear(velocity) * (link.mass * along),
+                turn(&link.inertia, angular(velocity)) * about,
+            );
+            let mut impulse = ZERO;
+            add_scaled(&mut impulse, &force.wrench, h);
+            add_scaled(&mut impulse, &drag, -h);
+            self.wrenches.push(impulse);
+        }
+        change.clear();
+        for ((drive, dof), rate) in self.drives.iter().zip(&multibody.dofs).zip(&self.rates) {
+            let is_idle = drive.stiffness == 0.0;
+            let joint = &multibody.links[dof.link].joint;
+            let q = if is_idle { 0.0 } else { joint.coordinate(dof.axis) };
+            let spring = drive.pull - drive.stiffness * (q + h * rate);
+            change.push(h * (spring - drive.damping * rate));
+        }
+        self.factor.solve(&self.kinematics, &self.wrenches, change);
+    }
+
+    /// What inertia alone changes about the velocities in `h` seconds.
+    fn drift(&mut self, h: Real, change: &mut Vec<Real>) {
+        let Self { kinematics, velocities, accelerations, wrenches, .. } = self;
+        kinematics.velocities(&self.rates, &self.root, velocities);
+        kinematics.inertial_wrenches(&self.rates, velocities, accelerations, wrenches);
+        change.clear();
+        change.resize(self.rates.len(), 0.0);
+        self.factor.solve(kinematics, wrenches, change);
+        change.iter_mut().for_each(|number| *number *= h);
+    }
+
+    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end.
+    pub fn advance(&mut self, multibody: &mut Multibody, h: Real) {
+        let root_center = self.kinematics.links[0].center;
+        multibody.integrate(h, &self.rates, &self.root);
+        self.kinematics.update(multibody);
+        self.resist(h);
+        let mut change = core::mem::take(&mut self.change);
+        self.drift(0.5 * h, &mut change);
+        add_all(&mut self.rates, &change, 1.0);
+        self.change = change;
+        self.keep_momentum(root_center);
+    }
+
+    /// Ends the step.
+    pub fn finish(&mut self) {
+        self.keep_momentum(self.kinematics.links[0].center);
+    }
+
+    /// Gives the root the impulse that the velocities miss of the momentum. That was about `before`, and is about the root's
+    /// centre of mass from now on.
+    fn keep_momentum(&mut self, before: Vector) {
+        if self.root_dofs() == 0 {
+            return;
+        }
+        let center = self.kinematics.links[0].center;
+        let mut wanted = carry_back(&self.momentum, before - center);
+        add_scaled(&mut wanted, &carry_back(&self.outside, self.origin - center), 1.0);
+        self.outside = ZERO;
+        self.momentum = wanted;
+        let mut missing = wanted;
+        add_scaled(&mut missing, &self.root_momentum(), -1.0);
+        let mut change = core::mem::take(&mut self.change);
+        change.clear();
+        change.resize(self.rates.len(), 0.0);
+        self.factor.solve(&self.kinematics, &[missing], &mut change);
+        add_all(&mut self.rates, &change, 1.0);
+        self.change = change;
+    }
+
+    /// The momentum of all links together, about the root's centre of mass.
+    fn root_momentum(&mut self) -> SpatialVector {
+        let Self { kinematics, velocities, wrenches, .. } = self;
+        kinematics.velocities(&self.rates, &self.root, velocities);
+        wrenches.clear();
+        wrenches.extend(kinematics.links.iter().zip(velocities).map(|(link, velocity)| {
+            join(linear(velocity) * link.mass, turn(&link.inertia, angular(velocity)))
+        }));
+        for (id, link) in kinematics.links.iter().enumerate().rev() {
+            let Some(parent) = link.parent else { continue };
+            let felt = carry_back(&wrenches[id], link.lever);
+            add_scaled(&mut wrenches[parent], &felt, 1.0);
+        }
+        wrenches[0]
+    }
+
+    /// The velocities of all links.
+    pub fn link_velocities(&mut self) -> &[SpatialVector] {
+        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        &self.velocities
+    }
+
+    /// Lets nothing move any more.
+    pub fn stand_still(&mut self) {
+        self.rates.fill(0.0);
+        self.root = ZERO;
+    }
+}
+
+/// `target += change · factor`.
+fn add_all(target: &mut [Real], change: &[Real], factor: Real) {
+    for (number, more) in target.iter_mut().zip(change) {
+        *number += more * factor;
+    }
+}

@@ -1,0 +1,139 @@
+//! Spatial vectors and matrices: what the recursions over links calculate with.
+
+use crate::dim::math::{
+    ANG_DIM, AngVector, DIM, Real, SPATIAL_DIM, SpatialVector, Vector, cross, torque,
+};
+use crate::dim::spatial::{ANG_AXES, angular, join, linear};
+
+/// The spatial vector of nothing.
+pub const ZERO: SpatialVector = [0.0; SPATIAL_DIM];
+
+/// `a · b`: the power of a wrench at a velocity.
+#[inline]
+pub fn dot(a: &SpatialVector, b: &SpatialVector) -> Real {
+    let mut sum = 0.0;
+    for k in 0..SPATIAL_DIM {
+        sum += a[k] * b[k];
+    }
+    sum
+}
+
+/// `target += vector · factor`.
+#[inline]
+pub fn add_scaled(target: &mut SpatialVector, vector: &SpatialVector, factor: Real) {
+    for k in 0..SPATIAL_DIM {
+        target[k] += vector[k] * factor;
+    }
+}
+
+/// `X v`: a velocity (or acceleration without velocity) of a body, at `r` from where it was measured.
+#[inline]
+pub fn carry(v: &SpatialVector, r: Vector) -> SpatialVector {
+    join(linear(v) + cross(angular(v), r), angular(v))
+}
+
+/// `Xᵀ f`: a wrench that acts at `r` from where it is to be measured.
+#[inline]
+pub fn carry_back(f: &SpatialVector, r: Vector) -> SpatialVector {
+    join(linear(f), angular(f) + torque(r, linear(f)))
+}
+
+/// The angular part of an inertia, row after row.
+pub type AngularMatrix = [[Real; ANG_DIM]; ANG_DIM];
+
+/// `I ω`.
+#[inline]
+pub fn turn(inertia: &AngularMatrix, angvel: AngVector) -> AngVector {
+    let w = angular_numbers(angvel);
+    let mut product = ZERO;
+    for (row, target) in inertia.iter().zip(&mut product[DIM..]) {
+        for k in 0..ANG_DIM {
+            *target += row[k] * w[k];
+        }
+    }
+    angular(&product)
+}
+
+fn angular_numbers(w: AngVector) -> [Real; ANG_DIM] {
+    let numbers = join(Vector::ZERO, w);
+    core::array::from_fn(|k| numbers[DIM + k])
+}
+
+/// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes wide instructions
+/// of whole rows.
+#[derive(Copy, Clone, Debug)]
+pub struct SpatialMatrix([SpatialVector; SPATIAL_DIM]);
+
+impl SpatialMatrix {
+    /// No inertia.
+    pub const ZERO: Self = Self([ZERO; SPATIAL_DIM]);
+
+    /// That of a rigid body about its centre of mass.
+    pub fn rigid(mass: Real, inertia: &AngularMatrix) -> Self {
+        let mut matrix = Self::ZERO;
+        for k in 0..DIM {
+            matrix.0[k][k] = mass;
+        }
+        for (row, entries) in matrix.0[DIM..].iter_mut().zip(inertia) {
+            row[DIM..].copy_from_slice(entries);
+        }
+        matrix
+    }
+
+    /// The product with a vector.
+    #[inline]
+    pub fn mul(&self, v: &SpatialVector) -> SpatialVector {
+        let mut product = ZERO;
+        for (column, factor) in self.0.iter().zip(v) {
+            add_scaled(&mut product, column, *factor);
+        }
+        product
+    }
+
+    /// Adds another one.
+    #[inline]
+    pub fn add(&mut self, other: &Self) {
+        for (column, more) in self.0.iter_mut().zip(&other.0) {
+            add_scaled(column, more, 1.0);
+        }
+    }
+
+    /// Takes `u uᵀ · factor` off.
+    #[inline]
+    pub fn reduce(&mut self, u: &SpatialVector, factor: Real) {
+        for (column, entry) in self.0.iter_mut().zip(u) {
+            add_scaled(column, u, -(entry * factor));
+        }
+    }
+
+    /// `Xᵀ I X`: the inertia as it is felt where it is measured, if it is at `r` from there.
+    pub fn carried_back(&self, r: Vector) -> Self {
+        // Turning about an axis moves what is at `r` along `axis × r`: columns of I X, then rows of Xᵀ I X.
+        let along = ANG_AXES.map(|axis| join(cross(axis, r), axis));
+        let mut columns = self.0;
+        for (column, motion) in columns[DIM..].iter_mut().zip(&along) {
+            *column = self.mul(motion);
+        }
+        Self(columns.map(|column| carry_back(&column, r)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_carried_inertia_is_the_sum_of_what_carrying_does() {
+        let r = Vector::X * 0.7 - Vector::Y * 0.4;
+        let mut inertia: AngularMatrix = [[0.0; ANG_DIM]; ANG_DIM];
+        for (k, row) in inertia.iter_mut().enumerate() {
+            row[k] = 0.3 + k as Real;
+        }
+        let matrix = SpatialMatrix::rigid(2.0, &inertia);
+        let v: SpatialVector = core::array::from_fn(|k| 1.0 - 0.4 * k as Real);
+        let expected = carry_back(&matrix.mul(&carry(&v, r)), r);
+        let found = matrix.carried_back(r).mul(&v);
+        let error = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());
+        assert!(error.fold(0.0, Real::max) < 1.0e-5, "{found:?} for {expected:?}");
+    }
+}

@@ -1,0 +1,370 @@
+//! Contacts of links: with each other, with ordinary bodies, with the world.
+//!
+//! The rows are those of other contacts (`dim3/contact/mod.rs`), one point after the other: a normal row with the same softness,
+//! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
+//! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
+
+use super::rows::{Actors, Numbers, Part, Row};
+use super::{LinkPlace, SoftPass, SolverMultibodies};
+use crate::dim::math::{
+    DIM, MAX_MANIFOLD_POINTS, Real, Rotation, SpatialVector, Vector, mul_inertia, tangents, torque,
+};
+use crate::dim::spatial::{angular, join, linear};
+use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::step::solver::bodies::SolverBodies;
+use arrayvec::ArrayVec;
+
+/// One contact point.
+#[derive(Copy, Clone, Debug)]
+struct Point {
+    position: Vector,
+    separation: Real,
+    normal: Row,
+    tangents: [Row; DIM - 1],
+    /// Along each tangent: the velocity that friction brings about (conveyor belts).
+    surface: [Real; DIM - 1],
+    impulse: Real,
+    friction: [Real; DIM - 1],
+    /// The relative normal velocity before anything acted.
+    approach: Real,
+    /// Sum of the normal impulses of the substeps.
+    total: Real,
+    /// The impulse of the bounce. It is no load that the next step could start with.
+    bounce: Real,
+}
+
+/// One manifold.
+#[derive(Clone, Debug)]
+struct LinkContact {
+    at: ManifoldRef,
+    normal: Vector,
+    friction: Real,
+    restitution: Real,
+    points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
+}
+
+/// All contacts of links.
+#[derive(Debug, Default)]
+pub struct LinkContacts {
+    contacts: Vec<LinkContact>,
+}
+
+/// One side of a manifold as it stands now.
+pub(super) struct Side<'a> {
+    place: Option<LinkPlace>,
+    /// An ordinary body that can move, with its index in the solver.
+    pub body: Option<(&'a RigidBody, u32)>,
+    pub rotation: Rotation,
+    /// The centre of mass; none for what never moves.
+    pub center: Option<Vector>,
+    /// Does the other side move it?
+    gives_way: bool,
+}
+
+/// Where a manifold is in the world, now.
+struct Geometry {
+    normal: Vector,
+    /// By point: where it is, how far apart the surfaces are.
+    points: ArrayVec<(Vector, Real), MAX_MANIFOLD_POINTS>,
+}
+
+impl SolverMultibodies {
+    /// Makes constraints of the manifolds that were left out of the lanes.
+    pub(super) fn prepare_contacts(
+        &mut self,
+        narrow_phase: &NarrowPhase,
+        world: &RigidBodySet,
+        bodies: &SolverBodies,
+    ) {
+        self.contacts.contacts.clear();
+        for position in 0..self.left_out.len() {
+            let at = self.left_out[position];
+            let slots = narrow_phase.contacts.bodies(at.pair);
+            if let [Some(one), Some(two)] = slots.map(|slot| self.place(slot))
+                && one.multibody == two.multibody
+                && !self.moving[one.multibody].multibody.may_touch(one.link, two.link)
+            {
+                continue;
+            }
+            let pair = &narrow_phase.contacts[at.pair];
+            let manifold = &pair.manifolds[at.manifold as usize];
+            let dominance = manifold.data.relative_dominance;
+            let sides = [
+                self.side(slots[0], dominance <= 0, world, bodies),
+                self.side(slots[1], dominance >= 0, world, bodies),
+            ];
+            let geometry = Geometry::of(&sides, &pair.placement, manifold);
+            let contact = self.contact(at, &sides, &geometry, manifold);
+            self.contacts.contacts.push(contact);
+        }
+    }
+
+    pub(super) fn side<'a>(
+        &self,
+        slot: u32,
+        gives_way: bool,
+        world: &'a RigidBodySet,
+        bodies: &SolverBodies,
+    ) -> Side<'a> {
+        let body = world.at_slot(slot).map(|(_, body)| body);
+        let body = body.filter(|body| body.is_dynamic_or_kinematic());
+        if let Some(place) = self.place(slot).filter(|place| place.is_moved) {
+            let frame = &self.moving[place.multibody].motion.kinematics.links[place.link];
+            let (rotation, center) = (frame.rotation, Some(frame.center));
+            return Side { place: Some(place), body: None, rotation, center, gives_way };
+        }
+        Side {
+            place: None,
+            rotation: body.map_or(Rotation::IDENTITY, |body| body.pose.rotation),
+            center: body.map(|body| body.mprops.world_com),
+            body: body.map(|body| (body, bodies.index_of(slot))),
+            gives_way,
+        }
+    }
+
+    fn contact(
+        &mut self,
+        at: ManifoldRef,
+        sides: &[Side<'_>; 2],
+        geometry: &Geometry,
+        manifold: &ContactManifold,
+    ) -> LinkContact {
+        let data = &manifold.data;
+        let along = tangents(geometry.normal);
+        let points =
+            geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
+                Point {
+                    position,
+                    separation,
+                    normal: self.row(sides, position, geometry.normal),
+                    tangents: along.map(|tangent| self.row(sides, position, tangent)),
+                    surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
+                    impulse: known.warmstart_impulse,
+                    friction: known.warmstart_tangent_impulse,
+                    approach: 0.0,
+                    total: 0.0,
+                    bounce: 0.0,
+                }
+            });
+        let points = points.collect();
+        let (friction, restitution) = (data.friction, data.restitution);
+        LinkContact { at, normal: geometry.normal, friction, restitution, points }
+    }
+
+    /// The row of the second side's velocity against the first's, at a point along a direction.
+    fn row(&mut self, sides: &[Side<'_>; 2], point: Vector, direction: Vector) -> Row {
+        self.row_of_wrenches(
+            sides,
+            [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)],
+        )
+    }
+
+    /// The row whose impulse gives each side a wrench about its centre of mass.
+    pub(super) fn row_of_wrenches(
+        &mut self,
+        sides: &[Side<'_>; 2],
+        wrenches: [SpatialVector; 2],
+    ) -> Row {
+        let parts = match [sides[0].place, sides[1].place] {
+            [Some(one), Some(two)] if one.multibody == two.multibody => {
+                let gives_way = sides[0].gives_way || sides[1].gives_way;
+                let fill = |moving: &super::Moving, jacobian: &mut [Real], sizes: &mut [Real]| {
+                    let kinematics = &moving.motion.kinematics;
+                    kinematics.add_measured_force(one.link, &wrenches[0], jacobian, sizes);
+                    kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
+                };
+                let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
+                [part, Part::Nothing]
+            }
+            _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
+        };
+        self.numbers.row(&self.moving, parts)
+    }
+
+    fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
+        if let Some(place) = side.place {
+            return self.numbers.add_links(
+                &mut self.moving,
+                place.multibody,
+                side.gives_way,
+                |moving, jacobian, sizes| {
+                    moving
+                        .motion
+                        .kinematics
+                        .add_measured_force(place.link, &wrench, jacobian, sizes);
+                },
+            );
+        }
+        let Some((body, index)) = side.body else { return Part::Nothing };
+        let mprops = &body.mprops;
+        let response = join(
+            linear(&wrench) * mprops.inv_mass,
+            mul_inertia(&mprops.inv_inertia, angular(&wrench)),
+        );
+        let response = if side.gives_way { response } else { [0.0; _] };
+        Part::Body { index, jacobian: wrench, response }
+    }
+}
+
+impl Side<'_> {
+    /// A unit force along a direction at a point, as a wrench on the centre of mass.
+    pub fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
+        let lever = self.center.map_or(Vector::ZERO, |center| point - center);
+        join(direction, torque(lever, direction))
+    }
+}
+
+impl Geometry {
+    /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
+    fn of(sides: &[Side<'_>; 2], placed: &Placement, manifold: &ContactManifold) -> Self {
+        let [x1, x2] = [0, 1].map(|side| sides[side].center.unwrap_or_default());
+        let turns = [0, 1].map(|side| sides[side].rotation * placed.rotations[side].inverse());
+        let has_world = sides.iter().any(|side| side.center.is_none());
+        let (offset, offset_now) =
+            if has_world { (Vector::ZERO, Vector::ZERO) } else { (-placed.centers, x1 - x2) };
+        let shift = (x2 - x1) - placed.centers;
+        let origin = if sides[0].center.is_none() { x2 } else { x1 };
+        let normal = turns[0] * manifold.data.placed_normal;
+        let follow = |known: &crate::model::contact::Contact| {
+            let second = known.lever + offset;
+            let (turned1, turned2) = (turns[0] * known.lever, turns[1] * second);
+            let moved = shift + (turned2 - second) - (turned1 - known.lever);
+            let lever = match sides[1].center {
+                None => turned1 + moved * 0.5,
+                Some(_) => turned2 - moved * 0.5 - offset_now,
+            };
+            (origin + lever, known.placed_dist + normal.dot(moved))
+        };
+        Self { normal, points: manifold.data.points.iter().map(follow).collect() }
+    }
+}
+
+impl LinkContacts {
+    fn points(&mut self) -> impl Iterator<Item = &mut Point> {
+        self.contacts.iter_mut().flat_map(|contact| &mut contact.points)
+    }
+
+    /// Notes how fast the surfaces approach each other before anything acts.
+    pub fn note_approach(&mut self, numbers: &Numbers, before: &mut Actors<'_>) {
+        for contact in self.contacts.iter_mut().filter(|contact| contact.restitution > 0.0) {
+            for point in &mut contact.points {
+                point.approach = numbers.velocity(&point.normal, before);
+            }
+        }
+    }
+
+    /// Starts the step with the last one's impulses.
+    pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        for point in self.points() {
+            numbers.push_early(&point.normal, point.impulse, actors);
+            for (row, impulse) in point.tangents.iter().zip(&point.friction) {
+                numbers.push_early(row, *impulse, actors);
+            }
+        }
+    }
+
+    /// Lets a substep start with this share of the last one's impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        for point in self.points() {
+            point.impulse *= factor;
+            point.friction = point.friction.map(|impulse| impulse * factor);
+        }
+    }
+
+    /// Solves the normal rows once.
+    pub fn solve(
+        &mut self,
+        numbers: &Numbers,
+        actors: &mut Actors<'_>,
+        pass: &SoftPass,
+        bias: bool,
+    ) {
+        for point in self.points() {
+            let velocity = numbers.velocity(&point.normal, actors);
+            let separation = point.separation + numbers.displacement(&point.normal, actors);
+            let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
+            numbers.push(&point.normal, new - point.impulse, actors);
+            point.impulse = new;
+        }
+    }
+
+    /// Solves the friction rows once, under the normal impulses as they are.
+    pub fn rub(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        for contact in &mut self.contacts {
+            for point in &mut contact.points {
+                let old = point.friction;
+                let mut new = old;
+                for k in 0..DIM - 1 {
+                    let row = &point.tangents[k];
+                    let slip = numbers.velocity(row, actors) - point.surface[k];
+                    new[k] -= slip * row.mass;
+                }
+                let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
+                let most = contact.friction * point.impulse;
+                if length > most {
+                    new = new.map(|impulse| impulse * (most / length));
+                }
+                for k in 0..DIM - 1 {
+                    numbers.push(&point.tangents[k], new[k] - old[k], actors);
+                }
+                point.friction = new;
+            }
+        }
+    }
+
+    /// Counts the impulses of the substep into those of the step.
+    pub fn count(&mut self) {
+        self.points().for_each(|point| point.total += point.impulse);
+    }
+
+    /// Makes the points that hit separate at `restitution` times the speed at which they came. See `dim3/contact/solve.rs`.
+    pub fn restitute(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, threshold: Real) {
+        for contact in self.contacts.iter_mut().filter(|contact| contact.restitution > 0.0) {
+            for point in &mut contact.points {
+                if point.approach >= -threshold || point.total <= 0.0 {
+                    continue;
+                }
+                let wanted =
+                    numbers.velocity(&point.normal, actors) + contact.restitution * point.approach;
+                let new = (point.bounce - wanted * point.normal.mass).max(-point.impulse);
+                numbers.push(&point.normal, new - point.bounce, actors);
+                point.total += new - point.bounce;
+                point.bounce = new;
+            }
+        }
+    }
+
+    /// Writes impulses, and where the contacts were, back to the manifolds.
+    pub fn store(&self, narrow_phase: &mut NarrowPhase) {
+        for contact in &self.contacts {
+            let pair = &mut narrow_phase.contacts[contact.at.pair];
+            let data = &mut pair.manifolds[contact.at.manifold as usize].data;
+            if !contact.is_sound() {
+                data.forget_impulses();
+                continue;
+            }
+            data.normal = contact.normal;
+            data.warmstart_friction = Vector::ZERO;
+            data.warmstart_twist = 0.0;
+            for (known, point) in data.points.iter_mut().zip(&contact.points) {
+                (known.point, known.dist) = (point.position, point.separation);
+                (known.impulse, known.warmstart_impulse) = (point.total, point.impulse);
+                known.warmstart_tangent_impulse = point.friction;
+            }
+        }
+    }
+}
+
+impl LinkContact {
+    /// Did all numbers stay finite?
+    fn is_sound(&self) -> bool {
+        self.normal.is_finite()
+            && self.points.iter().all(|point| {
+                let impulses = point.friction.iter().chain([&point.impulse, &point.total]);
+                let mut numbers = impulses.chain([&point.separation]);
+                point.position.is_finite() && numbers.all(|number| number.is_finite())
+            })
+    }
+}

@@ -1,0 +1,338 @@
+//! Limits of joints, motors with a largest force, and dry friction: rows on the degrees of freedom of one joint.
+//!
+//! ```text
+//! limits     C = q - min ≥ 0 and C' = max - q ≥ 0, with the impulses λ ≥ 0 and λ' ≥ 0 along opposite directions
+//! motor      λ = h (k (target - q - h q̇) + d (target velocity - q̇)),  |λ| ≤ h max_force
+//! friction   q̇ = 0,  |λ| ≤ h friction
+//! ```
+//!
+//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
+//! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
+//!
+//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient.
+
+use super::rows::{Actors, Numbers, Part, Row};
+use super::{Moving, SoftPass};
+use crate::dim::joint::{FreeRotations, angle_about};
+use crate::dim::joint_axes::JointAxis;
+use crate::dim::math::{DIM, Real};
+use crate::dim::spatial::ang_components;
+use crate::model::joint::{
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
+};
+use crate::model::multibody::{MultibodyJoint, MultibodyLink};
+
+/// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
+#[derive(Copy, Clone, Debug)]
+pub enum Owner {
+    Link { multibody: usize, link: usize },
+    Loop { joint: ImpulseJointHandle },
+}
+
+/// Both limits of an axis. They share a row: the one pushes along it, the other against it.
+#[derive(Copy, Clone, Debug)]
+struct Limit {
+    owner: Owner,
+    axis: JointAxis,
+    row: Row,
+    /// How far the coordinate is from the lower and from the upper end.
+    room: [Real; 2],
+    impulses: [Real; 2],
+}
+
+/// A motor with a largest force, or friction.
+#[derive(Copy, Clone, Debug)]
+struct Drive {
+    owner: Owner,
+    axis: JointAxis,
+    row: Row,
+    is_friction: bool,
+    /// Stiffness over `h k + d` (1/s): what a distance from the target adds to the velocity that is wanted.
+    pull: Real,
+    /// Distance to the target at the beginning of the step.
+    distance: Real,
+    /// The velocity that is wanted at the target.
+    velocity: Real,
+    yielding: Real,
+    impulse: Real,
+    impulse_max: Real,
+}
+
+/// All rows on single joints.
+#[derive(Debug, Default)]
+pub struct JointRows {
+    limits: Vec<Limit>,
+    drives: Vec<Drive>,
+}
+
+impl JointRows {
+    /// Makes the rows of all joints, for substeps of `h` seconds.
+    pub fn prepare(&mut self, numbers: &mut Numbers, multibodies: &mut [Moving], h: Real) {
+        self.limits.clear();
+        self.drives.clear();
+        for multibody in 0..multibodies.len() {
+            for link in 1..multibodies[multibody].multibody.links.len() {
+                let link = multibodies[multibody].multibody.links[link].clone();
+                if !link.joint.kinematic {
+                    self.add_joint(numbers, multibodies, multibody, &link, h);
+                }
+            }
+        }
+    }
+
+    fn add_joint(
+        &mut self,
+        numbers: &mut Numbers,
+        multibodies: &mut [Moving],
+        multibody: usize,
+        link: &MultibodyLink,
+        h: Real,
+    ) {
+        let data = &link.joint.data;
+        let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+        for (dof, axis) in link.dofs().zip(axes) {
+            let owner = Owner::Link { multibody, link: link.id };
+            if let Some(limits) = data.limits(axis)
+                && let Some((q, gradient)) = limited_angle(&link.joint, axis)
+            {
+                let row = row_of(numbers, multibodies, multibody, link, &gradient);
+                self.add_limits((owner, axis), row, q, limits);
+            }
+            let unit = unit(axis);
+            if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
+                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                self.add_motor((owner, axis), row, link.joint.coordinate(axis), motor, h);
+            }
+            let lists = &multibodies[multibody].multibody.lists;
+            let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
+            if friction > 0.0 && friction.is_finite() {
+                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                self.drives.push(Drive::friction((owner, axis), row, friction * h, impulse));
+            }
+        }
+    }
+
+    /// Adds the limits of an axis whose coordinate is `q`.
+    pub fn add_limits(
+        &mut self,
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        limits: &JointLimits,
+    ) {
+        let room = [q - limits.min, limits.max - q];
+        let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
+        self.limits.push(Limit { owner, axis, row, room, impulses });
+    }
+
+    /// Adds the motor of an axis whose coordinate is `q`, for substeps of `h` seconds.
+    pub fn add_motor(
+        &mut self,
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        motor: &JointMotor,
+        h: Real,
+    ) {
+        self.drives.push(Drive::motor((owner, axis), row, q, motor, h));
+    }
+
+    /// Starts the step with the last one's impulses.
+    pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        for limit in &self.limits {
+            numbers.push_early(&limit.row, limit.impulses[0] - limit.impulses[1], actors);
+        }
+        for drive in &self.drives {
+            numbers.push_early(&drive.row, drive.impulse, actors);
+        }
+    }
+
+    /// Lets a substep start with this share of the last one's impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.limits.iter_mut().flat_map(|limit| &mut limit.impulses).for_each(|i| *i *= factor);
+        self.drives.iter_mut().for_each(|drive| drive.impulse *= factor);
+    }
+
+    /// Solves all rows once; with `bias`, limits that were overrun are undone.
+    pub fn solve(
+        &mut self,
+        numbers: &Numbers,
+        actors: &mut Actors<'_>,
+        pass: &SoftPass,
+        bias: bool,
+    ) {
+        for drive in &mut self.drives {
+            drive.solve(numbers, actors);
+        }
+        for limit in &mut self.limits {
+            let moved = numbers.displacement(&limit.row, actors);
+            for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+                let (velocity, room) =
+                    (numbers.velocity(&limit.row, actors) * sign, limit.room[side] + moved * sign);
+                let old = limit.impulses[side];
+                let new = pass.solve(velocity, room, limit.row.mass, old, bias);
+                limit.impulses[side] = new;
+                numbers.push(&limit.row, (new - old) * sign, actors);
+            }
+        }
+    }
+
+    /// Writes the impulses to the joints.
+    pub fn store(&self, multibodies: &mut [Moving], joints: &mut ImpulseJointSet) {
+        for Limit { owner, axis, impulses, .. } in &self.limits {
+            if let Some(data) = owner.data(multibodies, joints) {
+                data.limits[*axis as usize].impulse = finite(impulses[0] - impulses[1]);
+            }
+        }
+        for Drive { owner, axis, is_friction, impulse, .. } in &self.drives {
+            let impulse = finite(*impulse);
+            match *owner {
+                Owner::Link { multibody, link } if *is_friction => {
+                    let target = &mut multibodies[multibody].multibody;
+                    let link = &target.links[link];
+                    let dof = link.first_dof + position(link, *axis);
+                    target.lists.friction_impulses[dof] = impulse;
+                }
+                owner => {
+                    if let Some(data) = owner.data(multibodies, joints) {
+                        data.motors[*axis as usize].impulse = impulse;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Owner {
+    /// The joint.
+    fn data<'a>(
+        self,
+        multibodies: &'a mut [Moving],
+        joints: &'a mut ImpulseJointSet,
+    ) -> Option<&'a mut GenericJoint> {
+        match self {
+            Self::Link { multibody, link } => {
+                Some(&mut multibodies[multibody].multibody.links[link].joint.data)
+            }
+            Self::Loop { joint } => Some(&mut joints.get_unnoted_mut(joint)?.data),
+        }
+    }
+}
+
+impl Drive {
+    fn motor(
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        q: Real,
+        motor: &JointMotor,
+        h: Real,
+    ) -> Self {
+        let inertia = match motor.model {
+            MotorModel::AccelerationBased => row.mass,
+            MotorModel::ForceBased => 1.0,
+        };
+        let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
+        let resistance = h * stiffness + damping;
+        let share = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
+        let impulse_max = (motor.max_force * h).min(Real::MAX);
+        Self {
+            owner,
+            axis,
+            row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
+            is_friction: false,
+            pull: share(stiffness),
+            distance: motor.target_pos - q,
+            velocity: share(damping) * motor.target_vel,
+            yielding: share(1.0 / h),
+            impulse: motor.impulse.clamp(-impulse_max, impulse_max),
+            impulse_max,
+        }
+    }
+
+    fn friction(
+        (owner, axis): (Owner, JointAxis),
+        row: Row,
+        impulse_max: Real,
+        impulse: Real,
+    ) -> Self {
+        let impulse = impulse.clamp(-impulse_max, impulse_max);
+        let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
+        Self {
+            owner,
+            axis,
+            row,
+            is_friction: true,
+            pull,
+            distance,
+            velocity,
+            yielding,
+            impulse,
+            impulse_max,
+        }
+    }
+
+    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        if self.row.mass == 0.0 {
+            return;
+        }
+        let moved = if self.pull > 0.0 { numbers.displacement(&self.row, actors) } else { 0.0 };
+        let wanted = self.velocity + self.pull * (self.distance - moved);
+        let error = numbers.velocity(&self.row, actors) - wanted + self.yielding * self.impulse;
+        let mass = self.row.mass / (1.0 + self.yielding * self.row.mass);
+        let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
+        let change = new - self.impulse;
+        self.impulse = new;
+        numbers.push(&self.row, change, actors);
+    }
+}
+
+/// The angle or length that an axis's limits are about, and how much each axis of the joint changes it; `None` if another
+/// axis's limits stand for this one's.
+fn limited_angle(
+    joint: &MultibodyJoint,
+    axis: JointAxis,
+) -> Option<(Real, [Real; JointAxis::ALL.len()])> {
+    if (axis as usize) < DIM || !joint.is_ball() {
+        return Some((joint.coordinate(axis), unit(axis)));
+    }
+    if !joint.data.driven_axes().any(|own| own == axis) {
+        return None;
+    }
+    let rotations = FreeRotations::new(joint.free_axes(), joint.data.coupled_axes);
+    let (angle, gradient) = angle_about(axis, rotations, &joint.joint_rot());
+    let mut all = [0.0; JointAxis::ALL.len()];
+    all[DIM..].copy_from_slice(&ang_components(gradient));
+    Some((angle, all))
+}
+
+fn unit(axis: JointAxis) -> [Real; JointAxis::ALL.len()] {
+    let mut all = [0.0; JointAxis::ALL.len()];
+    all[axis as usize] = 1.0;
+    all
+}
+
+/// Which of a link's degrees of freedom an axis is.
+fn position(link: &MultibodyLink, axis: JointAxis) -> usize {
+    (link.free.bits() & (mask_of(axis).bits() - 1)).count_ones() as usize
+}
+
+/// A row on the degrees of freedom of a link, given a number per axis.
+fn row_of(
+    numbers: &mut Numbers,
+    multibodies: &mut [Moving],
+    multibody: usize,
+    link: &MultibodyLink,
+    by_axis: &[Real; JointAxis::ALL.len()],
+) -> Row {
+    let part = numbers.add_links(multibodies, multibody, true, |_, jacobian, _| {
+        let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+        for (dof, axis) in link.dofs().zip(axes) {
+            jacobian[dof] = by_axis[axis as usize];
+        }
+    });
+    numbers.row(multibodies, [part, Part::Nothing])
+}
+
+fn finite(impulse: Real) -> Real {
+    if impulse.is_finite() { impulse } else { 0.0 }
+}

@@ -1,0 +1,156 @@
+//! From multibodies and their bodies to what the solver moves.
+
+use super::{LinkPlace, Moving, SolverMultibodies};
+use crate::dim::math::{Real, Vector};
+use crate::dim::spatial::join;
+use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::island::NONE;
+use crate::model::joint::{JointMotor, MotorModel};
+use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJointSet};
+use crate::multibody::{Drive, LinkForce, usable};
+
+impl SolverMultibodies {
+    /// Takes the multibodies that are awake out of their set.
+    pub fn load(&mut self, set: &mut MultibodyJointSet, bodies: &mut RigidBodySet) {
+        self.left_out.clear();
+        for slot in self.listed.drain(..) {
+            self.places[slot as usize] = None;
+        }
+        for position in 0..set.index_bound() {
+            let Some(index) = set.index_at(position) else { continue };
+            let Some(multibody) = set.get_unnoted_mut(index) else { continue };
+            if !is_awake(multibody, bodies) {
+                continue;
+            }
+            if acts(multibody, bodies) {
+                let multibody = core::mem::take(multibody);
+                self.take_in(index, multibody, bodies);
+            } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
+                set.note(index);
+            }
+        }
+    }
+
+    fn take_in(&mut self, index: MultibodyIndex, mut multibody: Multibody, bodies: &RigidBodySet) {
+        multibody.forward_kinematics(bodies, false);
+        let position = self.moving.len();
+        for link in &multibody.links {
+            let slot = link.body.into_raw_parts().0;
+            if slot as usize >= self.places.len() {
+                self.places.resize(slot as usize + 1, None);
+            }
+            let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
+            self.places[slot as usize] =
+                Some(LinkPlace { multibody: position, link: link.id, is_moved });
+            self.listed.push(slot);
+        }
+        let mut moving = self.spare.pop().unwrap_or_default();
+        (moving.index, moving.multibody) = (index, multibody);
+        self.moving.push(moving);
+    }
+
+    /// Notes what acts on the multibodies, and where they start. Ordinary bodies must have been loaded.
+    ///
+    /// Substeps take `h` seconds.
+    pub fn begin(&mut self, bodies: &mut RigidBodySet, gravity: Vector, h: Real) {
+        for moving in &mut self.moving {
+            moving.read_forces(bodies, gravity);
+            moving.read_drives();
+            moving.motion.begin(&moving.multibody, bodies);
+            moving.add_motors();
+            moving.motion.resist(h);
+            let ndofs = moving.motion.rates.len();
+            for list in [&mut moving.pushed, &mut moving.shift] {
+                list.clear();
+                list.resize(ndofs, 0.0);
+            }
+            moving.root_pushed.clear();
+            moving.root_pushed.resize(moving.motion.root_dofs(), 0.0);
+            let links = &moving.multibody.links;
+            moving.travel.clear();
+            moving.travel.resize(links.len(), [0.0; 2]);
+            moving.start.0.clear();
+            moving.start.0.extend(links.iter().map(|link| link.joint.clone()));
+            moving.start.1 = links[0].pose;
+        }
+    }
+}
+
+/// Is one of its links awake?
+fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
+    let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
+    multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moves))
+}
+
+/// Does the multibody act?
+fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
+    multibody.acts(|body| {
+        let body = bodies.get(body).filter(|body| body.is_enabled())?;
+        Some(body.is_dynamic())
+    })
+}
+
+impl Moving {
+    fn read_forces(&mut self, bodies: &mut RigidBodySet, gravity: Vector) {
+        self.motion.forces.clear();
+        for link in &self.multibody.links {
+            let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());
+            let none = LinkForce { wrench: [0.0; _], damping: [0.0; 2] };
+            self.motion.forces.push(body.map_or(none, |body| {
+                let (force, torque) = body.take_forces();
+                let weight = gravity * (body.gravity_scale * body.mprops.local.mass());
+                let damping = [body.linear_damping, body.angular_damping];
+                LinkForce { wrench: join(force + weight, torque), damping }
+            }));
+        }
+    }
+
+    /// Armature, springs and dampers of the joints.
+    fn read_drives(&mut self) {
+        let Multibody { links, dofs, lists, .. } = &self.multibody;
+        self.motion.drives.clear();
+        for (position, dof) in dofs.iter().enumerate() {
+            let joint = &links[dof.link].joint;
+            let (stiffness, rest) = if dof.link == 0 { (0.0, 0.0) } else { joint.spring(dof.axis) };
+            self.motion.drives.push(Drive {
+                armature: if joint.kinematic {
+                    Real::INFINITY
+                } else {
+                    usable(lists.armature[position])
+                },
+                stiffness,
+                damping: usable(lists.damping[position]),
+                pull: stiffness * rest,
+            });
+        }
+    }
+
+    /// Motors that know no largest force are dampers and springs like others.
+    fn add_motors(&mut self) {
+        for position in 0..self.multibody.dofs.len() {
+            let dof = self.multibody.dofs[position];
+            let joint = &self.multibody.links[dof.link].joint;
+            let motor = joint.data.motor(dof.axis).filter(|motor| motor.max_force >= Real::MAX);
+            let Some(&motor) = motor.filter(|_| dof.link != 0 && !joint.kinematic) else {
+                continue;
+            };
+            let inertia = self.inertia_against(position, &motor);
+            let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
+            let drive = &mut self.motion.drives[position];
+            drive.stiffness += stiffness;
+            drive.damping += damping;
+            drive.pull += stiffness * motor.target_pos + damping * motor.target_vel;
+        }
+    }
+
+    /// What a motor's stiffness and damping are multiplied by: the inertia that it moves, all other joints being free.
+    fn inertia_against(&mut self, dof: usize, motor: &JointMotor) -> Real {
+        if motor.model == MotorModel::ForceBased {
+            return 1.0;
+        }
+        let mut impulses = vec![0.0; self.motion.rates.len()];
+        impulses[dof] = 1.0;
+        self.motion.respond(&mut impulses);
+        if impulses[dof] > 0.0 { 1.0 / impulses[dof] } else { 0.0 }
+    }
+}

@@ -1,0 +1,366 @@
+//! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an ordinary body.
+//!
+//! A locked axis is a row that must stay where it is: `C = 0` with an impulse of either sign, softened like other joints
+//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of the first frame at the
+//! second anchor, rotations about them. Limits and motors of free axes are rows like those of multibody joints (`limits.rs`).
+//!
+//! Contacts may be frozen during a step, but a loop that swings must follow its links, or its rows would brake it: they are made
+//! anew in each substep ([`SolverMultibodies::follow_loops`]).
+//!
+//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
+//! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
+//! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
+//! connected joints is for ordinary bodies. They do not break.
+
+use super::SolverMultibodies;
+use super::contacts::Side;
+use super::limits::Owner;
+use super::rows::{Actors, Numbers, Row};
+use crate::base::square::SquareMatrix;
+use crate::dim::joint::{FreeRotations, angle_about};
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::math::{
+    ANG_ZERO, AngVector, DIM, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
+    integrate_rotation,
+};
+use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
+use crate::dim::state::READ_ONLY;
+use crate::model::body::RigidBodySet;
+use crate::model::island::IslandManager;
+use crate::model::joint::{
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, mask_of, relative_rotation,
+};
+use crate::model::params::{JointPass, Softness};
+use crate::step::solver::bodies::SolverBodies;
+use arrayvec::ArrayVec;
+
+/// A locked axis.
+#[derive(Copy, Clone, Debug)]
+struct Locked {
+    axis: JointAxis,
+    row: Row,
+    /// What an impulse of 1 does to the second body, at its anchor, in world space.
+    wrench: SpatialVector,
+    error: Real,
+    impulse: Real,
+    /// Sum of the impulses of the substeps.
+    total: Real,
+}
+
+/// One joint.
+#[derive(Clone, Debug)]
+struct Loop {
+    handle: ImpulseJointHandle,
+    slots: [u32; 2],
+    joint: GenericJoint,
+    softness: Softness,
+    locked: ArrayVec<Locked, SPATIAL_DIM>,
+    /// `K⁻¹`, column by column.
+    inverse: ArrayVec<SpatialVector, SPATIAL_DIM>,
+}
+
+/// All impulse joints on links.
+#[derive(Debug, Default)]
+pub struct Loops {
+    loops: Vec<Loop>,
+    /// Where the numbers of their locked axes begin.
+    first_number: usize,
+}
+
+/// The frames of a joint in world space.
+struct Frames {
+    first: Rotation,
+    /// The second, seen from the first.
+    between: Rotation,
+    /// From anchor to anchor.
+    separation: Vector,
+    /// The second anchor.
+    anchor: Vector,
+}
+
+/// Which body slots a joint joins, and which joint it is.
+type Joined = ([u32; 2], ImpulseJointHandle);
+
+impl SolverMultibodies {
+    /// Makes constraints of the joints that were left out of the lanes.
+    pub(super) fn prepare_loops(
+        &mut self,
+        islands: &IslandManager,
+        joints: &ImpulseJointSet,
+        world: &RigidBodySet,
+        bodies: &SolverBodies,
+        pass: &JointPass,
+    ) {
+        self.loops.loops.clear();
+        let slots = islands.joint_graph.in_solving_order().flat_map(|(_, list)| list);
+        let links = slots.filter_map(|&slot| islands.joints.get(slot));
+        let links = links.filter(|link| self.claims(link.body_slots()));
+        let joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
+        for (slots, handle) in joined {
+            let Some(joint) = joints.get(handle) else { continue };
+            let sides = slots.map(|slot| self.side(slot, true, world, bodies));
+            let Some(frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
+            self.add_driven(handle, &joint.data, &sides, &frames, pass.substep);
+            let softness = joint.data.softness.map_or(pass.softness, |spring| {
+                Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
+            });
+            let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());
+            let joint = Loop { handle, slots, joint: joint.data, softness, locked, inverse };
+            self.loops.loops.push(joint);
+        }
+    }
+
+    /// Makes the rows of the locked axes. They must be the last ones.
+    pub(super) fn lock_loops(
+        &mut self,
+        joints: &ImpulseJointSet,
+        world: &RigidBodySet,
+        bodies: &mut SolverBodies,
+    ) {
+        self.loops.first_number = self.numbers.len();
+        for position in 0..self.loops.loops.len() {
+            let handle = self.loops.loops[position].handle;
+            let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
+            self.lock(position, world, bodies, |axis| (impulses[axis as usize], 0.0));
+        }
+    }
+
+    /// Makes the rows of the locked axes anew, where the links and bodies are now.
+    pub fn follow_loops(&mut self, world: &RigidBodySet, bodies: &mut SolverBodies) {
+        self.warm_loops(bodies, -1.0);
+        self.numbers.truncate(self.loops.first_number);
+        for position in 0..self.loops.loops.len() {
+            let old = self.loops.loops[position].locked.clone();
+            self.lock(position, world, bodies, |axis| {
+                let same = old.iter().find(|locked| locked.axis == axis);
+                same.map_or((0.0, 0.0), |locked| (locked.impulse, locked.total))
+            });
+        }
+        self.warm_loops(bodies, 1.0);
+    }
+
+    /// Adds this share of the impulses so far to what the substep starts with.
+    pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
+        let Self { numbers, loops, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for locked in loops.locked() {
+            numbers.push_early(&locked.row, locked.impulse * share, &mut actors);
+        }
+    }
+
+    /// Makes the rows of one joint's locked axes. `known` tells each one's impulse and total.
+    fn lock(
+        &mut self,
+        position: usize,
+        world: &RigidBodySet,
+        bodies: &mut SolverBodies,
+        known: impl Fn(JointAxis) -> (Real, Real),
+    ) {
+        let Loop { slots, joint, locked, .. } = &mut self.loops.loops[position];
+        let (slots, joint) = (*slots, *joint);
+        locked.clear();
+        let sides = slots.map(|slot| self.side_now(slot, world, bodies));
+        let Some(frames) = Frames::of(&joint, &sides, world, slots) else { return };
+        let along = frames.first.inverse() * frames.separation;
+        let about = locked_angles(frames.between);
+        let mut locked = ArrayVec::new();
+        let axes = JointAxis::ALL.into_iter();
+        for axis in axes.filter(|axis| joint.locked_axes.contains(mask_of(*axis))) {
+            let k = axis as usize;
+            let (wrench, error) = if k < DIM {
+                (join(frames.first * Vector::AXES[k], ANG_ZERO), along[k])
+            } else {
+                let (error, direction) = about[k - DIM];
+                (join(Vector::ZERO, turn_axis(frames.first, direction)), error)
+            };
+            let row = self.row_at(&sides, &frames, &wrench);
+            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
+            let error = error - self.numbers.displacement(&row, &actors);
+            let (impulse, total) = known(axis);
+            locked.push(Locked { axis, row, wrench, error, impulse, total });
+        }
+        self.loops.loops[position].inverse = self.inverse_of(&locked);
+        self.loops.loops[position].locked = locked;
+    }
+
+    /// A side of a joint where it is now.
+    fn side_now<'a>(&self, slot: u32, world: &'a RigidBodySet, bodies: &SolverBodies) -> Side<'a> {
+        let mut side = self.side(slot, true, world, bodies);
+        if let Some((_, index)) = side.body {
+            let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
+            side.center = side.center.map(|center| center + shift);
+            side.rotation = integrate_rotation(side.rotation, turn);
+        }
+        side
+    }
+
+    /// `K⁻¹` of locked axes.
+    fn inverse_of(&self, locked: &[Locked]) -> ArrayVec<SpatialVector, SPATIAL_DIM> {
+        let mut matrix = SquareMatrix::zeros(locked.len());
+        for (i, first) in locked.iter().enumerate() {
+            for (j, second) in locked.iter().enumerate() {
+                let (rows, numbers) = ((&first.row, &second.row), &self.numbers);
+                matrix[(i, j)] = numbers.coupling(&self.moving, rows.0, rows.1);
+            }
+        }
+        let column = |k: usize| {
+            let mut unit = vec![0.0; locked.len()];
+            unit[k] = 1.0;
+            let mut column = [0.0; SPATIAL_DIM];
+            column[..locked.len()].copy_from_slice(&matrix.solve_symmetric(&unit));
+            column
+        };
+        (0..locked.len()).map(column).collect()
+    }
+
+    fn add_driven(
+        &mut self,
+        handle: ImpulseJointHandle,
+        joint: &GenericJoint,
+        sides: &[Side<'_>; 2],
+        frames: &Frames,
+        h: Real,
+    ) {
+        let owner = Owner::Loop { joint: handle };
+        for axis in joint.driven_axes() {
+            let (wrench, q, is_distance) = frames.free_axis(joint, axis);
+            let row = self.row_at(sides, frames, &wrench);
+            if let Some(limits) = joint.limits(axis) {
+                let mut limits = *limits;
+                if is_distance && limits.min <= 0.0 {
+                    limits.min = -Real::MAX;
+                }
+                self.joints.add_limits((owner, axis), row, q, &limits);
+            }
+            if let Some(motor) = joint.motor(axis) {
+                self.joints.add_motor((owner, axis), row, q, motor, h);
+            }
+        }
+    }
+
+    /// The row of a wrench on the second body, at its anchor.
+    fn row_at(&mut self, sides: &[Side<'_>; 2], frames: &Frames, wrench: &SpatialVector) -> Row {
+        let (force, couple) = (linear(wrench), angular(wrench));
+        let one = sides[0].wrench(frames.anchor, -force);
+        let two = sides[1].wrench(frames.anchor, force);
+        let turned =
+            |of: SpatialVector, couple: AngVector| join(linear(&of), angular(&of) + couple);
+        self.row_of_wrenches(sides, [turned(one, -couple), turned(two, couple)])
+    }
+}
+
+impl Frames {
+    fn of(
+        joint: &GenericJoint,
+        sides: &[Side<'_>; 2],
+        world: &RigidBodySet,
+        slots: [u32; 2],
+    ) -> Option<Self> {
+        let locals = [joint.local_frame1, joint.local_frame2];
+        let mut rotations = [Rotation::IDENTITY; 2];
+        let mut anchors = [Vector::ZERO; 2];
+        for k in 0..2 {
+            let (_, body) = world.at_slot(slots[k])?;
+            // A link stands where its coordinates say; what never moves has no centre.
+            let (rotation, center) = match sides[k].center {
+                Some(center) => (sides[k].rotation, center),
+                None => (body.pose.rotation, body.center_of_mass()),
+            };
+            rotations[k] = rotation * locals[k].rotation;
+            anchors[k] = center + rotation * (locals[k].translation - body.local_center_of_mass());
+        }
+        Some(Self {
+            first: rotations[0],
+            between: relative_rotation(&rotations[0], &rotations[1]),
+            separation: anchors[1] - anchors[0],
+            anchor: anchors[1],
+        })
+    }
+
+    /// What moves the second body along a free axis, the coordinate, and whether that is a distance.
+    fn free_axis(&self, joint: &GenericJoint, axis: JointAxis) -> (SpatialVector, Real, bool) {
+        let coupled = joint.coupled_axes & !joint.locked_axes;
+        if axis as usize >= DIM {
+            let rotations = FreeRotations::new(!joint.locked_axes, joint.coupled_axes);
+            let (angle, direction) = angle_about(axis, rotations, &self.between);
+            let about = turn_axis(self.first, direction);
+            return (join(Vector::ZERO, about), angle, false);
+        }
+        let own = self.first * Vector::AXES[axis as usize];
+        let linear_axes = coupled & JointAxesMask::LIN_AXES;
+        if linear_axes.bits().count_ones() < 2 || !linear_axes.contains(mask_of(axis)) {
+            return (join(own, ANG_ZERO), own.dot(self.separation), false);
+        }
+        let mut towards = Vector::ZERO;
+        for other in JointAxis::ALL.into_iter().take(DIM) {
+            if linear_axes.contains(mask_of(other)) {
+                let along = self.first * Vector::AXES[other as usize];
+                towards += along * along.dot(self.separation);
+            }
+        }
+        let length = towards.length();
+        let direction = if length > 0.0 { towards / length } else { own };
+        (join(direction, ANG_ZERO), length, true)
+    }
+}
+
+impl Loops {
+    fn locked(&mut self) -> impl Iterator<Item = &mut Locked> {
+        self.loops.iter_mut().flat_map(|joint| &mut joint.locked)
+    }
+
+    /// Lets a substep start with this share of the last one's impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.locked().for_each(|locked| locked.impulse *= factor);
+    }
+
+    /// Solves all rows once; with `bias`, errors are undone.
+    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+        self.loops.iter_mut().for_each(|joint| joint.solve(numbers, actors, bias));
+    }
+
+    /// Counts the impulses of the substep into those of the step.
+    pub fn count(&mut self) {
+        self.locked().for_each(|locked| locked.total += locked.impulse);
+    }
+
+    /// Writes impulses and mean forces to the joints.
+    pub fn store(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
+        for Loop { handle, locked, .. } in &self.loops {
+            let Some(joint) = joints.get_unnoted_mut(*handle) else { continue };
+            (joint.force, joint.torque) = (Vector::ZERO, ANG_ZERO);
+            for Locked { axis, wrench, impulse, total, .. } in locked {
+                joint.impulses[*axis as usize] = *impulse;
+                joint.force += linear(wrench) * (total * inv_dt);
+                joint.torque += angular(wrench) * (total * inv_dt);
+            }
+            if !joint.is_sound() {
+                joint.forget_impulses();
+            }
+        }
+    }
+}
+
+impl Loop {
+    /// Solves all locked axes together, once.
+    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+        let Softness { bias_rate, mass_scale, impulse_scale } =
+            if bias { self.softness } else { Softness::RIGID };
+        let mut changes = [0.0; SPATIAL_DIM];
+        for (locked, column) in self.locked.iter().zip(&self.inverse) {
+            let mut wrong = numbers.velocity(&locked.row, actors);
+            if bias {
+                let error = locked.error + numbers.displacement(&locked.row, actors);
+                wrong += error * bias_rate;
+            }
+            for (change, number) in changes.iter_mut().zip(column) {
+                *change -= wrong * mass_scale * number;
+            }
+        }
+        for (locked, change) in self.locked.iter_mut().zip(changes) {
+            let change = change - locked.impulse * impulse_scale;
+            locked.impulse += change;
+            numbers.push(&locked.row, change, actors);
+        }
+    }
+}

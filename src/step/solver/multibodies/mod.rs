@@ -1,0 +1,277 @@
+//! Multibodies in the solver: substeps of their own, between the same lines as the ordinary bodies'.
+//!
+//! Links stand in the list of awake bodies, but [`SolverBodies`](super::bodies::SolverBodies) knows them as nobody, and their
+//! manifolds are left out of the lanes: a push on one link moves all of its multibody, so no two of their constraints could
+//! stand in one colour. They are solved here one after the other, behind the colours, in the order of the constraint graph.
+//!
+//! As bodies do, multibodies start a substep with the last one's impulses, without visiting them: what the impulses did to the
+//! rates is kept ([`Moving::pushed`]) and added.
+
+mod contacts;
+mod limits;
+mod load;
+mod loops;
+mod rows;
+mod store;
+
+use super::bodies::SolverBodies;
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::dim::math::{Pose, Real};
+use crate::model::body::RigidBodySet;
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::NarrowPhase;
+use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
+use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
+use crate::multibody::Motion;
+use contacts::LinkContacts;
+use limits::JointRows;
+use loops::Loops;
+use rows::{Actors, Numbers};
+
+/// Multibodies that are worth handing over to another thread together (some ten microseconds).
+const MULTIBODIES_PER_TASK: usize = 2;
+
+/// Visits of the contacts that bounce. A push on one link moves all others: with one visit, whoever comes first bounces
+/// too little or too much.
+const BOUNCE_VISITS: usize = 4;
+
+/// A multibody that is awake. It is taken out of its set for as long as the solver runs.
+#[derive(Debug, Default)]
+pub(super) struct Moving {
+    index: MultibodyIndex,
+    multibody: Multibody,
+    motion: Motion,
+    /// What the impulses so far in this substep did to the rates.
+    pushed: Vec<Real>,
+    /// The same impulses on the root's degrees of freedom.
+    root_pushed: Vec<Real>,
+    /// How far the degrees of freedom moved since the step began.
+    shift: Vec<Real>,
+    /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
+    travel: Vec<[Real; 2]>,
+    /// The joints and the root's pose when the step began.
+    start: (Vec<MultibodyJoint>, Pose),
+}
+
+/// A link, as others find it.
+#[derive(Copy, Clone, Debug)]
+struct LinkPlace {
+    multibody: usize,
+    link: usize,
+    /// Is it moved here? A root without degrees of freedom is an ordinary body for the solver.
+    is_moved: bool,
+}
+
+/// All multibodies that are awake.
+#[derive(Default)]
+pub(super) struct SolverMultibodies {
+    moving: Vec<Moving>,
+    /// Buffers of those that were awake before.
+    spare: Vec<Moving>,
+    /// By body slot: the link that is there.
+    places: Vec<Option<LinkPlace>>,
+    /// The slots where there is one, to be cleared by the next step.
+    listed: Vec<u32>,
+    /// Manifolds of links, left out of the lanes.
+    left_out: Vec<ManifoldRef>,
+    numbers: Numbers,
+    joints: JointRows,
+    loops: Loops,
+    contacts: LinkContacts,
+}
+
+/// What constraints are made of.
+#[derive(Copy, Clone)]
+pub(super) struct Surroundings<'a> {
+    pub narrow_phase: &'a NarrowPhase,
+    pub islands: &'a IslandManager,
+    pub joints: &'a ImpulseJointSet,
+    pub world: &'a RigidBodySet,
+}
+
+/// How limits and contacts are softened, and how much of a row's error a visit removes.
+#[derive(Copy, Clone, Debug)]
+struct SoftPass {
+    softness: Softness,
+    inv_substep: Real,
+    /// Error that is left alone.
+    allowed: Real,
+    /// Fastest that an error is undone.
+    push_max: Real,
+}
+
+impl SoftPass {
+    /// For contacts.
+    fn contact(pass: &ContactPass) -> Self {
+        Self {
+            softness: pass.softness,
+            inv_substep: pass.inv_substep,
+            allowed: pass.allowed_error,
+            push_max: pass.push_velocity_max,
+        }
+    }
+
+    /// For limits of joints.
+    fn limit(pass: &ContactPass, params: &IntegrationParameters) -> Self {
+        let substep = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
+        Self {
+            softness: Softness::new(params.joint_erp, params.joint_damping_ratio, substep),
+            inv_substep: pass.inv_substep,
+            allowed: 0.0,
+            push_max: Real::INFINITY,
+        }
+    }
+
+    /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and the impulse so far.
+    fn solve(&self, velocity: Real, room: Real, mass: Real, impulse: Real, bias: bool) -> Real {
+        if room > 0.0 {
+            return (impulse - mass * (velocity + room * self.inv_substep)).max(0.0);
+        }
+        if !bias {
+            return (impulse - mass * velocity).max(0.0);
+        }
+        let Softness { bias_rate, mass_scale, impulse_scale } = self.softness;
+        let error = (room + self.allowed).min(0.0);
+        let opening = (error * bias_rate * mass_scale).max(-self.push_max);
+        (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
+    }
+}
+
+impl SolverMultibodies {
+    /// Is no multibody awake?
+    pub fn is_empty(&self) -> bool {
+        self.moving.is_empty()
+    }
+
+    /// Are a pair's contacts left to us?
+    pub fn claims(&self, slots: [u32; 2]) -> bool {
+        slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
+    }
+
+    /// Is a body moved by its multibody?
+    pub fn moves(&self, slot: u32) -> bool {
+        self.place(slot).is_some_and(|place| place.is_moved)
+    }
+
+    /// Takes over a manifold that was left out of the lanes.
+    pub fn leave_out(&mut self, manifold: ManifoldRef) {
+        self.left_out.push(manifold);
+    }
+
+    fn place(&self, slot: u32) -> Option<LinkPlace> {
+        self.places.get(slot as usize).copied().flatten()
+    }
+
+    /// Makes the constraints, and gives everybody last step's impulses.
+    pub fn prepare(
+        &mut self,
+        Surroundings { narrow_phase, islands, joints, world }: Surroundings<'_>,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+    ) {
+        self.numbers.clear();
+        self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
+        self.prepare_loops(islands, joints, world, bodies, pass);
+        self.prepare_contacts(narrow_phase, world, bodies);
+        self.lock_loops(joints, world, bodies);
+        let Self { numbers, joints, contacts, moving, .. } = self;
+        let mut before = Actors { multibodies: moving, states: &mut bodies.before };
+        contacts.note_approach(numbers, &mut before);
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        joints.warm_start(numbers, &mut actors);
+        contacts.warm_start(numbers, &mut actors);
+        self.warm_loops(bodies, 1.0);
+    }
+
+    /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
+    pub fn integrate_velocities(&mut self, h: Real, warmth: Real, tasks: Tasks) {
+        for_each(&mut self.moving, tasks, |moving| {
+            moving.motion.accelerate(&mut moving.multibody, h);
+            for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
+                *pushed *= warmth;
+                *rate += *pushed;
+            }
+            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
+            moving.motion.note_outside(&moving.root_pushed, 1.0);
+        });
+        if warmth != 1.0 {
+            self.joints.scale_impulses(warmth);
+            self.loops.scale_impulses(warmth);
+            self.contacts.scale_impulses(warmth);
+        }
+    }
+
+    /// Moves all links by their velocities.
+    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks) {
+        for_each(&mut self.moving, tasks, |moving| moving.advance(h));
+    }
+
+    /// Solves all constraints once, with bias.
+    pub fn solve(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &ContactPass,
+        params: &IntegrationParameters,
+    ) {
+        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        loops.solve(numbers, &mut actors, true);
+        joints.solve(numbers, &mut actors, &limit, true);
+        contacts.solve(numbers, &mut actors, &contact, true);
+    }
+
+    /// Solves all constraints once, without bias and with friction.
+    pub fn relax(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &ContactPass,
+        params: &IntegrationParameters,
+    ) {
+        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        loops.solve(numbers, &mut actors, false);
+        joints.solve(numbers, &mut actors, &limit, false);
+        contacts.solve(numbers, &mut actors, &contact, false);
+        contacts.rub(numbers, &mut actors);
+        if pass.is_last_visit {
+            loops.count();
+            contacts.count();
+        }
+    }
+
+    /// Lets the contacts bounce that hit something in this step.
+    pub fn restitute(&mut self, bodies: &mut SolverBodies, pass: &ContactPass) {
+        let Self { numbers, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for _ in 0..BOUNCE_VISITS {
+            contacts.restitute(numbers, &mut actors, pass.restitution_threshold);
+        }
+    }
+}
+
+impl Moving {
+    fn advance(&mut self, h: Real) {
+        for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
+            *shift += rate * h;
+        }
+        self.note_travel(h);
+        self.motion.advance(&mut self.multibody, h);
+    }
+}
+
+/// Works on the multibodies, several at once. None of them knows of another.
+fn for_each(moving: &mut [Moving], tasks: Tasks, work: impl Fn(&mut Moving) + Sync) {
+    let count = moving.len();
+    let moving = DisjointMut::new(moving);
+    tasks.par_for(count, MULTIBODIES_PER_TASK, |range| {
+        for position in range {
+            // SAFETY: each position is in one range, and below the count.
+            work(unsafe { moving.get_mut(position) });
+        }
+    });
+}

@@ -1,0 +1,232 @@
+//! A constraint row between links of multibodies, ordinary bodies and the world.
+//!
+//! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial velocity; for the
+//! links of a multibody it is the list of all its rates `q̇`, because a push on one link moves all of them. An impulse `λ` adds
+//! `W λ` with the response `W = M⁻¹ Jᵀ`, and the row resists with `K = J W`.
+//!
+//! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
+//! during a step, for bodies as for links) in time proportional to the number of links. A visit of the row then is one
+//! product of two lists and one addition.
+
+use super::Moving;
+use crate::dim::math::{Real, SpatialVector};
+use crate::dim::spatial::{angular, join, linear};
+use crate::dim::state::{BodyState, READ_ONLY};
+
+/// One side of a row, or two sides of the same multibody.
+#[derive(Copy, Clone, Debug)]
+pub enum Part {
+    /// Something that stands still.
+    Nothing,
+    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
+    Links { multibody: usize, start: usize, gives_way: bool },
+    /// An ordinary body, by its index in the solver.
+    Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
+}
+
+/// See the [module](self).
+#[derive(Copy, Clone, Debug)]
+pub struct Row {
+    pub parts: [Part; 2],
+    /// `1 / K`; zero if nothing gives way.
+    pub mass: Real,
+}
+
+/// The numbers of all rows.
+#[derive(Debug, Default)]
+pub struct Numbers {
+    jacobians: Vec<Real>,
+    responses: Vec<Real>,
+    /// Of the part that is being added: how large each number could be.
+    sizes: Vec<Real>,
+}
+
+/// What is below this share of what it could be is rounding. Where the joints leave a row nothing to move, all of `J` is, and
+/// `1/K` would be of any size.
+const ROUNDING: Real = 64.0 * Real::EPSILON;
+
+/// Everything that rows act on.
+pub struct Actors<'a> {
+    pub multibodies: &'a mut [Moving],
+    pub states: &'a mut [BodyState],
+}
+
+impl Numbers {
+    /// No rows yet.
+    pub fn clear(&mut self) {
+        self.jacobians.clear();
+        self.responses.clear();
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.jacobians.len()
+    }
+
+    /// Forgets all numbers but the first ones.
+    pub fn truncate(&mut self, len: usize) {
+        self.jacobians.truncate(len);
+        self.responses.truncate(len);
+    }
+
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
+    pub fn add_links(
+        &mut self,
+        multibodies: &mut [Moving],
+        multibody: usize,
+        gives_way: bool,
+        fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
+    ) -> Part {
+        let start = self.jacobians.len();
+        let moving = &mut multibodies[multibody];
+        let end = start + moving.motion.rates.len();
+        self.jacobians.resize(end, 0.0);
+        self.sizes.clear();
+        self.sizes.resize(end - start, 0.0);
+        fill(moving, &mut self.jacobians[start..], &mut self.sizes);
+        for (number, size) in self.jacobians[start..].iter_mut().zip(&self.sizes) {
+            *number = if number.abs() < ROUNDING * size { 0.0 } else { *number };
+        }
+        self.responses.extend_from_slice(&self.jacobians[start..]);
+        if gives_way {
+            moving.motion.respond(&mut self.responses[start..]);
+        }
+        Part::Links { multibody, start, gives_way }
+    }
+
+    /// A row of these parts.
+    pub fn row(&self, multibodies: &[Moving], parts: [Part; 2]) -> Row {
+        let mut row = Row { parts, mass: 0.0 };
+        let k = self.coupling(multibodies, &row, &row);
+        let inverse = 1.0 / k;
+        if k > 0.0 && inverse.is_finite() {
+            row.mass = inverse;
+        }
+        row
+    }
+
+    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same two sides.
+    pub fn coupling(&self, multibodies: &[Moving], first: &Row, second: &Row) -> Real {
+        let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
+            (
+                Part::Links { multibody, start: i, .. },
+                Part::Links { start: j, gives_way: true, .. },
+            ) => {
+                let len = multibodies[*multibody].motion.rates.len();
+                product(&self.jacobians[*i..i + len], &self.responses[*j..j + len])
+            }
+            (Part::Body { jacobian, .. }, Part::Body { response, .. }) => {
+                product(jacobian, response)
+            }
+            _ => 0.0,
+        };
+        of(0) + of(1)
+    }
+
+    /// `Ċ`.
+    pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
+        self.sum(row, |part| match part {
+            Part::Nothing => 0.0,
+            Part::Links { multibody, start, .. } => {
+                let rates = &actors.multibodies[*multibody].motion.rates;
+                product(&self.jacobians[*start..start + rates.len()], rates)
+            }
+            Part::Body { index, jacobian, .. } => {
+                let (linvel, angvel) = actors.states[at(*index)].velocity();
+                product(jacobian, &join(linvel, angvel))
+            }
+        })
+    }
+
+    /// How far `C` has changed since the step began.
+    pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
+        self.sum(row, |part| match part {
+            Part::Nothing => 0.0,
+            Part::Links { multibody, start, .. } => {
+                let shift = &actors.multibodies[*multibody].shift;
+                product(&self.jacobians[*start..start + shift.len()], shift)
+            }
+            Part::Body { index, jacobian, .. } => {
+                let (shift, turn) = actors.states[at(*index)].displacement();
+                product(jacobian, &join(shift, turn))
+            }
+        })
+    }
+
+    fn sum(&self, row: &Row, of: impl Fn(&Part) -> Real) -> Real {
+        of(&row.parts[0]) + of(&row.parts[1])
+    }
+
+    /// Pushes with an impulse.
+    pub fn push(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+            add(&mut moving.motion.rates, response, impulse);
+            moving.note_push(jacobian, response, impulse);
+            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+        });
+    }
+
+    /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.
+    pub fn push_early(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+            moving.note_push(jacobian, response, impulse);
+        });
+    }
+
+    fn each_response(
+        &self,
+        row: &Row,
+        impulse: Real,
+        actors: &mut Actors<'_>,
+        push_links: impl Fn(&mut Moving, &[Real], &[Real]),
+    ) {
+        if impulse == 0.0 {
+            return;
+        }
+        for part in &row.parts {
+            match part {
+                Part::Nothing => {}
+                Part::Links { gives_way: false, .. } => {}
+                Part::Links { multibody, start, .. } => {
+                    let moving = &mut actors.multibodies[*multibody];
+                    let end = start + moving.pushed.len();
+                    let (jacobian, response) =
+                        (&self.jacobians[*start..end], &self.responses[*start..end]);
+                    push_links(moving, jacobian, response);
+                }
+                Part::Body { index, response, .. } if index & READ_ONLY == 0 => {
+                    let state = &mut actors.states[at(*index)];
+                    let (linvel, angvel) = state.velocity();
+                    state.set_velocity(
+                        linvel + linear(response) * impulse,
+                        angvel + angular(response) * impulse,
+                    );
+                }
+                Part::Body { .. } => {}
+            }
+        }
+    }
+}
+
+impl Moving {
+    /// Notes what an impulse does.
+    fn note_push(&mut self, jacobian: &[Real], response: &[Real], impulse: Real) {
+        add(&mut self.pushed, response, impulse);
+        add(&mut self.root_pushed, jacobian, impulse);
+    }
+}
+
+/// The place of a body's state.
+fn at(index: u32) -> usize {
+    (index & !READ_ONLY) as usize
+}
+
+fn product(a: &[Real], b: &[Real]) -> Real {
+    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+}
+
+fn add(target: &mut [Real], change: &[Real], factor: Real) {
+    for (number, more) in target.iter_mut().zip(change) {
+        *number += more * factor;
+    }
+}

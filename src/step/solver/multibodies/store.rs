@@ -1,0 +1,121 @@
+//! From what the solver moved back to multibodies and their bodies.
+
+use super::{Moving, SolverMultibodies};
+use crate::base::measure::is_coordinate;
+use crate::dim::math::{Pose, Real, ang_length_squared};
+use crate::dim::spatial::{angular, linear};
+use crate::model::body::{RigidBodySet, RigidBodyVelocity};
+use crate::model::check::checked_pose;
+use crate::model::contact::NarrowPhase;
+use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
+
+impl SolverMultibodies {
+    /// Writes impulses to manifolds and joints, poses and velocities to bodies, and notes how far each one moved. The
+    /// multibodies go back to their set.
+    pub fn store(
+        &mut self,
+        set: &mut MultibodyJointSet,
+        joints: &mut ImpulseJointSet,
+        narrow_phase: &mut NarrowPhase,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+        inv_dt: Real,
+    ) {
+        self.contacts.store(narrow_phase);
+        self.joints.store(&mut self.moving, joints);
+        self.loops.store(joints, inv_dt);
+        for mut moving in self.moving.drain(..) {
+            moving.store(islands, bodies);
+            if let Some(place) = set.get_unnoted_mut(moving.index) {
+                *place = core::mem::take(&mut moving.multibody);
+            }
+            self.spare.push(moving);
+        }
+    }
+}
+
+impl Moving {
+    /// Notes how far the links go in `h` seconds.
+    pub(super) fn note_travel(&mut self, h: Real) {
+        let velocities = self.motion.link_velocities();
+        for (travel, velocity) in self.travel.iter_mut().zip(velocities) {
+            travel[0] += linear(velocity).length() * h;
+            travel[1] += ang_length_squared(angular(velocity)).sqrt() * h;
+        }
+    }
+
+    fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
+        self.motion.finish();
+        if !self.is_sound() {
+            self.stop();
+        }
+        self.multibody.lists.velocities.clone_from(&self.motion.rates);
+        for id in 0..self.multibody.links.len() {
+            self.store_link(id, islands, bodies);
+        }
+    }
+
+    fn store_link(&mut self, id: usize, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
+        let velocity = self.motion.link_velocities()[id];
+        let pose = self.pose(id);
+        let link = &mut self.multibody.links[id];
+        let Some(body) = bodies.get_unnoted_mut(link.body) else { return };
+        if body.is_dynamic() {
+            (body.linvel, body.angvel) = (linear(&velocity), angular(&velocity));
+            body.pose = pose;
+            let old_center = body.mprops.world_com;
+            body.update_world_mass_properties();
+            // As for other bodies: far from the origin a position moves by whole steps of rounding or not at all.
+            let rounded = (body.mprops.world_com - old_center).length();
+            let [way, turn] = self.travel[id];
+            let bound = rounded.max(way) + turn * body.extent;
+            islands.set_motion(link.body.into_raw_parts().0, bound);
+            link.pose = pose;
+            if link.joint.kinematic && body.is_moving() {
+                body.activation.time_since_can_sleep = 0.0;
+            }
+        }
+        link.seen_pose = Some(body.pose);
+        link.seen_velocity = Some(RigidBodyVelocity::new(body.linvel, body.angvel));
+    }
+
+    /// The pose of a link's body.
+    fn pose(&self, id: usize) -> Pose {
+        let pose = match id {
+            0 => self.multibody.links[0].pose,
+            _ => self.motion.kinematics.pose(id, &self.multibody),
+        };
+        checked_pose(pose).unwrap_or(self.multibody.links[id].pose)
+    }
+
+    /// Are all numbers such that one can go on with them?
+    fn is_sound(&mut self) -> bool {
+        let links = &self.multibody.links;
+        let joints_are = links.iter().all(|link| link.joint.is_sound());
+        let poses_are = (1..links.len())
+            .all(|id| checked_pose(self.motion.kinematics.pose(id, &self.multibody)).is_some());
+        joints_are
+            && poses_are
+            && checked_pose(links[0].pose).is_some()
+            && self.motion.rates.iter().all(|&rate| is_coordinate(rate))
+            && self.motion.link_velocities().iter().all(|velocity| {
+                RigidBodyVelocity::new(linear(velocity), angular(velocity)).is_usable()
+            })
+    }
+
+    /// Puts the links back to where the step began, at rest.
+    ///
+    /// One lost multibody is better than a world of NaN.
+    fn stop(&mut self) {
+        log::error!("a multibody left the range of numbers and was stopped");
+        let (joints, root) = &self.start;
+        for (link, joint) in self.multibody.links.iter_mut().zip(joints) {
+            link.joint = joint.clone();
+        }
+        self.multibody.links[0].pose = *root;
+        self.motion.stand_still();
+        self.motion.kinematics.update(&self.multibody);
+    }
+}

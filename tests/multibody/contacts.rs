@@ -1,0 +1,166 @@
+//! Links touch the world, other bodies and each other.
+
+use super::stage::{Chain, momentum};
+use crate::dim::{cuboid, hinge, vec};
+use crate::suite::physics::stage::{G, add_ground, penetration, run, steps, weightless, world};
+use rapier::prelude::*;
+
+/// A chain of boxes along x, hinged at their ends.
+fn boxes(world: &mut PhysicsWorld, count: usize, height: Real) -> Chain {
+    let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
+    for k in 0..count {
+        let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, height));
+        let (body, _) = world.insert(body, cuboid(0.45, 0.2).friction(0.6));
+        if let Some(&parent) = chain.bodies.last() {
+            let joint = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
+            let joint = world.multibody_joints.insert(parent, body, joint, true);
+            chain.joints.push(joint.expect("it fits"));
+        }
+        chain.bodies.push(body);
+    }
+    chain
+}
+
+/// A chain that was dropped comes to rest on the ground, lies still, and falls asleep as one.
+#[test]
+fn a_chain_on_the_ground_lies_still_and_sleeps() {
+    for rate in [30, 60, 240] {
+        let mut world = world(rate);
+        add_ground(&mut world, 0.6);
+        let chain = boxes(&mut world, 8, 0.5);
+        run(&mut world, 1.0);
+        let before: Vec<_> = chain.bodies.iter().map(|&b| world.bodies[b].translation()).collect();
+        for _ in 0..steps(&world, 2.0) {
+            world.step();
+            let asleep = chain.bodies.iter().filter(|&&b| world.bodies[b].is_sleeping()).count();
+            assert!(asleep == 0 || asleep == chain.bodies.len(), "{asleep} of the links sleep");
+        }
+        for (&body, before) in chain.bodies.iter().zip(before) {
+            let moved = (world.bodies[body].translation() - before).length();
+            assert!(moved < 2.0e-3, "a link crept by {moved} at {rate} Hz");
+            assert!(world.bodies[body].is_sleeping(), "a link is awake at {rate} Hz");
+        }
+        assert!(penetration(&world) < 5.0e-3, "{}", penetration(&world));
+
+        world.wake_up(chain.bodies[3], true);
+        world.step();
+        let awake = chain.bodies.iter().all(|&body| !world.bodies[body].is_sleeping());
+        assert!(awake, "all links wake with one of them");
+    }
+}
+
+/// The ground carries the weight of all links: the contacts' impulses of a step are `m g dt`.
+#[test]
+fn the_ground_carries_the_weight() {
+    let mut world = world(60);
+    add_ground(&mut world, 0.6);
+    let chain = boxes(&mut world, 5, 0.2);
+    for &body in &chain.bodies {
+        world.bodies[body].activation_mut().normalized_linear_threshold = -1.0;
+    }
+    run(&mut world, 2.0);
+    let total: Real = world
+        .contact_pairs()
+        .flat_map(|(_, _, pair)| &pair.manifolds)
+        .flat_map(|manifold| &manifold.data)
+        .map(|contact| contact.impulse)
+        .sum();
+    let mass: Real = chain.bodies.iter().map(|&body| world.bodies[body].mass()).sum();
+    let expected = mass * G / 60.0;
+    assert!((total / expected - 1.0).abs() < 0.01, "{total} instead of {expected}");
+}
+
+/// A box hits the end of a chain in free flight. Contacts push both sides alike: the momentum of all together stays.
+#[test]
+fn collisions_keep_momentum() {
+    for restitution in [0.0, 0.7] {
+        let mut world = weightless(60);
+        let chain = boxes(&mut world, 4, 0.0);
+        let bullet = RigidBodyBuilder::dynamic().translation(vec(3.1, 2.0)).linvel(vec(0.3, -5.0));
+        let (bullet, _) = world.insert(bullet, cuboid(0.2, 0.2).restitution(restitution));
+        let mut bodies = chain.bodies.clone();
+        bodies.push(bullet);
+        world.step();
+        let before = momentum(&world, &bodies);
+        run(&mut world, 1.0);
+        let after = momentum(&world, &bodies);
+        let changed = world.bodies[chain.bodies[3]].linvel().length();
+        assert!(changed > 0.5, "the link was hit");
+        // Kept by construction: rounding alone.
+        let error = (after - before).length() / before.length();
+        println!("momentum is off by {:.4} %", error * 100.0);
+        assert!(error < 1.0e-4, "{after} instead of {before}");
+    }
+}
+
+/// A bouncing chain's end rises to `e² h`.
+#[test]
+fn a_link_bounces() {
+    let mut world = world(240);
+    add_ground(&mut world, 0.5);
+    let ball = |x: Real| RigidBodyBuilder::dynamic().translation(vec(x, 1.5)).can_sleep(false);
+    let (first, _) = world.insert(ball(0.0), ColliderBuilder::ball(0.5).restitution(0.8));
+    let (second, _) = world.insert(ball(1.2), ColliderBuilder::ball(0.5).restitution(0.8));
+    let weld = FixedJointBuilder::new().local_anchor1(vec(1.2, 0.0));
+    world.multibody_joints.insert(first, second, weld, true).expect("it fits");
+    run(&mut world, 0.6);
+    let mut top: Real = 0.0;
+    for _ in 0..steps(&world, 0.5) {
+        world.step();
+        top = top.max(world.bodies[first].translation().y - 0.5);
+    }
+    // Coefficients are averaged with the ground's 0: 0.4² of 1 m.
+    assert!((top - 0.16).abs() < 0.02, "{top}");
+}
+
+/// Links of one multibody touch each other if they may, and else pass through.
+#[test]
+fn links_touch_each_other_if_they_may() {
+    for enabled in [true, false] {
+        let mut world = weightless(60);
+        let post = world.insert_body(RigidBodyBuilder::fixed());
+        let mut handles = Vec::new();
+        for side in [-1.0, 1.0] {
+            let slider = RigidBodyBuilder::dynamic().translation(vec(side * 2.0, 0.0));
+            let (slider, _) = world.insert(slider.linvel(vec(-side, 0.0)), cuboid(0.5, 0.5));
+            let rail = PrismaticJointBuilder::new(vec(1.0, 0.0));
+            handles.push(world.multibody_joints.insert(post, slider, rail, true).expect("it fits"));
+        }
+        let (multibody, _) = world.multibody_joints.get_mut(handles[0]).expect("it is there");
+        multibody.set_self_contacts_enabled(enabled);
+        run(&mut world, 3.0);
+        let at = |k: usize| {
+            let link = world.multibody_joints.get_link(handles[k]).expect("a link");
+            world.bodies[link.rigid_body_handle()].translation().x
+        };
+        let gap = at(1) - at(0);
+        if enabled {
+            assert!((gap - 1.0).abs() < 0.01, "they stop at each other, not at {gap}");
+        } else {
+            assert!((gap + 2.0).abs() < 0.01, "they pass through each other, to {gap}");
+        }
+    }
+}
+
+/// An ordinary box lies on a link that a limit holds up, and the link is loaded with its weight.
+#[test]
+fn bodies_rest_on_links() {
+    let mut world = world(60);
+    let post = world.insert_body(RigidBodyBuilder::fixed());
+    let shelf = RigidBodyBuilder::dynamic().translation(vec(1.0, 0.0));
+    let (shelf, _) = world.insert(shelf, cuboid(1.0, 0.1).friction(0.8));
+    let joint = hinge().local_anchor2(vec(-1.0, 0.0)).limits([0.0, 1.0]);
+    let handle = world.multibody_joints.insert(post, shelf, joint, true).expect("it fits");
+    let weight = RigidBodyBuilder::dynamic().translation(vec(1.5, 0.31)).can_sleep(false);
+    let (weight, _) = world.insert(weight, cuboid(0.2, 0.2).density(5.0).friction(0.8));
+    run(&mut world, 3.0);
+    let torque = {
+        let link = world.multibody_joints.get_link(handle).expect("a link");
+        let limits = link.joint().data.limits(JointAxis::AngX).expect("limits");
+        limits.impulse / world.integration_parameters.substep()
+    };
+    let at = world.bodies[weight].translation();
+    assert!((at.y - 0.3).abs() < 0.02 && (at.x - 1.5).abs() < 0.01, "it lies on the shelf: {at}");
+    let expected = G * (world.bodies[shelf].mass() * 1.0 + world.bodies[weight].mass() * 1.5);
+    assert!((torque / expected - 1.0).abs() < 0.03, "{torque} instead of {expected}");
+}

@@ -1,0 +1,16 @@
+//! Do multibodies move as mechanics says?
+//!
+//! Like `physics` and `joints`: formulas, at several lengths of a step, with the figures printed.
+
+pub mod stage;
+
+mod contacts;
+mod drives;
+mod edits;
+mod free;
+mod inverse;
+mod laws;
+mod loops;
+mod nonsense;
+mod pendulum;
+mod repeat;

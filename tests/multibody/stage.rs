@@ -1,0 +1,84 @@
+//! What the scenes of multibodies are made of.
+
+use crate::dim::{about_z, hinge, loose_joint, spin_momentum, vec};
+use crate::suite::joints::stage::bob;
+use rapier::prelude::*;
+
+/// A chain: bodies along x, one length unit apart, each a child of the one before. The first hangs on `root`, if there is one.
+pub struct Chain {
+    /// The bodies, without the root.
+    pub bodies: Vec<RigidBodyHandle>,
+    /// The joints to their parents.
+    pub joints: Vec<MultibodyJointHandle>,
+}
+
+/// A body that is no ball: its inertia differs from axis to axis.
+pub fn slab(at: Vector) -> RigidBodyBuilder {
+    let shape = crate::dim::slab();
+    RigidBodyBuilder::dynamic().translation(at).additional_mass_properties(shape).can_sleep(false)
+}
+
+/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin.
+pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usize) -> Chain {
+    let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
+    let mut parent = root;
+    for k in 0..count {
+        let at = vec(k as Real + 0.5, 0.0);
+        let body = world.insert_body(slab(at));
+        chain.bodies.push(body);
+        if let Some(parent) = parent {
+            let end = if k == 0 { 0.0 } else { 0.5 };
+            let joint = loose_joint(k, vec(end, 0.0), vec(-0.5, 0.0));
+            let joint = world.multibody_joints.insert(parent, body, joint, true);
+            chain.joints.push(joint.expect("the joint fits"));
+        }
+        parent = Some(body);
+    }
+    chain
+}
+
+/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from straight down, by a multibody joint.
+pub fn hang(
+    world: &mut PhysicsWorld,
+    length: Real,
+    radius: Real,
+    angle: Real,
+) -> (RigidBodyHandle, MultibodyJointHandle) {
+    let post = world.insert_body(RigidBodyBuilder::fixed());
+    let at = vec(length * angle.sin(), -length * angle.cos());
+    let body = world.insert_body(bob(1.0, radius).translation(at).rotation(about_z(angle)));
+    let joint = hinge().local_anchor2(vec(0.0, length));
+    let joint = world.multibody_joints.insert(post, body, joint, true);
+    (body, joint.expect("the joint fits"))
+}
+
+/// The energy of motion of some bodies.
+pub fn kinetic_energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
+    bodies.iter().map(|&body| world.bodies[body].kinetic_energy()).sum()
+}
+
+/// All energy of some bodies, half a substep before their pose (see `gravitational_potential_energy`).
+pub fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
+    let h = world.integration_parameters.substep();
+    let potential = |&body: &RigidBodyHandle| {
+        world.bodies[body].gravitational_potential_energy(h, world.gravity)
+    };
+    kinetic_energy(world, bodies) + bodies.iter().map(potential).sum::<Real>()
+}
+
+/// The linear momentum of some bodies.
+pub fn momentum(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vector {
+    let of = |&body: &RigidBodyHandle| world.bodies[body].linvel() * world.bodies[body].mass();
+    bodies.iter().map(of).sum()
+}
+
+/// The angular momentum of some bodies about the origin.
+pub fn angular_momentum(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> AngVector {
+    let mut sum = about_z(0.0);
+    for &body in bodies {
+        let body = &world.bodies[body];
+        sum += crate::dim::moment(body.center_of_mass(), body.linvel() * body.mass());
+        sum += spin_momentum(body);
+    }
+    sum
+}
