@@ -10,7 +10,9 @@ use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
 use crate::model::joint::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet};
-use crate::model::multibody::MultibodyJointSet;
+use crate::model::multibody::{
+    Multibody, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet, MultibodyLink,
+};
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 
@@ -172,6 +174,40 @@ impl PhysicsWorld {
         body: RigidBodyHandle,
     ) -> impl Iterator<Item = (ImpulseJointHandle, &ImpulseJoint)> {
         self.impulse_joints.attached_joints(body).map(|(_, _, handle, joint)| (handle, joint))
+    }
+
+    /// Makes `body2` a child of `body1` in a multibody, and wakes both. `None` if that cannot be: see
+    /// [`MultibodyJointSet::insert`].
+    pub fn insert_multibody_joint(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        joint: impl Into<GenericJoint>,
+    ) -> Option<MultibodyJointHandle> {
+        self.multibody_joints.insert(body1, body2, joint, true)
+    }
+
+    /// Removes a multibody joint and returns it; the bodies that it held wake. `None` if the handle is stale.
+    pub fn remove_multibody_joint(
+        &mut self,
+        handle: MultibodyJointHandle,
+    ) -> Option<MultibodyJoint> {
+        self.multibody_joints.remove(handle, true)
+    }
+
+    /// All multibody joints, in the order of their slots: handle, multibody, link.
+    pub fn multibody_joints(
+        &self,
+    ) -> impl Iterator<Item = (MultibodyJointHandle, &Multibody, &MultibodyLink)> {
+        self.multibody_joints.iter().map(|(handle, _, multibody, link)| (handle, multibody, link))
+    }
+
+    /// The multibody joints of a body, as (parent, child, handle): the one to its parent first.
+    pub fn multibody_joints_with(
+        &self,
+        body: RigidBodyHandle,
+    ) -> impl Iterator<Item = (RigidBodyHandle, RigidBodyHandle, MultibodyJointHandle)> {
+        self.multibody_joints.attached_joints(body)
     }
 
     /// Wakes a body, and with it, in the next step, all that it touches. `strong` also keeps it awake

@@ -39,7 +39,8 @@ const COSINE: [f64; 9] = [
 pub fn sin_cos(angle: Real) -> (Real, Real) {
     let angle = f64::from(angle);
     let quarters = (angle * FRAC_2_PI).round();
-    let rest = (angle - quarters * QUARTER_HIGH) - quarters * QUARTER_LOW;
+    // Beyond what has digits behind the point, the rest is nonsense: any angle will do, but it must be one.
+    let rest = ((angle - quarters * QUARTER_HIGH) - quarters * QUARTER_LOW).clamp(-1.0, 1.0);
     let square = rest * rest;
     let series = |terms: &[f64]| terms.iter().rev().fold(0.0, |sum, term| sum * square + term);
     let (sine, cosine) = (rest * series(&SINE), series(&COSINE));

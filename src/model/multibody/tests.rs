@@ -115,8 +115,8 @@ fn coordinates_are_read_back() {
         let pose = joint.body_to_parent();
         let mut read = MultibodyJoint::new(data, false);
         read.read_pose(&pose);
-        let (coords, read_coords) = (joint.coords(), read.coords());
-        let apart = coords.iter().zip(read_coords).map(|(a, b)| (a - b).abs());
+        let (from, to) = (joint.coords(), read.coords());
+        let apart = from.iter().zip(to).map(|(a, b)| (a - b).abs());
         let error = apart.fold(0.0, Real::max);
         assert!(error < 1.0e-5, "{locked:?}: {error}");
         assert!(
