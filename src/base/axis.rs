@@ -1,5 +1,6 @@
 //! The axis that separates two polytopes best.
 
+use super::wide::Wide;
 use parry::math::{Pose, Real, Vector};
 
 /// One of two polytopes.
@@ -30,4 +31,12 @@ impl BestAxis {
         });
         Self { gap: self.gap, normal: pose.rotation * -self.normal, face }
     }
+}
+
+/// How far a range is apart from the one within `limit` of zero, and on which side of it (1 or -1).
+#[inline(always)]
+pub fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
+    let (above, below) = (low - limit, -limit - high);
+    let one = W::splat(1.0);
+    (above.max(below), W::select(below.le(above), one, -one))
 }

@@ -1,20 +1,9 @@
 //! A ball against anything: the point of the surface that is nearest to its centre.
 
-use crate::dim::collide::{RawManifold, RawPoint, box_feature};
+use crate::base::nearest::{Nearest, direction_and_length};
+use crate::dim::collide::{RawManifold, RawPoint, box_feature, nearest_on_hull};
 use crate::dim::math::{DIM, Pose, Real, Vector, tangents};
 use parry::shape::{Capsule, Cuboid, PackedFeatureId, Shape, TypedShape};
-
-/// The place on a surface that is nearest to a point.
-struct Nearest {
-    /// The place.
-    point: Vector,
-    /// Unit outward normal there.
-    normal: Vector,
-    /// Distance of the point from the surface, negative inside.
-    dist: Real,
-    /// The feature on which the place lies.
-    feature: PackedFeatureId,
-}
 
 /// The contact of a shape with a ball, whose centre in the shape's frame is `pos12.translation`.
 ///
@@ -32,7 +21,8 @@ pub(super) fn ball_manifold(
         TypedShape::Cuboid(cuboid) => nearest_on_cuboid(cuboid, center),
         TypedShape::Capsule(capsule) => nearest_on_capsule(capsule, center),
         TypedShape::HalfSpace(half_space) => nearest_on_plane(half_space.normal, center),
-        _ => nearest_on_any(shape1, center),
+        shape => nearest_on_hull(shape, center, radius2 + prediction)
+            .unwrap_or_else(|| nearest_on_any(shape1, center)),
     };
     raw.local_n1 = nearest.normal;
     raw.local_n2 = pos12.rotation.inverse() * -nearest.normal;
@@ -106,10 +96,4 @@ fn nearest_on_any(shape: &dyn Shape, center: Vector) -> Nearest {
         dist: length * sign,
         feature: feature.into(),
     }
-}
-
-/// Unit vector and length; a zero vector points to `fallback`.
-fn direction_and_length(vector: Vector, fallback: Vector) -> (Vector, Real) {
-    let length = vector.length();
-    if length > 0.0 { (vector / length, length) } else { (fallback, 0.0) }
 }

@@ -5,13 +5,43 @@ use super::capsule::capsule_capsule;
 use super::parts::Part;
 use super::polytopes::{face_contacts, polytope_polytope};
 use super::support::{Core, contacts_along, support_manifold};
-use crate::dim::collide::{Polytope, RawManifold, capsule_triangle, cuboid_cuboid};
+use crate::dim::collide::{Polytope, RawManifold, RawPoint, capsule_triangle, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::{Capsule, Shape, TypedShape};
 
+/// What share of a computed distance is surely there, whatever the rounding.
+pub(super) const DISTANCE_SHARE: Real = 0.99;
 /// Boxes that are closer than this share of the prediction distance touch with faces and edges only.
 const CORNERS_APART: Real = 0.25;
+
+/// Computes the usable contacts of two convex parts, `pos12` being the pose of the second in the frame
+/// of the first. Returns a lower bound of the distance, 0 if there are contacts or nothing is known;
+/// `None` if such shapes never touch.
+pub(super) fn part_manifold(
+    pos12: &Pose,
+    [part1, part2]: &[Part<'_>; 2],
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Option<Real> {
+    raw.points.clear();
+    let gap = convex_manifold(pos12, part1, part2, prediction, raw)?;
+    raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
+    if !raw.points.is_empty() {
+        return Some(0.0);
+    }
+    let gap = if gap > 0.0 {
+        gap
+    } else {
+        separation_along(pos12, part1.shape, part2.shape, raw.local_n1)
+    };
+    Some(gap * DISTANCE_SHARE)
+}
+
+/// Are all numbers of the point finite?
+pub(super) fn is_sound(point: &RawPoint) -> bool {
+    point.local_p1.is_finite() && point.local_p2.is_finite() && point.dist.is_finite()
+}
 
 /// Computes the points at which two convex parts are within `prediction`, into `raw`.
 ///

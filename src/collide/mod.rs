@@ -19,6 +19,7 @@ mod neighbor;
 mod parts;
 mod patches;
 mod polytopes;
+mod search;
 mod seams;
 mod support;
 #[cfg(test)]

@@ -60,10 +60,9 @@ impl<'a> Neighbor<'a> {
 
     pub(super) fn as_facet(&self) -> Facet<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
-        let obstacle = Obstacle { parts: Parts::of(self.shape), id, pose };
-        let body = Obstacle { parts: Parts::of(self.body), id: on, pose: Pose::IDENTITY };
+        let obstacle = Obstacle::new(Parts::of(self.shape), id, pose);
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet::new([obstacle, body], normal, place, dist)
+        Facet::new(obstacle, (Parts::of(self.body), on), normal, place, dist)
     }
 }
 

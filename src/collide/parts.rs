@@ -4,7 +4,7 @@
 //! only part. Parts that are far from the other shape are never looked at.
 
 use super::voxels::{for_each_voxel, with_voxel};
-use crate::dim::collide::{flat_corners, for_each_cell, with_cell};
+use crate::dim::collide::{Flat, FlatShape, as_flat, flat_corners, for_each_cell, with_cell};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::partitioning::BvhNode;
@@ -38,15 +38,10 @@ impl<'a> Part<'a> {
         )
     }
 
-    /// If it is flat and the other part a box: how far it is beyond the box's sides, at least. Most triangles near
-    /// a box are not near enough, and this is the quickest way to know. `pose` is the pose of this part in the
-    /// frame of the other.
-    pub fn gap_to_box(&self, pose: &Pose, other: &Part<'_>) -> Option<Real> {
-        let half = other.shape.as_cuboid()?.half_extents;
-        let corners = flat_corners(self.shape)?.map(|corner| *pose * corner);
-        let low = corners.into_iter().reduce(Vector::min)?;
-        let high = corners.into_iter().reduce(Vector::max)?;
-        Some((low - half).max(-half - high).max_element())
+    /// The part, if it is flat and nothing but its shape matters.
+    pub fn as_flat(&self) -> Option<&'a FlatShape> {
+        let is_plain = self.pose.is_none() && self.constraints.is_none();
+        as_flat(self.shape).filter(|_| is_plain)
     }
 
     /// Is it flat, and does it lie in a plane of its shape's frame?
@@ -55,7 +50,7 @@ impl<'a> Part<'a> {
             let corner = self.pose.map_or(corner, |pose| *pose * corner);
             (corner - point).dot(normal).abs() < tolerance
         };
-        flat_corners(self.shape).is_some_and(|corners| corners.into_iter().all(is_near))
+        as_flat(self.shape).is_some_and(|flat| flat_corners(flat).into_iter().all(is_near))
     }
 
     /// Place of the part in the frame of its shape.
@@ -121,13 +116,22 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// The part of a number, if it is a flat piece of a surface.
+    pub fn flat(&self, id: u32) -> Option<Flat> {
+        let mut found = None;
+        self.with_part(id, &mut |part| {
+            let flat = as_flat(part.shape).and_then(Flat::new);
+            found = flat.map(|flat| part.pose.map_or(flat, |pose| flat.at(pose)));
+        });
+        found
+    }
+
     /// Calls `f` with every part that may reach into `near`, always in the same order.
     pub fn for_each_part(&self, near: &Near, f: &mut dyn FnMut(Part<'_>)) {
         match *self {
             Self::Convex(shape) => f(Part::whole(shape)),
             Self::Tree(_, composite) => {
-                let query = near.as_node();
-                for id in composite.bvh().leaves(|node| near.touches(node, &query)) {
+                for id in composite.bvh().leaves(|node| near.touches(node)) {
                     composite.map_part_at(id, &mut |pose, shape, constraints| {
                         f(Part { id, pose, shape, constraints });
                     });
@@ -173,19 +177,19 @@ impl Near {
         }
     }
 
-    /// The box as parry's node, so that its vectorised overlap test can be used.
-    fn as_node(&self) -> BvhNode {
-        match self {
-            Self::Inside(region) => BvhNode::leaf(*region, 0),
-            Self::Below { .. } => BvhNode::leaf(Aabb::new(Vector::ZERO, Vector::ZERO), 0),
-        }
+    /// Is the region of finite size?
+    pub fn is_bounded(&self) -> bool {
+        matches!(self, Self::Inside(region) if region.extents().is_finite())
     }
 
-    /// May anything in `node` lie in the region, `query` being [`Self::as_node`]?
+    /// May anything in `node` lie in the region?
     #[inline]
-    fn touches(&self, node: &BvhNode, query: &BvhNode) -> bool {
+    fn touches(&self, node: &BvhNode) -> bool {
         match self {
-            Self::Inside(_) => node.intersects(query),
+            Self::Inside(region) => {
+                // parry has this test in lanes; but not where it could be inlined, and a call costs more.
+                node.mins().cmple(region.maxs).all() && node.maxs().cmpge(region.mins).all()
+            }
             Self::Below { normal, offset } => {
                 let (mins, maxs) = (node.mins(), node.maxs());
                 let center = mins.midpoint(maxs);

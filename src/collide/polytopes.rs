@@ -76,6 +76,19 @@ pub(super) fn polytope_polytope(
     gap - radius
 }
 
+/// Computes the contacts of two polytopes of which the best axis is known, into `raw`. Returns a lower bound of
+/// the distance, 0 if nothing is known of it.
+pub(super) fn contacts_on_axis(
+    [pos12, pos21]: [&Pose; 2],
+    [polytope1, polytope2]: [&Polytope<'_>; 2],
+    axis: &BestAxis,
+    prediction: Real,
+    raw: &mut RawManifold,
+) -> Real {
+    let pair = Pair { pos12, pos21: *pos21, polytope1, polytope2, prediction, is_sharp: true };
+    pair.add_along(axis, raw)
+}
+
 /// Computes the contacts of the face of one of two polytopes, the first or the second, that looks along
 /// `direction` (from the first to the second, in the first frame), whether or not another would
 /// separate the two better. None if there is no such face.
@@ -106,7 +119,7 @@ impl Pair<'_> {
     /// Computes the contacts. Returns a lower bound of the distance, 0 if nothing is known of it.
     fn add_contacts(&self, raw: &mut RawManifold) -> Real {
         let (hint, prediction) = (raw.local_n1, self.prediction);
-        let axis = || best_axis(self.pos12, self.polytope1, self.polytope2, prediction, hint);
+        let axis = || best_axis(self.pos12, self.polytope1, self.polytope2, hint);
         if let Some(axis) = self.is_sharp.then(axis).flatten() {
             return self.add_along(&axis, raw);
         }

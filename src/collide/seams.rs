@@ -33,9 +33,10 @@
 //! their neighbours (Box2D); that needs the neighbours to be known beforehand, and works within one
 //! shape only.
 
-use super::parts::{Part, Parts};
-use crate::dim::collide::Polytope;
+use super::parts::Parts;
+use crate::dim::collide::{Flat, Polytope};
 use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::Shape;
 use smallvec::SmallVec;
 
 /// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
@@ -55,68 +56,95 @@ const PARALLEL: Real = 1.0e-10;
 /// Most planes that are compared with, the deepest: a ball in a bowl of its own radius touches thousands.
 const MAX_PLANES: usize = 16;
 
-/// A convex part of a shape, somewhere.
+/// A convex part of a shape, somewhere in the common frame.
 #[derive(Copy, Clone)]
-pub(super) struct Obstacle<'a> {
-    pub parts: Parts<'a>,
-    pub id: u32,
-    /// Pose of the shape in the common frame.
-    pub pose: Pose,
+pub(super) enum Obstacle<'a> {
+    /// A piece of a surface, in the common frame.
+    Flat(Flat),
+    /// A convex shape, the polytope that it is, if it is one, and its pose.
+    Convex(&'a dyn Shape, Option<(Polytope<'a>, Real)>, Pose),
+    /// A part of a shape at a pose.
+    Part(Parts<'a>, u32, Pose),
 }
 
-impl Obstacle<'_> {
-    fn with<T>(&self, mut f: impl FnMut(&Part<'_>, &Pose) -> Option<T>) -> Option<T> {
-        let mut result = None;
-        self.parts.with_part(self.id, &mut |part| {
-            let pose = part.pose.map_or(self.pose, |pose| self.pose * *pose);
-            result = f(&part, &pose);
-        });
-        result
+impl<'a> Obstacle<'a> {
+    /// The part with this number of a shape that stands at a pose.
+    pub fn new(parts: Parts<'a>, id: u32, pose: Pose) -> Self {
+        match parts {
+            Parts::Convex(shape) => Self::Convex(shape, Polytope::of(shape), pose),
+            _ => parts
+                .flat(id)
+                .map_or(Self::Part(parts, id, pose), |flat| Self::Flat(flat.at(&pose))),
+        }
+    }
+
+    /// Calls `f` with the part, the polytope that it is, if it is one, and its pose.
+    fn with<T>(
+        &self,
+        mut f: impl FnMut(&dyn Shape, Option<(Polytope<'_>, Real)>, &Pose) -> T,
+    ) -> Option<T> {
+        match self {
+            Self::Flat(flat) => {
+                Some(f(flat.as_shape(), Some((flat.as_polytope(), 0.0)), &Pose::IDENTITY))
+            }
+            Self::Convex(shape, polytope, pose) => Some(f(*shape, *polytope, pose)),
+            Self::Part(parts, id, pose) => {
+                let mut result = None;
+                parts.with_part(*id, &mut |part| {
+                    let pose = part.pose.map_or(*pose, |in_shape| *pose * *in_shape);
+                    result = Some(f(part.shape, Polytope::of(part.shape), &pose));
+                });
+                result
+            }
+        }
     }
 
     /// How far it reaches along a direction; `None` if without limit.
     fn height(&self, direction: Vector) -> Option<Real> {
-        self.with(|part, pose| {
+        if let Self::Flat(flat) = self {
+            return Some(flat.height(direction));
+        }
+        let height = self.with(|shape, polytope, pose| {
             let local = pose.rotation.inverse() * direction;
-            let highest = match Polytope::of(part.shape) {
+            let highest = match polytope {
                 Some((polytope, radius)) => polytope.support(local) + local * radius,
-                None => part.shape.as_support_map()?.local_support_point(local),
+                None => shape.as_support_map()?.local_support_point(local),
             };
             Some(direction.dot(*pose * highest))
-        })
+        });
+        height.flatten()
     }
 
     /// Is a point inside, or as near as `tolerance`?
     fn contains(&self, point: Vector, tolerance: Real) -> bool {
-        let near = self.with(|part, pose| {
+        let near = self.with(|shape, _, pose| {
             let local = pose.inverse_transform_point(point);
-            Some(part.shape.distance_to_local_point(local, true) <= tolerance)
+            shape.distance_to_local_point(local, true) <= tolerance
         });
         near == Some(true)
     }
 
     /// Does a face that looks along `direction` begin at a point?
     fn goes_on_along(&self, direction: Vector, point: Vector, tolerance: Real) -> bool {
-        let found = self.with(|part, pose| {
+        let found = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * direction;
-            let (polytope, radius) = Polytope::of(part.shape)?;
+            let (polytope, radius) = polytope?;
             let face = polytope.face_toward(local)?;
             let height = face.normal.dot(pose.inverse_transform_point(point)) - face.offset;
             let looks_along = face.normal.dot(local) > LOOKS_ALONG;
             Some(looks_along && (height - radius).abs() <= tolerance)
         });
-        found == Some(true)
+        found.flatten() == Some(true)
     }
 
     /// The normal of the face that looks along a direction, if they agree.
     fn face(&self, normal: Vector) -> Face {
-        let face = self.with(|part, pose| {
+        let face = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * normal;
-            let (polytope, _) = Polytope::of(part.shape)?;
-            let face = polytope.face_toward(local).filter(|face| face.normal.dot(local) > FACE);
+            let face = polytope?.0.face_toward(local).filter(|face| face.normal.dot(local) > FACE);
             Some(face.map_or(Face::Edge, |face| Face::Flat(pose.rotation * face.normal)))
         });
-        face.unwrap_or(Face::Round)
+        face.flatten().unwrap_or(Face::Round)
     }
 }
 
@@ -135,8 +163,10 @@ enum Face {
 #[derive(Copy, Clone)]
 pub(super) struct Facet<'a> {
     obstacle: Obstacle<'a>,
-    /// The part of the body that meets the obstacle.
-    body: Obstacle<'a>,
+    /// What of the obstacle meets the body.
+    face: Face,
+    /// The body, and which part of it meets the obstacle.
+    body: (Parts<'a>, u32),
     /// Unit normal, from the obstacle to the body.
     normal: Vector,
     /// The same, or that of the obstacle's face if the contact is with a face: a plane that reaches
@@ -150,16 +180,18 @@ pub(super) struct Facet<'a> {
 
 impl<'a> Facet<'a> {
     pub fn new(
-        [obstacle, body]: [Obstacle<'a>; 2],
+        obstacle: Obstacle<'a>,
+        body: (Parts<'a>, u32),
         normal: Vector,
         place: Vector,
         dist: Real,
     ) -> Self {
-        let plane = match obstacle.face(normal) {
+        let face = obstacle.face(normal);
+        let plane = match face {
             Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
             _ => normal,
         };
-        Self { obstacle, body, normal, plane, place, dist }
+        Self { obstacle, face, body, normal, plane, place, dist }
     }
 }
 
@@ -170,9 +202,21 @@ impl Facet<'_> {
         if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
             return false;
         }
-        let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
-        self.body.id == other.body.id
-            || self.body.height(-other.plane).is_some_and(|depth| -depth >= level)
+        let (parts, id) = self.body;
+        let is_above = || {
+            let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
+            let depth = Obstacle::new(parts, id, Pose::IDENTITY).height(-other.plane);
+            depth.is_some_and(|depth| -depth >= level)
+        };
+        id == other.body.1 || is_above()
+    }
+
+    /// Is it with a face that looks along a direction that the obstacle meets the body?
+    fn is_with_face_along(&self, direction: Vector) -> bool {
+        match self.face {
+            Face::Flat(face) => face == self.plane && face.dot(direction) > LOOKS_ALONG,
+            _ => false,
+        }
     }
 
     /// First rule: is the obstacle of `self` behind the plane of `other`?
@@ -195,8 +239,8 @@ impl Facet<'_> {
             && other.plane.dot(point - other.place).abs() <= tolerance
             && self.obstacle.goes_on_along(other.plane, point, tolerance)
             && in_plane.any(|facet| {
-                facet.obstacle.contains(point, tolerance)
-                    && facet.obstacle.height(self.normal).is_none_or(|height| height > level)
+                facet.obstacle.height(self.normal).is_none_or(|height| height > level)
+                    && facet.obstacle.contains(point, tolerance)
             })
     }
 }
@@ -214,6 +258,8 @@ pub(super) struct Seam {
     pub least_dist: Real,
     /// Is the obstacle behind the contact (the first rule), or is its edge hidden (the second)?
     pub is_behind: bool,
+    /// Is it with this very face that the obstacle carries the body already?
+    pub is_turned: bool,
 }
 
 /// Calls its second argument with each point of a facet, on the facet's obstacle.
@@ -231,20 +277,28 @@ pub(super) fn find_seams(
     seams: &mut Vec<Seam>,
 ) {
     seams.clear();
-    let planes = distinct_planes(facets, tolerance);
+    let mut order: SmallVec<[usize; 32]> = (0..facets.len()).collect();
+    order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
+    let planes = distinct_planes(facets, &order, tolerance);
     if planes.len() < 2 {
         return;
     }
-    let mut order: SmallVec<[usize; 32]> = (0..own).collect();
-    order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
     let mut search = Search { facets, planes, points, tolerance, seams };
-    for index in order {
+    for index in order.into_iter().filter(|index| *index < own) {
         let front = search.in_front_of(index);
         if let Some(explained_by) = front.or_else(|| search.hiding(index)) {
             let other = &facets[explained_by];
             let least_dist = other.dist.min(facets[index].dist) - 2.0 * tolerance;
             let (along, is_behind) = (other.plane, front.is_some());
-            search.seams.push(Seam { index, explained_by, along, least_dist, is_behind });
+            let is_turned = facets[index].is_with_face_along(along);
+            search.seams.push(Seam {
+                index,
+                explained_by,
+                along,
+                least_dist,
+                is_behind,
+                is_turned,
+            });
             search.planes.retain(|plane| *plane != index);
         }
     }
@@ -284,7 +338,7 @@ impl Search<'_> {
     /// A contact whose obstacles hide all points of a facet. They may be different ones; then any.
     fn hiding(&self, index: usize) -> Option<usize> {
         let facet = &self.facets[index];
-        if facet.obstacle.face(facet.normal) != Face::Edge {
+        if facet.face != Face::Edge {
             return None;
         }
         let mut found = None;
@@ -313,12 +367,14 @@ impl Search<'_> {
 }
 
 /// The deepest facet for each plane, the deepest first: what is deep is least likely to be a seam itself, so
-/// it explains first.
-fn distinct_planes(facets: &[Facet<'_>], tolerance: Real) -> SmallVec<[usize; MAX_PLANES]> {
-    let mut order: SmallVec<[usize; 32]> = (0..facets.len()).collect();
-    order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
+/// it explains first. `order` is that of the facets' depths.
+fn distinct_planes(
+    facets: &[Facet<'_>],
+    order: &[usize],
+    tolerance: Real,
+) -> SmallVec<[usize; MAX_PLANES]> {
     let mut planes = SmallVec::<[usize; MAX_PLANES]>::new();
-    for index in order {
+    for &index in order {
         let facet = &facets[index];
         let is_known = planes.iter().any(|&plane| {
             let plane: &Facet<'_> = &facets[plane];

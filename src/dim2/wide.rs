@@ -62,6 +62,11 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
     target.0[lane] = *value;
 }
 
+/// The inertia of one lane.
+pub fn symmetric_lane(source: &WideSymmetric<Lane>, lane: usize) -> AngularInertia {
+    source.0[lane]
+}
+
 /// No angular vector in any lane.
 pub const ANG_ZERO_LANES: WideAngVector<Lane> = Lane::ZERO;
 /// No inverse inertia in any lane.

@@ -79,6 +79,18 @@ pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: 
     target.m33.0[lane] = value.m33;
 }
 
+/// The matrix of one lane.
+pub fn symmetric_lane(source: &WideSymmetric<Lane>, lane: usize) -> AngularInertia {
+    AngularInertia {
+        m11: source.m11.0[lane],
+        m12: source.m12.0[lane],
+        m13: source.m13.0[lane],
+        m22: source.m22.0[lane],
+        m23: source.m23.0[lane],
+        m33: source.m33.0[lane],
+    }
+}
+
 /// No angular vector in any lane.
 pub const ANG_ZERO_LANES: WideAngVector<Lane> = WideVector::ZERO;
 /// No inverse inertia in any lane.

@@ -15,6 +15,7 @@ mod solver;
 mod advance;
 mod events;
 
+use crate::base::wide::Simd;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{ColliderHandle, ColliderSet};
@@ -53,6 +54,7 @@ pub(crate) struct StepScratch {
     notes: StepNotes,
     pairs: Vec<(ColliderHandle, ColliderHandle)>,
     narrow_phase: NarrowPhaseScratch,
+    simd: Simd,
     solver: SolverScratch,
     sleep: islands::SleepScratch,
 }
@@ -126,7 +128,7 @@ fn take_in_user_changes(
 }
 
 fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
-    let StepScratch { notes, pairs, narrow_phase, .. } = scratch;
+    let StepScratch { notes, pairs, narrow_phase, simd, .. } = scratch;
     parts.counters.stages.collision_detection_time.resume();
     parts.counters.cd.broad_phase_time.resume();
     let known = &*parts.narrow_phase;
@@ -145,6 +147,7 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
         islands: parts.islands,
         params: parts.params,
         hooks: parts.hooks,
+        simd: *simd,
     };
     narrow_phase::update(around, parts.narrow_phase, narrow_phase, notes);
     parts.counters.cd.narrow_phase_time.pause();
@@ -167,6 +170,7 @@ fn move_bodies(
     let scene = solver::Scene {
         gravity: parts.gravity,
         params: parts.params,
+        simd: scratch.simd,
         bodies: parts.bodies,
         narrow_phase: parts.narrow_phase,
         joints,
@@ -199,7 +203,7 @@ impl StepScratch {
     /// Lets the solver use the widest instructions that the machine has, or those that every machine
     /// has.
     pub fn set_wide_instructions(&mut self, wide: bool) {
-        self.solver.set_wide_instructions(wide);
+        self.simd = if wide { Simd::detect() } else { Simd::baseline() };
     }
 }
 

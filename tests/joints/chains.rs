@@ -54,7 +54,10 @@ fn chains_do_not_stretch() {
         for (ratio, allowed) in [(1.0, 0.005), (100.0, 0.03), (1000.0, 0.1)] {
             let found = stretch(rate, ratio);
             println!("chain under {ratio}: stretch {:.3} % at {rate} Hz", 100.0 * found);
-            assert!(rate < 60 || found < allowed, "{found} under {ratio} at {rate} Hz");
+            // At 30 steps a second links under 1000 times their weight whirl by a radian per substep: no
+            // linearisation reaches that far.
+            let out_of_reach = rate < 60 && ratio > 1.0;
+            assert!(out_of_reach || found < allowed, "{found} under {ratio} at {rate} Hz");
         }
     }
 }

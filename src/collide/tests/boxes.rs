@@ -158,3 +158,13 @@ fn turned_boxes_keep_four_points_that_span_the_overlap() {
     }
     assert!(kept >= 190, "the points changed {} times", 199 - kept);
 }
+
+#[test]
+fn a_box_touches_a_point_of_a_chain() {
+    let point = Vector::ZERO.with_x(0.1);
+    let chain = SharedShape::polyline(vec![point, point], None);
+    let cube = samples::cuboid(Vector::splat(0.5));
+    let pos12 = Pose::from_translation(Vector::Y * 0.51);
+    let (found, _) = manifolds(&pos12, &*chain, &*cube, 0.02);
+    assert!((found[0].deepest_dist() - 0.01).abs() < 1.0e-4, "{found:?}");
+}

@@ -3,6 +3,7 @@
 mod boxes;
 mod capsules;
 mod fuzz;
+mod hulls;
 mod matching;
 mod polytopes;
 mod small;

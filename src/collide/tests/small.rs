@@ -27,7 +27,6 @@ fn small_shapes_touch_like_large_ones() {
         let dist = (large.deepest_dist() - small.deepest_dist() / scale).abs();
         agreed += u32::from(turn < 0.05 && dist < 2.0e-3);
     }
-    // Where two directions are equally good, rounding chooses. And where a ball is on a hull is a search of
-    // parry's, with tolerances for metres.
-    assert!(compared > 1_500 && agreed * 100 > compared * 93, "{agreed} of {compared}");
+    // Where two directions are equally good, rounding chooses.
+    assert!(compared > 1_500 && agreed * 100 > compared * 94, "{agreed} of {compared}");
 }

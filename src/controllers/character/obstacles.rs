@@ -5,6 +5,7 @@ use super::hooks::Advisor;
 use super::planes::Plane;
 use super::touch::Touch;
 use super::weld::weld;
+use crate::base::wide::Simd;
 use crate::collide::{ManifoldScratch, ShapePair, compute_manifolds};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyType;
@@ -93,6 +94,7 @@ impl<'a> Obstacles<'a> {
             prediction: reach,
             flush: gait.tolerance,
             neighbors: [&[], &[]],
+            simd: Simd::detect(),
         };
         compute_manifolds(&pair, &[], &mut self.scratch, &mut self.manifolds);
     }

@@ -1,14 +1,17 @@
-//! The axis that separates a box and a segment best.
+//! The axes that separate a box and segments best, a segment per lane.
 //!
-//! They are apart exactly if they are along one of three axes: the two of the box and the normal of the
-//! segment. If they are not, the axis of least overlap is the contact normal. Chains and height fields
-//! are made of nothing but segments, and most of those near a body are in its way for the first time: a
-//! search that starts from nothing would take several times as long.
+//! A box and a segment are apart exactly if they are along one of three axes: the two of the box and the normal
+//! of the segment. If they are not, the axis of least overlap is the contact normal. Chains and height fields
+//! are made of nothing but segments, and most of those near a body are in its way for the first time. So
+//! nothing is remembered of them, and as many are tried at once as a register has lanes.
 
+use super::flat::{FlatShape, flat_corners};
 use super::polytope::Polytope;
-use crate::base::axis::{BestAxis, Side};
+use crate::base::axis::{BestAxis, Side, apart};
+use crate::base::wide::{Kernel, Lane, Simd, Wide};
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{Cuboid, Segment};
+use crate::dim::wide::WideVector;
+use parry::bounding_volume::Aabb;
 
 /// How much more overlap the segment's axis may have and still be preferred, as a share of the smallest
 /// half extent.
@@ -18,59 +21,193 @@ const SAME_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
 
-/// The best axis, or any along which the two are farther apart than `reach`; `None` if this is not
-/// known of such polytopes without a search. `hint` is the normal of last time, or zero.
+/// Segments, a lane for each.
+pub type FlatBlock = [WideVector<Lane>; 2];
+
+/// Sets one lane of a block.
+pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
+    for (ends, end) in block.iter_mut().zip(flat_corners(flat)) {
+        ends.set_lane(lane, end);
+    }
+}
+
+/// The best axis of each kind: of the box, of the segment. In the frame of the box.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct FlatAxes {
+    gaps: [Lane; 2],
+    normals: [WideVector<Lane>; 2],
+}
+
+impl FlatAxes {
+    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or zero.
+    pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
+        let axis = |kind: usize, face: Side| BestAxis {
+            gap: self.gaps[kind].0[lane],
+            normal: self.normals[kind].lane(lane),
+            face: Some(face),
+        };
+        let (of_box, of_segment) = (axis(0, Side::First), axis(1, Side::Second));
+        let score = |axis: &BestAxis, bonus: Real| {
+            let is_same = axis.normal.dot(hint) > SAME_AXIS;
+            let bonus = bonus + if is_same { SAME_AXIS_BONUS } else { 0.0 };
+            axis.gap + bonus * half.min_element()
+        };
+        if score(&of_segment, TOLERANCE) >= score(&of_box, 0.0) { of_segment } else { of_box }
+    }
+}
+
+/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of last
+/// time, or zero.
 pub fn best_axis(
     pos12: &Pose,
     polytope1: &Polytope<'_>,
     polytope2: &Polytope<'_>,
-    reach: Real,
     hint: Vector,
 ) -> Option<BestAxis> {
+    let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
+        let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
+        set_flat_lane(&mut block, 0, flat);
+        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        sieve.near(&block, Simd::baseline(), &mut axes);
+        flat.normal().map(|_| axes.best(0, half, hint))
+    };
     match (polytope1, polytope2) {
         (Polytope::Cuboid(cuboid), Polytope::Segment(segment)) => {
-            box_segment(pos12, cuboid, segment, reach, hint)
+            of(cuboid.half_extents, segment, pos12, hint)
         }
         (Polytope::Segment(segment), Polytope::Cuboid(cuboid)) => {
             let pos21 = pos12.inverse();
-            let best = box_segment(&pos21, cuboid, segment, reach, pos21.rotation * -hint)?;
+            let best = of(cuboid.half_extents, segment, &pos21, pos21.rotation * -hint)?;
             Some(best.exchanged(pos12))
         }
         _ => None,
     }
 }
 
-/// The best axis of a box and a segment, in the frame of the box; `None` if the segment has no length.
-fn box_segment(
-    pos12: &Pose,
-    cuboid: &Cuboid,
-    segment: &Segment,
+/// A box, and how near is near.
+pub struct Sieve {
+    half: Vector,
     reach: Real,
-    hint: Vector,
-) -> Option<BestAxis> {
-    let half = cuboid.half_extents;
-    let [a, b] = [segment.a, segment.b].map(|end| *pos12 * end);
-    // How far the segment is beyond each face of the box.
-    let (above, below) = (a.min(b) - half, -half - a.max(b));
-    let gaps = above.max(below);
-    let axis = gaps.max_position();
-    let unit = Vector::AXES[axis];
-    let normal = if above[axis] >= below[axis] { unit } else { -unit };
-    let of_box = BestAxis { gap: gaps[axis], normal, face: Some(Side::First) };
-    if of_box.gap > reach {
-        return Some(of_box);
+    /// The axes of the segments' frame and its origin, as seen from the middle of the box.
+    axes: [Vector; 2],
+    origin: Vector,
+}
+
+impl Sieve {
+    /// For segments in a frame that stands at `pose` in the frame of the box.
+    pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
+        Self {
+            half: around.half_extents(),
+            reach,
+            axes: Vector::AXES.map(|axis| pose.rotation * axis),
+            origin: pose.translation - around.center(),
+        }
     }
-    // The box is on the side of the segment on which its centre is.
-    let normal = (b - a).perp().try_normalize()?;
-    let height = normal.dot(a);
-    let normal = if height < 0.0 { -normal } else { normal };
-    let gap = height.abs() - half.dot(normal.abs());
-    let of_segment = BestAxis { gap, normal, face: Some(Side::Second) };
-    let score = |axis: &BestAxis, bonus: Real| {
-        let is_same = axis.normal.dot(hint) > SAME_AXIS;
-        let bonus = bonus + if is_same { SAME_AXIS_BONUS } else { 0.0 };
-        axis.gap + bonus * half.min_element()
-    };
-    let prefers_segment = score(&of_segment, TOLERANCE) >= score(&of_box, 0.0);
-    Some(if gap > reach || prefers_segment { of_segment } else { of_box })
+
+    /// Finds the axes of each segment. Returns a bit for each that is no farther than `reach` along any.
+    pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
+        simd.run(Pass { sieve: self, flats, axes })
+    }
+}
+
+struct Pass<'a> {
+    sieve: &'a Sieve,
+    flats: &'a FlatBlock,
+    axes: &'a mut FlatAxes,
+}
+
+impl Kernel for Pass<'_> {
+    type Output = u32;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> u32 {
+        let half = WideVector::<W>::splat(self.sieve.half);
+        let (a, b): (WideVector<W>, WideVector<W>) = (self.end(0), self.end(1));
+        // Of the box.
+        let (x, sign_x) = apart(a.x.min(b.x), a.x.max(b.x), half.x);
+        let (y, sign_y) = apart(a.y.min(b.y), a.y.max(b.y), half.y);
+        let (is_y, zero) = (x.lt(y), W::zero());
+        let of_box = W::select(is_y, y, x);
+        let normal =
+            WideVector { x: W::select(is_y, zero, sign_x), y: W::select(is_y, sign_y, zero) };
+        of_box.store(&mut self.axes.gaps[0]);
+        normal.store(&mut self.axes.normals[0]);
+        // Of the segment: the box is on the side on which its centre is.
+        let along = b - a;
+        let scale = W::splat(1.0) / along.dot(along).sqrt();
+        let normal = WideVector { x: -along.y, y: along.x } * scale;
+        let height = normal.dot(a);
+        let outward = WideVector::select(height.lt(zero), -normal, normal);
+        let of_segment = height.abs() - (half.x * normal.x.abs() + half.y * normal.y.abs());
+        of_segment.store(&mut self.axes.gaps[1]);
+        outward.store(&mut self.axes.normals[1]);
+        W::bits(of_segment.max(of_box).le(W::splat(self.sieve.reach)))
+    }
+}
+
+impl Pass<'_> {
+    /// An end of each segment, as seen from the middle of the box.
+    #[inline(always)]
+    fn end<W: Wide>(&self, index: usize) -> WideVector<W> {
+        let end = WideVector::load(&self.flats[index]);
+        let [x, y] = self.sieve.axes;
+        WideVector::splat(self.sieve.origin)
+            + WideVector::splat(x) * end.x
+            + WideVector::splat(y) * end.y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use crate::base::random::Random;
+    use crate::base::wide::{LANES, Simd};
+    use crate::dim::math::{Pose, Real, Vector};
+    use crate::dim2::collide::samples;
+    use parry::bounding_volume::Aabb;
+    use parry::shape::Segment;
+
+    /// How far a box and a segment are apart along the best of all axes, one after the other.
+    fn gap(half: Vector, pose: &Pose, segment: &Segment) -> Real {
+        let [a, b] = [segment.a, segment.b].map(|end| *pose * end);
+        let normal = (b - a).perp().normalize();
+        let apart = |axis: Vector| {
+            let (first, second) = (axis.dot(a), axis.dot(b));
+            let reach = axis.abs().dot(half);
+            (first.min(second) - reach).max(-reach - first.max(second))
+        };
+        Vector::AXES.into_iter().chain([normal]).map(apart).fold(Real::MIN, Real::max)
+    }
+
+    #[test]
+    fn lanes_find_the_best_axis_of_each_segment() {
+        let mut random = Random(7);
+        for _ in 0..500 {
+            let half = Vector::new(random.within(0.1, 1.0), random.within(0.1, 1.0));
+            let pose = samples::pose(&mut random, 1.0);
+            let mut end = || samples::vector(&mut random, 1.5);
+            let segments: [Segment; LANES] = core::array::from_fn(|_| Segment::new(end(), end()));
+            let mut block = FlatBlock::default();
+            for (lane, segment) in segments.iter().enumerate() {
+                set_flat_lane(&mut block, lane, segment);
+            }
+            let reach = 0.05;
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
+            let near = sieve.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            for (lane, segment) in segments.iter().enumerate() {
+                let expected = gap(half, &pose, segment);
+                let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
+                assert!((found - expected).abs() < 1.0e-4, "{found} instead of {expected}");
+                assert_eq!(near >> lane & 1 == 1, found <= reach);
+                for kind in 0..2 {
+                    assert_eq!(
+                        wide.gaps[kind].0[lane].to_bits(),
+                        baseline.gaps[kind].0[lane].to_bits()
+                    );
+                }
+            }
+        }
+    }
 }

@@ -1,6 +1,5 @@
-//! The elements of surfaces: the cells of height fields, and what is flat.
+//! The cells of height fields.
 
-use crate::dim::math::Vector;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -18,9 +17,4 @@ pub fn with_cell(field: &HeightField, id: u32, f: &mut dyn FnMut(&dyn Shape)) {
     if let Some(segment) = field.segment_at(id as usize) {
         f(&segment);
     }
-}
-
-/// The corners of a shape that is flat: a segment.
-pub fn flat_corners(shape: &dyn Shape) -> Option<[Vector; 2]> {
-    shape.as_segment().map(|segment| [segment.a, segment.b])
 }

@@ -7,18 +7,22 @@ mod clip;
 mod cuboid;
 mod edges;
 mod features;
+mod flat;
+mod hull_nearest;
 mod polytope;
 mod reduce;
 #[cfg(test)]
 pub mod samples;
 
-pub use axes::best_axis;
+pub use axes::{FlatAxes, FlatBlock, Sieve, best_axis, set_flat_lane};
 pub use capsule_triangle::capsule_triangle;
-pub use cells::{flat_corners, for_each_cell, with_cell};
+pub use cells::{for_each_cell, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
+pub use flat::{Flat, FlatShape, as_flat, flat_corners};
+pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
 

@@ -2,7 +2,7 @@
 
 use crate::base::random::Random;
 use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector};
-use parry::shape::{SharedShape, TriMeshFlags, Voxels};
+use parry::shape::{Segment, Shape, SharedShape, TriMeshFlags, Voxels};
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 15;
@@ -89,7 +89,15 @@ pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
     }
 }
 
-fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
+/// The segments that a hull is made of.
+pub fn surface(hull: &dyn Shape) -> Vec<Segment> {
+    let points = hull.as_convex_polygon().expect("is a hull").points();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(start, end)| Segment::new(*start, *end)).collect()
+}
+
+/// The hull of random points; `None` if it has no inside.
+pub fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
     let points: Vec<_> = (0..8).map(|_| vector(random, size)).collect();
     SharedShape::convex_hull(&points)
 }

@@ -1,15 +1,18 @@
-//! The axis that separates a box and a triangle best.
+//! The axes that separate a box and triangles best, a triangle per lane.
 //!
-//! They are apart exactly if they are along one of 13 axes: the three of the box, the normal of the
-//! triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap testing").
-//! If they are not, the axis of least overlap is the contact normal. Meshes are made of nothing but
-//! triangles, and most of those near a body are in its way for the first time: a search that starts
-//! from nothing would take ten times as long.
+//! A box and a triangle are apart exactly if they are along one of 13 axes: the three of the box, the
+//! normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
+//! testing"). If they are not, the axis of least overlap is the contact normal. Meshes are made of nothing
+//! but triangles; a body has dozens of them around it and touches a few, most of which are in its way for the
+//! first time. So nothing is remembered of them, and as many are tried at once as a register has lanes.
 
+use super::flat::{FlatShape, flat_corners};
 use super::polytope::Polytope;
-use crate::base::axis::{BestAxis, Side};
+use crate::base::axis::{BestAxis, Side, apart};
+use crate::base::wide::{Kernel, Lane, Simd, Wide};
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{Cuboid, Triangle};
+use crate::dim::wide::{WideVector, cross};
+use parry::bounding_volume::Aabb;
 
 /// How much more overlap a face may have than another axis and still be preferred, as a share of the
 /// smallest half extent.
@@ -22,106 +25,354 @@ const SAME_AXIS: Real = 0.98;
 /// nothing that the face normals do not.
 const PARALLEL: Real = 1.0e-4;
 
-/// The best axis, or any along which the two are farther apart than `reach`; `None` if this is not
-/// known of such polytopes without a search. `hint` is the normal of last time, or zero.
+/// Triangles, a lane for each.
+pub type FlatBlock = [WideVector<Lane>; 3];
+
+/// Sets one lane of a block.
+pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
+    for (corners, corner) in block.iter_mut().zip(flat_corners(flat)) {
+        corners.set_lane(lane, corner);
+    }
+}
+
+/// The best axis of each kind: of the box, of the triangle, of an edge of each. In the frame of the box.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct FlatAxes {
+    gaps: [Lane; 3],
+    normals: [WideVector<Lane>; 3],
+}
+
+impl FlatAxes {
+    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or zero.
+    pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
+        let tolerance = TOLERANCE * half.min_element();
+        let penalties = [FIRST_FACE * tolerance, 0.0, tolerance];
+        let faces = [Some(Side::First), Some(Side::Second), None];
+        let axis = |kind: usize| BestAxis {
+            gap: self.gaps[kind].0[lane],
+            normal: self.normals[kind].lane(lane),
+            face: faces[kind],
+        };
+        let score = |kind: usize| {
+            let axis = axis(kind);
+            let is_same = axis.normal.dot(hint) > SAME_AXIS;
+            axis.gap - penalties[kind] + if is_same { tolerance } else { 0.0 }
+        };
+        let mut best = (1, score(1));
+        for kind in [0, 2] {
+            let score = score(kind);
+            if score > best.1 {
+                best = (kind, score);
+            }
+        }
+        axis(best.0)
+    }
+}
+
+/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of last
+/// time, or zero.
 pub fn best_axis(
     pos12: &Pose,
     polytope1: &Polytope<'_>,
     polytope2: &Polytope<'_>,
-    reach: Real,
     hint: Vector,
 ) -> Option<BestAxis> {
+    let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
+        let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
+        set_flat_lane(&mut block, 0, flat);
+        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        sieve.near(&block, Simd::baseline(), &mut axes);
+        axes.best(0, half, hint)
+    };
     match (polytope1, polytope2) {
-        (Polytope::Cuboid(cuboid), Polytope::Triangle(triangle, normal)) => {
-            Some(box_triangle(pos12, cuboid, (triangle, *normal), reach, hint))
+        (Polytope::Cuboid(cuboid), Polytope::Triangle(triangle, _)) => {
+            Some(of(cuboid.half_extents, triangle, pos12, hint))
         }
-        (Polytope::Triangle(triangle, normal), Polytope::Cuboid(cuboid)) => {
+        (Polytope::Triangle(triangle, _), Polytope::Cuboid(cuboid)) => {
             let pos21 = pos12.inverse();
-            let hint = pos21.rotation * -hint;
-            let best = box_triangle(&pos21, cuboid, (triangle, *normal), reach, hint);
+            let best = of(cuboid.half_extents, triangle, &pos21, pos21.rotation * -hint);
             Some(best.exchanged(pos12))
         }
         _ => None,
     }
 }
 
-/// The best axis of a box and a triangle, in the frame of the box.
-fn box_triangle(
-    pos12: &Pose,
-    cuboid: &Cuboid,
-    (triangle, normal): (&Triangle, Vector),
+/// A box, and how near is near.
+pub struct Sieve {
+    half: Vector,
     reach: Real,
-    hint: Vector,
-) -> BestAxis {
-    let half = cuboid.half_extents;
-    let corners = [triangle.a, triangle.b, triangle.c].map(|corner| *pos12 * corner);
-    let of_box = axis_of_box(half, corners);
-    if of_box.gap > reach {
-        return of_box;
-    }
-    let of_triangle = axis_of_triangle(half, corners[0], pos12.rotation * normal);
-    if of_triangle.gap > reach {
-        return of_triangle;
-    }
-    let of_edges = axis_of_edges(half, corners);
-    if of_edges.gap > reach {
-        return of_edges;
-    }
-    let tolerance = TOLERANCE * half.min_element();
-    let penalties = [0.0, FIRST_FACE * tolerance, tolerance];
-    let mut best = (of_triangle, Real::NEG_INFINITY);
-    for (axis, penalty) in [of_triangle, of_box, of_edges].into_iter().zip(penalties) {
-        let bonus = if axis.normal.dot(hint) > SAME_AXIS { tolerance } else { 0.0 };
-        let score = axis.gap - penalty + bonus;
-        if score > best.1 {
-            best = (axis, score);
+    /// The axes of the triangles' frame and its origin, as seen from the middle of the box.
+    axes: [Vector; 3],
+    origin: Vector,
+}
+
+impl Sieve {
+    /// For triangles in a frame that stands at `pose` in the frame of the box.
+    pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
+        Self {
+            half: around.half_extents(),
+            reach,
+            axes: Vector::AXES.map(|axis| pose.rotation * axis),
+            origin: pose.translation - around.center(),
         }
     }
-    best.0
+
+    /// Finds the axes of each triangle. Returns a bit for each that is no farther than `reach` along any.
+    pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
+        simd.run(Pass { sieve: self, flats, axes })
+    }
 }
 
-/// The best of the box's own axes.
-fn axis_of_box(half: Vector, [a, b, c]: [Vector; 3]) -> BestAxis {
-    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    // How far the triangle is beyond each face.
-    let (above, below) = (low - half, -half - high);
-    let gaps = above.max(below);
-    let axis = gaps.max_position();
-    let unit = Vector::AXES[axis];
-    let normal = if above[axis] >= below[axis] { unit } else { -unit };
-    BestAxis { gap: gaps[axis], normal, face: Some(Side::First) }
+struct Pass<'a> {
+    sieve: &'a Sieve,
+    flats: &'a FlatBlock,
+    axes: &'a mut FlatAxes,
 }
 
-/// The triangle's normal; the box is on the side on which its centre is.
-fn axis_of_triangle(half: Vector, corner: Vector, normal: Vector) -> BestAxis {
-    let height = normal.dot(corner);
-    let normal = if height < 0.0 { -normal } else { normal };
-    BestAxis { gap: height.abs() - half.dot(normal.abs()), normal, face: Some(Side::Second) }
+impl Kernel for Pass<'_> {
+    type Output = u32;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> u32 {
+        let half = WideVector::<W>::splat(self.sieve.half);
+        let [a, b, c] = [self.corner(0), self.corner(1), self.corner(2)];
+        let edges = [b - a, c - b, a - c];
+        let of_box = Axis::of_box(half, [a, b, c]);
+        let of_triangle = Axis::of_triangle(half, [a, b, c], cross(edges[0], edges[1]));
+        let mut of_edges =
+            Axis { gap: W::splat(Real::NEG_INFINITY), normal: WideVector::splat(Vector::Y) };
+        // Along a product with an edge, both ends of the edge are at the same height.
+        of_edges.or_of_edge(half, edges[0], a, c);
+        of_edges.or_of_edge(half, edges[1], b, a);
+        of_edges.or_of_edge(half, edges[2], c, b);
+        of_box.store(0, self.axes);
+        of_triangle.store(1, self.axes);
+        of_edges.store(2, self.axes);
+        let gap = of_box.gap.max(of_triangle.gap).max(of_edges.gap);
+        W::bits(gap.le(W::splat(self.sieve.reach)))
+    }
 }
 
-/// The best product of an edge of the box and one of the triangle.
-fn axis_of_edges(half: Vector, corners: [Vector; 3]) -> BestAxis {
-    let mut best = BestAxis { gap: Real::NEG_INFINITY, normal: Vector::Y, face: None };
-    for index in 0..3 {
-        let (start, opposite) = (corners[index], corners[(index + 2) % 3]);
-        let along = corners[(index + 1) % 3] - start;
-        let least = PARALLEL * along.length_squared();
-        for axis in Vector::AXES {
-            let product = axis.cross(along);
-            let length_squared = product.length_squared();
-            if length_squared <= least {
-                continue;
+impl Pass<'_> {
+    /// A corner of each triangle, as seen from the middle of the box.
+    #[inline(always)]
+    fn corner<W: Wide>(&self, index: usize) -> WideVector<W> {
+        let corner = WideVector::load(&self.flats[index]);
+        let [x, y, z] = self.sieve.axes;
+        WideVector::splat(self.sieve.origin)
+            + WideVector::splat(x) * corner.x
+            + WideVector::splat(y) * corner.y
+            + WideVector::splat(z) * corner.z
+    }
+}
+
+/// An axis per lane, from the box to the triangle, and how far the two are apart along it.
+#[derive(Copy, Clone)]
+struct Axis<W> {
+    gap: W,
+    normal: WideVector<W>,
+}
+
+impl<W: Wide> Axis<W> {
+    /// The best of the box's own axes.
+    #[inline(always)]
+    fn of_box(half: WideVector<W>, [a, b, c]: [WideVector<W>; 3]) -> Self {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let [x, y, z] = [
+            apart(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), half.x),
+            apart(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), half.y),
+            apart(a.z.min(b.z).min(c.z), a.z.max(b.z).max(c.z), half.z),
+        ];
+        let mut best = Self { gap: x.0, normal: WideVector { x: x.1, y: zero, z: zero } };
+        best.or(y.0, WideVector { x: zero, y: y.1, z: zero }, one);
+        best.or(z.0, WideVector { x: zero, y: zero, z: z.1 }, one);
+        best
+    }
+
+    /// The triangle's normal. All corners are at one height along it, but for those of needles, whose normal is
+    /// made of rounding.
+    #[inline(always)]
+    fn of_triangle(
+        half: WideVector<W>,
+        [a, b, c]: [WideVector<W>; 3],
+        normal: WideVector<W>,
+    ) -> Self {
+        let normal = normal * (W::splat(1.0) / normal.dot(normal).sqrt());
+        let size = WideVector { x: normal.x.abs(), y: normal.y.abs(), z: normal.z.abs() };
+        let [a, b, c] = [normal.dot(a), normal.dot(b), normal.dot(c)];
+        let (gap, sign) = apart(a.min(b).min(c), a.max(b).max(c), half.dot(size));
+        Self { gap, normal: normal * sign }
+    }
+
+    /// Takes the products of an edge of the triangle and those of the box, if they are better.
+    #[inline(always)]
+    fn or_of_edge(
+        &mut self,
+        half: WideVector<W>,
+        edge: WideVector<W>,
+        on_edge: WideVector<W>,
+        opposite: WideVector<W>,
+    ) {
+        let (zero, least) = (W::zero(), W::splat(PARALLEL) * edge.dot(edge));
+        let x = Product::new([edge.y, edge.z], [on_edge.y, on_edge.z], [half.y, half.z]);
+        let normal = WideVector { x: zero, y: -edge.z, z: edge.y };
+        self.or_of_product(x, [opposite.y, opposite.z], normal, least);
+        let y = Product::new([edge.z, edge.x], [on_edge.z, on_edge.x], [half.z, half.x]);
+        let normal = WideVector { x: edge.z, y: zero, z: -edge.x };
+        self.or_of_product(y, [opposite.z, opposite.x], normal, least);
+        let z = Product::new([edge.x, edge.y], [on_edge.x, on_edge.y], [half.x, half.y]);
+        let normal = WideVector { x: -edge.y, y: edge.x, z: zero };
+        self.or_of_product(z, [opposite.x, opposite.y], normal, least);
+    }
+
+    #[inline(always)]
+    fn or_of_product(
+        &mut self,
+        product: Product<W>,
+        opposite: [W; 2],
+        normal: WideVector<W>,
+        least: W,
+    ) {
+        let other = product.height(opposite);
+        let (low, high) = (product.on_edge.min(other), product.on_edge.max(other));
+        let (gap, sign) = apart(low, high, product.radius);
+        let scale = W::splat(1.0) / product.length_squared.sqrt();
+        let none = W::splat(Real::NEG_INFINITY);
+        let gap = W::select(least.lt(product.length_squared), gap * scale, none);
+        self.or(gap, normal * scale, sign);
+    }
+
+    /// Takes another axis, with a sign, if it is better.
+    #[inline(always)]
+    fn or(&mut self, gap: W, normal: WideVector<W>, sign: W) {
+        let is_better = self.gap.lt(gap);
+        self.gap = W::select(is_better, gap, self.gap);
+        self.normal = WideVector::select(is_better, normal * sign, self.normal);
+    }
+
+    #[inline(always)]
+    fn store(self, kind: usize, axes: &mut FlatAxes) {
+        self.gap.store(&mut axes.gaps[kind]);
+        self.normal.store(&mut axes.normals[kind]);
+    }
+}
+
+/// The product of an axis of the box and an edge, as seen along the axis: a direction at right angles to the
+/// edge's shadow, and as long.
+#[derive(Copy, Clone)]
+struct Product<W> {
+    edge: [W; 2],
+    length_squared: W,
+    /// How high the edge is along it, and how far the box reaches.
+    on_edge: W,
+    radius: W,
+}
+
+impl<W: Wide> Product<W> {
+    #[inline(always)]
+    fn new(edge: [W; 2], on_edge: [W; 2], half: [W; 2]) -> Self {
+        let [u, v] = edge;
+        Self {
+            edge,
+            length_squared: u * u + v * v,
+            on_edge: u * on_edge[1] - v * on_edge[0],
+            radius: half[1] * u.abs() + half[0] * v.abs(),
+        }
+    }
+
+    #[inline(always)]
+    fn height(&self, point: [W; 2]) -> W {
+        self.edge[0] * point[1] - self.edge[1] * point[0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use crate::base::random::Random;
+    use crate::base::wide::{LANES, Simd};
+    use crate::dim::math::{Pose, Real, Vector};
+    use crate::dim3::collide::samples;
+    use parry::bounding_volume::Aabb;
+    use parry::shape::Triangle;
+
+    /// How far a box and a triangle are apart along the best of all axes, one after the other.
+    fn gap(half: Vector, pose: &Pose, triangle: &Triangle) -> Real {
+        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| *pose * corner);
+        let edges = [b - a, c - b, a - c];
+        let products = Vector::AXES.into_iter().flat_map(|axis| edges.map(|edge| axis.cross(edge)));
+        let axes = Vector::AXES.into_iter().chain([edges[0].cross(edges[1])]).chain(products);
+        let apart = |axis: Vector| {
+            let heights = [a, b, c].map(|corner| axis.dot(corner));
+            let (low, high) =
+                (heights.into_iter().reduce(Real::min), heights.into_iter().reduce(Real::max));
+            let reach = axis.abs().dot(half);
+            (low.unwrap() - reach).max(-reach - high.unwrap())
+        };
+        let gaps = axes.filter_map(|axis| axis.try_normalize()).map(apart);
+        gaps.fold(Real::NEG_INFINITY, Real::max)
+    }
+
+    #[test]
+    fn lanes_find_the_best_axis_of_each_triangle() {
+        let mut random = Random(7);
+        for _ in 0..500 {
+            let half = Vector::from_array([(); 3].map(|()| random.within(0.1, 1.0)));
+            let pose = samples::pose(&mut random, 1.0);
+            let mut corner = || samples::vector(&mut random, 1.5);
+            let triangles: [Triangle; LANES] =
+                core::array::from_fn(|_| Triangle::new(corner(), corner(), corner()));
+            let mut block = FlatBlock::default();
+            for (lane, triangle) in triangles.iter().enumerate() {
+                set_flat_lane(&mut block, lane, triangle);
             }
-            let (height1, height2) = (product.dot(start), product.dot(opposite));
-            let radius = half.dot(product.abs());
-            let (above, below) = (height1.min(height2) - radius, -radius - height1.max(height2));
-            let scale = 1.0 / length_squared.sqrt();
-            let gap = above.max(below) * scale;
-            if gap > best.gap {
-                let normal = product * if above >= below { scale } else { -scale };
-                best = BestAxis { gap, normal, face: None };
+            let reach = 0.05;
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
+            let near = sieve.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            for (lane, triangle) in triangles.iter().enumerate() {
+                let expected = gap(half, &pose, triangle);
+                let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
+                assert!((found - expected).abs() < 1.0e-4, "{found} instead of {expected}");
+                assert_eq!(near >> lane & 1 == 1, found <= reach);
+                for kind in 0..3 {
+                    assert_eq!(
+                        wide.gaps[kind].0[lane].to_bits(),
+                        baseline.gaps[kind].0[lane].to_bits()
+                    );
+                }
+                // A face may be preferred that is worse by a hundredth of the smallest half extent.
+                let best = wide.best(lane, half, Vector::ZERO);
+                assert!(best.gap > found - 0.011 * half.min_element());
+                assert!((best.normal.length() - 1.0).abs() < 1.0e-4);
             }
         }
     }
-    best
+
+    /// The normal of a needle is made of rounding, and must not tell apart what touches.
+    #[test]
+    fn needles_are_as_near_as_segments() {
+        let mut random = Random(8);
+        let mut near = 0;
+        for round in 0..20_000 {
+            let half = Vector::from_array([(); 3].map(|()| random.within(0.1, 1.0)));
+            let pose = samples::pose(&mut random, 1.0);
+            let (a, b) = (samples::vector(&mut random, 1.5), samples::vector(&mut random, 1.5));
+            let between: Real = random.within(-1.0, 2.0);
+            let needle = Triangle::new(a, b, a + (b - a) * between.clamp(0.0, 1.0));
+            let mut block = FlatBlock::default();
+            set_flat_lane(&mut block, 0, &needle);
+            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
+            let found = sieve.near(&block, Simd::detect(), &mut FlatAxes::default());
+            let cuboid = parry::shape::Cuboid::new(half);
+            let segment = parry::shape::Segment::new(a, b);
+            let distance = parry::query::distance(&Pose::IDENTITY, &cuboid, &pose, &segment);
+            if distance.is_ok_and(|found| found.distance < 0.049) {
+                assert_eq!(found & 1, 1, "round {round}: {needle:?}");
+                near += 1;
+            }
+        }
+        assert!(near > 5_000, "{near}");
+    }
 }

@@ -1,6 +1,5 @@
-//! The elements of surfaces: the cells of height fields, and what is flat.
+//! The cells of height fields.
 
-use crate::dim::math::Vector;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -21,9 +20,4 @@ pub fn with_cell(field: &HeightField, id: u32, f: &mut dyn FnMut(&dyn Shape)) {
     if let Some(triangle) = field.triangle_at_id(id) {
         f(&triangle);
     }
-}
-
-/// The corners of a shape that is flat: a triangle.
-pub fn flat_corners(shape: &dyn Shape) -> Option<[Vector; 3]> {
-    shape.as_triangle().map(|triangle| [triangle.a, triangle.b, triangle.c])
 }

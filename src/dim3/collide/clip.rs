@@ -40,8 +40,8 @@ pub struct Deepest {
 /// An edge of the overlap: which edge of the cut polygon, or of the cutting one, it is a part of.
 #[derive(Copy, Clone)]
 enum Edge {
-    Cut(usize),
-    Cutting(usize),
+    Cut(u8),
+    Cutting(u8),
 }
 
 /// A corner of the overlap and the edge that follows it.
@@ -70,14 +70,14 @@ pub fn clip_faces(
     let cut = contact.other.corners(other_face.id);
     let vertex = |(index, corner): (usize, &Corner)| Vertex {
         point: *contact.pose * corner.point,
-        edge: Edge::Cut(index),
+        edge: Edge::Cut(index as u8),
     };
     // Two buffers take turns.
     let (mut from, mut to) = (&mut Overlap::new(), &mut Overlap::new());
     from.extend(cut.iter().enumerate().map(vertex));
     for index in 0..cutting.len() {
         let side = [cutting[index].point, cutting[(index + 1) % cutting.len()].point];
-        cut_by(from, index, side[0], (side[1] - side[0]).cross(normal), to);
+        cut_by(from, index as u8, side[0], (side[1] - side[0]).cross(normal), to);
         (from, to) = (to, from);
     }
     let overlap = from;
@@ -135,7 +135,7 @@ fn clip_line(
         if from > 0.0 && to > 0.0 {
             return None;
         }
-        let (crossing, name) = (from / (from - to), (corner.edge, PackedFeatureId::edge(0)));
+        let (crossing, name) = (from / (from - to), (corner.edge(), PackedFeatureId::edge(0)));
         if from > 0.0 && crossing > range[0] {
             (range[0], names[0]) = (crossing, name);
         } else if to > 0.0 && crossing < range[1] {
@@ -161,13 +161,7 @@ fn clip_line(
 
 /// Puts into `result` the part of a polygon that lies below a plane, `outward` being its normal, of the
 /// length of the edge that it contains.
-fn cut_by(
-    polygon: &Overlap,
-    index: usize,
-    on_plane: Vector,
-    outward: Vector,
-    result: &mut Overlap,
-) {
+fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, result: &mut Overlap) {
     let rim = RIM * outward.length_squared();
     let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
     result.clear();
@@ -212,16 +206,20 @@ struct Names<'a> {
 impl Names<'_> {
     /// The features of the cutting and the cut polytope where two edges meet.
     fn of(&self, before: Edge, after: Edge) -> (PackedFeatureId, PackedFeatureId) {
+        let (cut, cutting) = (
+            |index: u8| self.cut[usize::from(index)],
+            |index: u8| self.cutting[usize::from(index)],
+        );
         match (before, after) {
-            (Edge::Cut(_), Edge::Cut(index)) => (self.cutting_face, self.cut[index].vertex),
-            (Edge::Cut(cut), Edge::Cutting(side)) | (Edge::Cutting(side), Edge::Cut(cut)) => {
-                (self.cutting[side].edge, self.cut[cut].edge)
+            (Edge::Cut(_), Edge::Cut(index)) => (self.cutting_face, cut(index).vertex()),
+            (Edge::Cut(edge), Edge::Cutting(side)) | (Edge::Cutting(side), Edge::Cut(edge)) => {
+                (cutting(side).edge(), cut(edge).edge())
             }
             (Edge::Cutting(side1), Edge::Cutting(side2)) => {
                 // The corner where the later of two neighbouring sides begins.
-                let is_wrap = side1.min(side2) == 0 && side1.max(side2) + 1 == self.cutting.len();
-                let corner = if is_wrap { 0 } else { side1.max(side2) };
-                (self.cutting[corner].vertex, self.cut_face)
+                let (first, last) = (side1.min(side2), side1.max(side2));
+                let is_wrap = first == 0 && usize::from(last) + 1 == self.cutting.len();
+                (cutting(if is_wrap { 0 } else { last }).vertex(), self.cut_face)
             }
         }
     }

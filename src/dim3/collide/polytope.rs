@@ -1,7 +1,7 @@
 //! Convex shapes with flat faces: boxes, hulls and triangles. And segments, which have none.
 
 use super::cuboid::unit;
-use super::features::box_feature;
+use super::features::{box_feature, box_number};
 use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::{
@@ -44,15 +44,25 @@ pub struct Edge {
     pub feature: PackedFeatureId,
 }
 
-/// A corner of a face.
+/// A corner of a face. Few corners become contacts, so features are named when they do.
 #[derive(Copy, Clone)]
 pub(super) struct Corner {
     /// Where it is.
     pub point: Vector,
+    /// The number of its feature, and that of the edge to the next corner.
+    numbers: [u32; 2],
+}
+
+impl Corner {
     /// Its feature.
-    pub vertex: PackedFeatureId,
+    pub fn vertex(&self) -> PackedFeatureId {
+        PackedFeatureId::vertex(self.numbers[0])
+    }
+
     /// The feature of the edge to the next corner.
-    pub edge: PackedFeatureId,
+    pub fn edge(&self) -> PackedFeatureId {
+        PackedFeatureId::edge(self.numbers[1])
+    }
 }
 
 /// The corners of a face, counter-clockwise as seen from outside.
@@ -184,20 +194,39 @@ fn box_face(id: usize) -> Vector {
     if id % 2 == 1 { -unit(id / 2) } else { unit(id / 2) }
 }
 
-fn box_corners(half: Vector, id: usize) -> Corners {
-    let axis = id / 2;
-    let normal = box_face(id);
-    let (u, v) = (unit((axis + 1) % 3), unit((axis + 2) % 3));
+/// A corner of a box of half extents 1, with the numbers of the features.
+type UnitCorner = ([Real; 3], [u32; 2]);
+
+/// The corners of the six faces.
+const BOX_CORNERS: [[UnitCorner; 4]; 6] = {
+    let mut corners = [[([0.0; 3], [0; 2]); 4]; 6];
+    let mut index = 0;
+    while index < 24 {
+        corners[index / 4][index % 4] = box_corner(index / 4, index % 4);
+        index += 1;
+    }
+    corners
+};
+
+/// A corner of a face of a box, counter-clockwise as seen from outside.
+const fn box_corner(face: usize, index: usize) -> UnitCorner {
+    let (axis, is_negative) = (face / 2, face % 2 == 1);
     // Counter-clockwise about +axis; the other way round for the negative face.
-    let (u, v) = if id % 2 == 1 { (v, u) } else { (u, v) };
-    let signs = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
-    let corner = |index: usize| {
-        let (a, b) = signs[index];
-        let at = normal + u * a + v * b;
-        let along = if index.is_multiple_of(2) { normal + v * b } else { normal + u * a };
-        Corner { point: at * half, vertex: box_feature(at), edge: box_feature(along) }
-    };
-    (0..4).map(corner).collect()
+    let turn = if is_negative { [2, 1] } else { [1, 2] };
+    let (u, v) = ((axis + turn[0]) % 3, (axis + turn[1]) % 3);
+    let mut at = [0.0; 3];
+    at[axis] = if is_negative { -1.0 } else { 1.0 };
+    at[u] = if index == 0 || index == 3 { 1.0 } else { -1.0 };
+    at[v] = if index < 2 { 1.0 } else { -1.0 };
+    let mut along = at;
+    along[if index.is_multiple_of(2) { u } else { v }] = 0.0;
+    (at, [box_number(at), box_number(along)])
+}
+
+fn box_corners(half: Vector, id: usize) -> Corners {
+    let corner =
+        |(at, numbers): UnitCorner| Corner { point: Vector::from_array(at) * half, numbers };
+    BOX_CORNERS[id].into_iter().map(corner).collect()
 }
 
 fn hull_edge(hull: &ConvexPolyhedron, direction: Vector) -> Option<Edge> {
@@ -235,8 +264,7 @@ fn hull_corners(hull: &ConvexPolyhedron, id: usize) -> Corners {
             let index = index * count / kept;
             Corner {
                 point: hull.points()[vertices[index] as usize],
-                vertex: PackedFeatureId::vertex(vertices[index]),
-                edge: PackedFeatureId::edge(edges[index]),
+                numbers: [vertices[index], edges[index]],
             }
         })
         .collect()
@@ -249,8 +277,7 @@ fn triangle_corners(triangle: &Triangle, is_back: bool) -> Corners {
     (0..3)
         .map(|index| Corner {
             point: points[order[index]],
-            vertex: PackedFeatureId::vertex(order[index] as u32),
-            edge: PackedFeatureId::edge(edges[index] as u32),
+            numbers: [order[index], edges[index]].map(|number| number as u32),
         })
         .collect()
 }

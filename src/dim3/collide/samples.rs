@@ -2,7 +2,7 @@
 
 use crate::base::random::Random;
 use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector};
-use parry::shape::{HeightFieldFlags, SharedShape, TriMeshFlags, Voxels};
+use parry::shape::{HeightFieldFlags, Shape, SharedShape, TriMeshFlags, Triangle, Voxels};
 use parry::utils::Array2;
 
 /// Number of kinds of shapes that [`shape`] makes.
@@ -99,7 +99,15 @@ pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
     }
 }
 
-fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
+/// The triangles that a hull is made of.
+pub fn surface(hull: &dyn Shape) -> Vec<Triangle> {
+    let (points, triangles) = hull.as_convex_polyhedron().expect("is a hull").to_trimesh();
+    let corner = |index: u32| points[index as usize];
+    triangles.iter().map(|[a, b, c]| Triangle::new(corner(*a), corner(*b), corner(*c))).collect()
+}
+
+/// The hull of random points; `None` if it has no inside.
+pub fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
     let points: Vec<_> = (0..12).map(|_| vector(random, size)).collect();
     SharedShape::convex_hull(&points)
 }

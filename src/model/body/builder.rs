@@ -263,8 +263,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how many more substeps the solver takes while this body is awake, at most 1000. A step takes
-    /// as many as the most demanding awake body wants.
+    /// Sets how many more substeps the solver takes for this body and all that touches it, directly or through
+    /// other dynamic bodies; at most 1000.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self

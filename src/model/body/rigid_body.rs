@@ -66,6 +66,8 @@ pub struct RigidBody {
     pub(crate) next_pose: Pose,
     pub(crate) soft_ccd_prediction: Real,
     pub(crate) additional_solver_iterations: usize,
+    /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
+    pub(crate) substep: Real,
     pub(crate) colliders: Vec<ColliderHandle>,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
@@ -111,6 +113,7 @@ impl RigidBody {
             next_pose: Pose::IDENTITY,
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,
+            substep: 0.0,
             colliders: Vec::new(),
             push: (Vector::ZERO, ANG_ZERO),
             user_data: 0,

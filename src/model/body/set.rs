@@ -125,6 +125,12 @@ impl RigidBodySet {
         (body1, body2)
     }
 
+    /// Begins to bring the body at a slot near to the processor, for who will ask for it soon.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, slot: u32) {
+        self.bodies.prefetch(slot);
+    }
+
     /// Whatever body stands in a slot (the first number of a handle) now, with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&RigidBody, RigidBodyHandle)> {
         self.at_slot(slot).map(|(handle, body)| (body, handle))

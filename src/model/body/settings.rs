@@ -142,8 +142,9 @@ impl RigidBody {
         self.additional_solver_iterations
     }
 
-    /// Sets how many more substeps the solver takes while this body is awake, at most 1000. A step takes
-    /// as many as the most demanding awake body wants.
+    /// Sets how many more substeps the solver takes for this body while it is awake, and for all that touches it,
+    /// directly or through other dynamic bodies; at most 1000. Where light bodies carry heavy ones it takes more
+    /// of itself.
     pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
         if additional_iterations > ITERATIONS_MAX {
             let what = "the number of additional solver iterations of a rigid body";

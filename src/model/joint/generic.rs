@@ -419,6 +419,14 @@ impl GenericJoint {
         check_threshold("the torque at which a joint breaks", self.break_torque)
     }
 
+    /// Is the axis measured together with others, as one distance or angle?
+    pub(crate) fn is_measured_together(&self, axis: JointAxis) -> bool {
+        let linear = (axis as usize) < DIM;
+        let group = if linear { JointAxesMask::LIN_AXES } else { JointAxesMask::ANG_AXES };
+        let coupled = self.coupled_axes & !self.locked_axes & group;
+        coupled.contains(mask_of(axis)) && coupled.bits().count_ones() > 1
+    }
+
     /// The free axes that have a motor or limits: of coupled ones the first.
     pub(crate) fn driven_axes(&self) -> impl Iterator<Item = JointAxis> + use<> {
         let free = !self.locked_axes;

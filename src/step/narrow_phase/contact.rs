@@ -158,6 +158,7 @@ impl ContactPair {
                 prediction: reach,
                 flush: view.around.params.allowed_linear_error(),
                 neighbors,
+                simd: view.around.simd,
             };
             let distance = compute_manifolds(&pair, old, scratch, fresh);
             gap = (distance - reach).max(0.0);

@@ -5,12 +5,13 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
+use crate::base::wide::{Simd, prefetch};
 use crate::collide::ManifoldScratch;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
 use crate::model::contact::{
-    AwakePair, ContactManifold, DUE, NarrowPhase, Pair, PairId, PairStore, StoreParts,
+    AwakePair, ContactManifold, DUE, Entry, NarrowPhase, Pair, PairId, PairStore, StoreParts,
 };
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
@@ -21,6 +22,9 @@ use smallvec::SmallVec;
 /// Pairs that are worth handing over to another thread together.
 const PAIRS_PER_TASK: usize = 16;
 
+/// How many turns before it is needed memory is asked for.
+const TURNS_AHEAD: usize = 2;
+
 /// What the narrow phase reads.
 #[derive(Copy, Clone)]
 pub(crate) struct Surroundings<'a> {
@@ -29,6 +33,8 @@ pub(crate) struct Surroundings<'a> {
     pub islands: &'a IslandManager,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
+    /// The instructions that kernels run on.
+    pub simd: Simd,
 }
 
 /// Buffers that are reused from step to step.
@@ -146,7 +152,9 @@ fn look_at_all<P: Update>(
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(entries));
     Tasks::current().par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        for index in range {
+        let ahead = Ahead { around, awake, due: &due[range.clone()], pairs };
+        for (turn, index) in range.enumerate() {
+            ahead.of(turn);
             let AwakePair { id, slack, reports_force, .. } = awake[due[index] as usize];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (slot, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
@@ -156,6 +164,37 @@ fn look_at_all<P: Update>(
         }
         workers.put(worker);
     });
+}
+
+/// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
+/// them took as long as a third of the computation.
+struct Ahead<'a, P> {
+    around: Surroundings<'a>,
+    awake: &'a [AwakePair],
+    due: &'a [u32],
+    pairs: DisjointMut<'a, Option<Entry<P>>>,
+}
+
+impl<P: Update> Ahead<'_, P> {
+    /// A pair names its colliders, so it must be there before they can be asked for.
+    #[inline(always)]
+    fn of(&self, turn: usize) {
+        if let Some(pair) = self.due.get(turn + 2 * TURNS_AHEAD) {
+            // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
+            prefetch(unsafe { self.pairs.get(self.awake[*pair as usize].id as usize) });
+        }
+        if let Some(pair) = self.due.get(turn + TURNS_AHEAD) {
+            let AwakePair { id, bodies, .. } = self.awake[*pair as usize];
+            // SAFETY: as above.
+            let entry = unsafe { self.pairs.get(id as usize) };
+            for collider in PairStore::pair(entry).into_iter().flat_map(Pair::colliders) {
+                self.around.colliders.prefetch(collider.into_raw_parts().0);
+            }
+            for body in bodies {
+                self.around.bodies.prefetch(body);
+            }
+        }
+    }
 }
 
 fn look_at<P: Update>(

@@ -1,5 +1,6 @@
-//! Awake bodies as the solver sees them: dense, and in the order of the awake list.
+//! Awake bodies as the solver sees them: dense, and group after group.
 
+use super::groups::{Group, Groups};
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
@@ -16,6 +17,7 @@ use crate::model::check::checked_pose;
 use crate::model::contact::Placement;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::params::IntegrationParameters;
+use core::ops::Range;
 
 /// What integrates a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -32,7 +34,7 @@ struct Motion {
     gyroscope: Option<Gyroscope>,
 }
 
-/// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th awake body.
+/// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th in the order of the groups.
 #[derive(Default)]
 pub(super) struct SolverBodies {
     pub poses: Vec<BodyPose>,
@@ -45,30 +47,49 @@ pub(super) struct SolverBodies {
     indices: Vec<u32>,
     /// The slots whose index is not the world's, to be cleared by the next step.
     listed: Vec<u32>,
+    /// By index: with what share of its last impulses a substep begins.
+    shares: Vec<Real>,
+    /// The indices of those that move: the spectators, and the members of the group that is solved.
+    moving: [Range<usize>; 2],
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX;
 
 impl SolverBodies {
-    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it. Returns how many substeps
-    /// they ask for beyond the usual.
+    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it.
     pub fn load(
         &mut self,
-        awake: &[RigidBodyHandle],
+        groups: &Groups,
         bodies: &mut RigidBodySet,
         multibodies: &SolverMultibodies,
         gravity: Vector,
         params: &IntegrationParameters,
-    ) -> usize {
+    ) {
         self.clear();
         self.indices.resize(bodies.slot_count().max(self.indices.len()), WORLD);
-        let mut extra_substeps = 0;
-        for &handle in awake {
+        let spectators = 0..groups.spectators();
+        let around = (multibodies, gravity, params);
+        self.load_members(&groups.order()[spectators], bodies, around, params.dt);
+        for group in groups.iter() {
+            let h = params.dt / group.substeps as Real;
+            let members = &groups.order()[group.members.clone()];
+            self.load_members(members, bodies, around, h);
+        }
+        self.before.clone_from(&self.states);
+    }
+
+    fn load_members(
+        &mut self,
+        members: &[RigidBodyHandle],
+        bodies: &mut RigidBodySet,
+        (multibodies, gravity, params): (&SolverMultibodies, Vector, &IntegrationParameters),
+        h: Real,
+    ) {
+        for &handle in members {
             let Some(body) = bodies.get_unnoted_mut(handle) else {
-                self.push_nobody(); // positions in the list are indices here
+                self.push_nobody(); // positions in the order are indices here
                 continue;
             };
-            extra_substeps = extra_substeps.max(body.additional_solver_iterations);
             let slot = handle.into_raw_parts().0;
             if multibodies.moves(slot) {
                 self.push_nobody();
@@ -79,10 +100,41 @@ impl SolverBodies {
             let writable = body.link.island != NONE;
             self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
             self.listed.push(slot);
-            self.push(body, gravity, params);
+            self.push(body, gravity, params, h);
         }
-        self.before.clone_from(&self.states);
-        extra_substeps
+    }
+
+    /// From now on this group is solved; the others stand still.
+    pub fn enter(&mut self, group: &Group, groups: &Groups) {
+        let spectators = 1..1 + groups.spectators();
+        for index in spectators.clone() {
+            let (v, w) = self.states[index].velocity();
+            self.states[index] = BodyState::new(v, w);
+        }
+        self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
+    }
+
+    /// Does the group that is solved have all bodies?
+    pub fn are_one_group(&self) -> bool {
+        self.moving[1] == (1..self.states.len())
+    }
+
+    /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
+    pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
+        let [_, members] = &self.moving;
+        slots.into_iter().any(|slot| {
+            let index = self.index_of(slot);
+            index & READ_ONLY == 0 && members.contains(&(index as usize))
+        })
+    }
+
+    /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
+    /// impulses of a force are. If they have become longer it stays 1: the springs of soft contacts are then
+    /// pressed too far for shorter substeps, push out with more than the weight that they carry, and that must not
+    /// be multiplied.
+    pub fn share(&self, indices: [u32; 2]) -> Real {
+        let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
+        moved.map_or(1.0, |index| self.shares[index as usize])
     }
 
     fn clear(&mut self) {
@@ -92,6 +144,7 @@ impl SolverBodies {
         self.poses.clear();
         self.states.clear();
         self.motions.clear();
+        self.shares.clear();
         self.push_nobody();
     }
 
@@ -99,9 +152,16 @@ impl SolverBodies {
         self.poses.push(BodyPose::WORLD);
         self.states.push(BodyState::default());
         self.motions.push(Motion::AT_REST);
+        self.shares.push(1.0);
     }
 
-    fn push(&mut self, body: &mut RigidBody, gravity: Vector, params: &IntegrationParameters) {
+    fn push(
+        &mut self,
+        body: &mut RigidBody,
+        gravity: Vector,
+        params: &IntegrationParameters,
+        h: Real,
+    ) {
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
         self.poses.push(BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia));
@@ -111,10 +171,12 @@ impl SolverBodies {
         }
         self.states.push(BodyState::new(body.linvel, body.angvel));
         self.motions.push(if body.is_dynamic() {
-            Motion::of(body, gravity, params.substep())
+            Motion::of(body, gravity, h)
         } else {
             Motion { rotation: body.pose.rotation, ..Motion::AT_REST }
         });
+        self.shares.push(if body.substep > h { h / body.substep } else { 1.0 });
+        body.substep = h;
     }
 
     /// The solver's index of the body in a slot ([`NONE`]: no body).
@@ -142,8 +204,7 @@ impl SolverBodies {
     pub fn integrate_velocities(&mut self, h: Real, params: &IntegrationParameters, first: bool) {
         let warmth = params.warmstart_coefficient;
         let speed_max = params.max_linear_velocity();
-        let bodies = self.states.iter_mut().zip(&mut self.before).zip(&mut self.motions);
-        for ((state, before), motion) in bodies.skip(1) {
+        self.for_each_moving(|state, before, motion| {
             let (old_v, old_w) = before.velocity();
             let (v, w) = state.velocity();
             let (impulse_v, impulse_w) = ((v - old_v) * warmth, (w - old_w) * warmth);
@@ -151,28 +212,37 @@ impl SolverBodies {
             let (v, w) = motion.accelerated(v, w, h, speed_max);
             before.set_velocity(v, w);
             state.set_velocity(v + impulse_v, w + impulse_w);
-        }
+        });
     }
 
     /// Moves all bodies by their velocities.
     pub fn integrate_positions(&mut self, h: Real) {
-        let bodies = self.states.iter_mut().zip(&mut self.before).zip(&mut self.motions);
-        for ((state, before), motion) in bodies.skip(1) {
+        self.for_each_moving(|state, before, motion| {
             state.advance(h);
             motion.tumble(state, before, h);
+        });
+    }
+
+    fn for_each_moving(&mut self, mut f: impl FnMut(&mut BodyState, &mut BodyState, &mut Motion)) {
+        for range in self.moving.clone() {
+            let states = self.states[range.clone()].iter_mut();
+            let befores = &mut self.before[range.clone()];
+            for ((state, before), motion) in states.zip(befores).zip(&mut self.motions[range]) {
+                f(state, before, motion);
+            }
         }
     }
 
     /// Writes velocities and poses back to the bodies, and notes how far each one moved.
     pub fn store(
         &mut self,
+        groups: &Groups,
         islands: &mut IslandManager,
         bodies: &mut RigidBodySet,
         multibodies: &SolverMultibodies,
         params: &IntegrationParameters,
     ) {
-        for position in 0..islands.awake.len() {
-            let handle = islands.awake[position];
+        for (position, &handle) in groups.order().iter().enumerate() {
             if multibodies.moves(handle.into_raw_parts().0) {
                 continue;
             }

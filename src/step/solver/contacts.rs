@@ -26,23 +26,16 @@ pub(super) struct SolverContacts {
     coulomb: Vec<CoulombBlock>,
     /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
     colors: Vec<Range<usize>>,
-    len: usize,
+    /// The manifolds block by block, and where those of each block begin.
+    manifolds: Vec<ManifoldRef>,
+    starts: Vec<usize>,
     point_count: usize,
-}
-
-/// Splits the graph into what stands in one block: whole lanes of a colour, single manifolds of the
-/// overflow.
-fn chunks(graph: &ConstraintGraph) -> impl Iterator<Item = (u32, &[ManifoldRef])> {
-    graph.in_solving_order().flat_map(|(color, list)| {
-        let size = if color == OVERFLOW { 1 } else { LANES };
-        list.chunks(size).map(move |chunk| (color, chunk))
-    })
 }
 
 impl SolverContacts {
     /// Number of manifolds.
     pub fn len(&self) -> usize {
-        self.len
+        self.manifolds.len()
     }
 
     /// Number of contact points in them.
@@ -50,7 +43,8 @@ impl SolverContacts {
         self.point_count
     }
 
-    /// Fills the inputs from the manifolds. Those of links are left to their multibodies, and their lanes empty.
+    /// Fills the inputs from the manifolds of the bodies that are solved: whole lanes of a colour, single
+    /// manifolds of the overflow. Those of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
@@ -59,27 +53,52 @@ impl SolverContacts {
         multibodies: &mut SolverMultibodies,
     ) {
         self.colors.clear();
-        (self.len, self.point_count) = (graph.len(), 0);
-        let mut count = 0;
-        let mut current = None;
-        for (color, chunk) in chunks(graph) {
-            if current != Some(color) || color == OVERFLOW {
-                self.colors.push(count..count);
-                current = Some(color);
+        self.manifolds.clear();
+        self.starts.clear();
+        self.point_count = 0;
+        let slots = |manifold: &ManifoldRef| narrow_phase.contacts.bodies(manifold.pair);
+        for (color, list) in graph.in_solving_order() {
+            let start = self.manifolds.len();
+            if bodies.are_one_group() && multibodies.move_nobody() {
+                self.manifolds.extend_from_slice(list);
+            } else {
+                let members = list.iter().filter(|manifold| {
+                    !multibodies.take_over(**manifold, slots(manifold))
+                        && bodies.has_one_of(slots(manifold))
+                });
+                self.manifolds.extend(members);
             }
-            if let Some(range) = self.colors.last_mut() {
-                range.end += 1;
-            }
+            self.add_color(color, start, narrow_phase, bodies);
+        }
+        self.inputs.truncate(self.starts.len());
+        self.blocks.truncate(self.starts.len());
+    }
+
+    /// Fills the inputs from the manifolds of a colour, which begin at `start`.
+    fn add_color(
+        &mut self,
+        color: u32,
+        start: usize,
+        narrow_phase: &NarrowPhase,
+        bodies: &SolverBodies,
+    ) {
+        let first = self.starts.len();
+        let size = if color == OVERFLOW { 1 } else { LANES };
+        for (index, chunk) in self.manifolds[start..].chunks(size).enumerate() {
+            let count = first + index;
             if count == self.inputs.len() {
                 self.inputs.push(ContactInput::EMPTY);
                 self.blocks.push(ContactBlock::EMPTY);
             }
-            self.point_count +=
-                fill(&mut self.inputs[count], chunk, narrow_phase, bodies, multibodies);
-            count += 1;
+            self.starts.push(start + index * size);
+            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies);
         }
-        self.inputs.truncate(count);
-        self.blocks.truncate(count);
+        let blocks = first..self.starts.len();
+        if color == OVERFLOW {
+            self.colors.extend(blocks.map(|block| block..block + 1));
+        } else if !blocks.is_empty() {
+            self.colors.push(blocks);
+        }
     }
 
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
@@ -156,18 +175,12 @@ impl SolverContacts {
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(
-        &self,
-        graph: &ConstraintGraph,
-        narrow_phase: &mut NarrowPhase,
-        multibodies: &SolverMultibodies,
-    ) {
-        for (index, (_, chunk)) in chunks(graph).enumerate() {
+    pub fn store(&self, narrow_phase: &mut NarrowPhase) {
+        for (index, &start) in self.starts.iter().enumerate() {
+            let end = self.starts.get(index + 1).copied().unwrap_or(self.manifolds.len());
+            let chunk = &self.manifolds[start..end];
             let (block, input) = (&self.blocks[index], &self.inputs[index]);
             for (lane, at) in chunk.iter().enumerate() {
-                if multibodies.claims(narrow_phase.contacts.bodies(at.pair)) {
-                    continue;
-                }
                 let pair = &mut narrow_phase.contacts[at.pair];
                 let manifold = &mut pair.manifolds[at.manifold as usize];
                 store_lane(block, input, lane, manifold);
@@ -189,24 +202,18 @@ fn fill(
     chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
     bodies: &SolverBodies,
-    multibodies: &mut SolverMultibodies,
 ) -> usize {
     let mut point_count = 0;
-    if chunk.len() < LANES || !multibodies.is_empty() {
+    if chunk.len() < LANES {
         *input = ContactInput::EMPTY;
     }
     for (lane, at) in chunk.iter().enumerate() {
         let slots = narrow_phase.contacts.bodies(at.pair);
-        let pair = &narrow_phase.contacts[at.pair];
-        if multibodies.claims(slots) {
-            multibodies.leave_out(*at);
-            point_count += pair.manifolds[at.manifold as usize].contacts().len();
-            continue;
-        }
         let indices = slots.map(|slot| bodies.index_of(slot));
+        let pair = &narrow_phase.contacts[at.pair];
         load_bodies(input, lane, indices);
         let manifold = &pair.manifolds[at.manifold as usize];
-        load_manifold(input, lane, manifold);
+        load_manifold(input, lane, manifold, bodies.share(indices));
         let creep = pair.placement.may_hold && indices.iter().all(|&index| bodies.creeps(index));
         let data = &manifold.data;
         let held = if creep { Placement::held_turn(data.friction) } else { 0.0 };
@@ -224,15 +231,16 @@ fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2]) {
     }
 }
 
-fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifold) {
+/// `share` is that of its impulses with which the step begins.
+fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifold, share: Real) {
     let data = &manifold.data;
     input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
     input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
     input.friction.0[lane] = data.friction;
     input.restitution.0[lane] = data.restitution;
     input.tangent_velocity.set_lane(lane, data.tangent_velocity);
-    input.friction_impulse.set_lane(lane, data.warmstart_friction);
-    input.set_twist_impulse(lane, data.warmstart_twist);
+    input.friction_impulse.set_lane(lane, data.warmstart_friction * share);
+    input.set_twist_impulse(lane, data.warmstart_twist * share);
     for k in 0..input.present.len() {
         let Some(point) = data.points.get(k) else {
             input.present[k].0[lane] = 0.0;
@@ -243,8 +251,9 @@ fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifo
         input.levers[k].set_lane(lane, point.lever);
         input.placed_separations[k].0[lane] = point.placed_dist;
         input.present[k].0[lane] = 1.0;
-        input.impulses[k].0[lane] = point.warmstart_impulse;
-        input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);
+        input.impulses[k].0[lane] = point.warmstart_impulse * share;
+        let tangent = point.warmstart_tangent_impulse.map(|impulse| impulse * share);
+        input.set_tangent_impulse(k, lane, tangent);
     }
 }
 

@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contacts;
+mod groups;
 mod joints;
 mod multibodies;
 #[cfg(test)]
@@ -36,30 +37,32 @@ use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
+use groups::Groups;
 use joints::SolverJoints;
 use multibodies::{SolverMultibodies, Surroundings};
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
+    groups: Groups,
     bodies: SolverBodies,
-    contacts: SolverContacts,
-    joints: SolverJoints,
-    multibodies: SolverMultibodies,
-    simd: Simd,
+    constraints: Constraints,
 }
 
-impl SolverScratch {
-    /// Uses the widest instructions that the machine has, or those that every machine has.
-    pub fn set_wide_instructions(&mut self, wide: bool) {
-        self.simd = if wide { Simd::detect() } else { Simd::baseline() };
-    }
+/// What holds bodies.
+#[derive(Default)]
+struct Constraints {
+    joints: SolverJoints,
+    contacts: SolverContacts,
+    multibodies: SolverMultibodies,
 }
 
 /// What the solver reads and writes.
 pub(crate) struct Scene<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
+    /// The instructions that kernels run on.
+    pub simd: Simd,
     pub bodies: &'a mut RigidBodySet,
     pub narrow_phase: &'a mut NarrowPhase,
     pub joints: &'a mut ImpulseJointSet,
@@ -71,26 +74,65 @@ pub(crate) struct Scene<'a> {
 
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, bodies, narrow_phase, joints: set, islands, broken, .. } = scene;
-    let SolverScratch { bodies: states, contacts, joints, multibodies, simd } = scratch;
-    let tasks = Tasks::current();
-
+    let Scene { gravity, params, simd, bodies, narrow_phase, islands, .. } = scene;
+    let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
+    let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    multibodies.load(scene.multibodies, bodies);
-    let extra = states.load(&islands.awake, bodies, multibodies, gravity, params);
-    let substeps = params.num_solver_iterations + extra;
+    groups.divide(islands, bodies, narrow_phase, params);
+    constraints.multibodies.claim(trees, bodies);
+    states.load(groups, bodies, &constraints.multibodies, gravity, params);
+    counters.velocity_assembly_time.pause();
+    (counters.nconstraints, counters.ncontacts) = (0, 0);
+    for group in groups.iter() {
+        counters.velocity_assembly_time.resume();
+        states.enter(group, groups);
+        let pass = JointPass::new(params, params.dt / group.substeps as Real);
+        let Constraints { joints, contacts, multibodies } = constraints;
+        multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
+        multibodies.begin(bodies, gravity, pass.substep);
+        joints.load(islands, set, bodies, states, multibodies, &pass);
+        contacts.load(&islands.graph, narrow_phase, states, multibodies);
+        let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
+        multibodies.prepare(around, states, &pass);
+        counters.velocity_assembly_time.pause();
+
+        solve_group(group.substeps, (params, bodies), states, constraints, simd, counters);
+
+        counters.velocity_writeback_time.resume();
+        let Constraints { joints, contacts, multibodies } = constraints;
+        contacts.store(narrow_phase);
+        joints.store(islands, set, params.inv_dt(), broken);
+        multibodies.store_constraints(set, narrow_phase, params.inv_dt());
+        multibodies.store(trees, islands, bodies);
+        counters.velocity_writeback_time.pause();
+        counters.nconstraints += contacts.len() + joints.len();
+        counters.ncontacts += contacts.point_count();
+    }
+    counters.velocity_writeback_time.resume();
+    states.store(groups, islands, bodies, &constraints.multibodies, params);
+    counters.velocity_writeback_time.pause();
+}
+
+/// Solves one step for some bodies, in substeps.
+fn solve_group(
+    substeps: usize,
+    (params, bodies): (&IntegrationParameters, &RigidBodySet),
+    states: &mut SolverBodies,
+    constraints: &mut Constraints,
+    simd: Simd,
+    counters: &mut SolverCounters,
+) {
+    let Constraints { joints, contacts, multibodies } = constraints;
+    let tasks = Tasks::current();
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
     let joint_pass = JointPass::new(params, h);
     let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
-    joints.load(islands, set, bodies, states, multibodies, &joint_pass);
-    joints.warm_start(states, *simd, tasks);
-    multibodies.begin(bodies, gravity, h);
-    contacts.load(&islands.graph, narrow_phase, states, multibodies);
-    contacts.prepare(states, params, *simd, tasks);
-    let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
-    multibodies.prepare(around, states, &joint_pass);
+    counters.velocity_assembly_time.resume();
+    joints.warm_start(states, simd, tasks);
+    contacts.prepare(states, params, simd, tasks);
+    multibodies.warm_start(states);
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
@@ -104,31 +146,22 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         for _ in 0..params.num_internal_pgs_iterations {
-            joints.solve(states, &joint_pass, *simd, tasks);
-            contacts.solve(states, &pass, *simd, tasks);
+            joints.solve(states, &joint_pass, simd, tasks);
+            contacts.solve(states, &pass, simd, tasks);
             multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h);
         multibodies.integrate_positions(h, tasks);
         for _ in 0..params.num_additional_friction_iterations {
-            joints.relax(states, &early_joint_pass, *simd, tasks);
-            contacts.relax(states, &early_pass, *simd, tasks);
+            joints.relax(states, &early_joint_pass, simd, tasks);
+            contacts.relax(states, &early_pass, simd, tasks);
             multibodies.relax(states, &early_pass, params);
         }
-        joints.relax(states, &joint_pass, *simd, tasks);
-        contacts.relax(states, &pass, *simd, tasks);
+        joints.relax(states, &joint_pass, simd, tasks);
+        contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
     }
-    contacts.restitute(states, &pass, *simd, tasks);
+    contacts.restitute(states, &pass, simd, tasks);
     multibodies.restitute(states, &pass);
     counters.velocity_resolution_time.pause();
-
-    counters.velocity_writeback_time.resume();
-    contacts.store(&islands.graph, narrow_phase, multibodies);
-    joints.store(islands, set, multibodies, params.inv_dt(), broken);
-    states.store(islands, bodies, multibodies, params);
-    multibodies.store(scene.multibodies, set, narrow_phase, islands, bodies, params.inv_dt());
-    counters.velocity_writeback_time.pause();
-    counters.nconstraints = contacts.len() + joints.len();
-    counters.ncontacts = contacts.point_count();
 }

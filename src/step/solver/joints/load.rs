@@ -1,7 +1,6 @@
 //! From joints to constraints: once per step.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
-use super::taut::Tautness;
 use crate::base::wide::Lane;
 use crate::dim::joint::{FreeRotations, angle_about, couple_of};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -50,7 +49,6 @@ impl End {
 pub(super) fn load_lane(
     block: &mut JointBlock,
     rows: &mut Vec<AxisRow>,
-    tautness: &mut Tautness,
     lane: usize,
     joint: &mut ImpulseJoint,
     set: &RigidBodySet,
@@ -66,9 +64,6 @@ pub(super) fn load_lane(
     ];
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
-        if end.index & READ_ONLY == 0 {
-            tautness.note(end.index, &end.inv_inertia);
-        }
         block.inv_mass[side].set_lane(lane, end.inv_mass);
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &end.inv_inertia);
         block.levers[side].set_lane(lane, end.lever);
@@ -114,14 +109,12 @@ fn load_rows(
     between: &Rotation,
     pass: &JointPass,
 ) {
-    let mut at = first;
     let mut angles = [0.0; ANG_DIM];
-    for axis in joint.data.driven_axes() {
+    for (at, axis) in (first..).zip(joint.data.driven_axes()) {
         if at == rows.len() {
             rows.push(AxisRow::EMPTY);
         }
         let row = &mut rows[at];
-        at += 1;
         match (axis as usize).checked_sub(DIM) {
             None => load_translation(row, lane, &joint.data, axis),
             Some(k) => {
@@ -191,9 +184,10 @@ fn load_drive(
         set(&mut row.motor.impulse, motor.impulse);
     }
     if let Some(JointLimits { min, max, impulse }) = joint.limits(axis).copied() {
-        // A distance is never less than zero: a limit there would only stop what passes through.
-        let is_distance = row.coupled[0].0[lane] + row.coupled[1].0[lane] > 1.0;
-        let min = if is_distance && min <= 0.0 { -UNLIMITED } else { min };
+        // A distance is never less than zero, nor is the angle of a swing: a limit there would only stop what
+        // passes through.
+        let has_sign = !joint.is_measured_together(axis);
+        let min = if has_sign || min > 0.0 { min } else { -UNLIMITED };
         set(&mut row.min, min);
         set(&mut row.max, max);
         set(&mut row.lower, impulse.max(0.0));

@@ -67,8 +67,9 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::dim::wide::symmetric_lane;
 use crate::model::body::RigidBodySet;
-use crate::model::constraint_graph::{ConstraintGraph, OVERFLOW};
+use crate::model::constraint_graph::OVERFLOW;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
@@ -92,7 +93,9 @@ pub(super) struct SolverJoints {
     memory: Vec<RowMemory>,
     members: Vec<Member>,
     tautness: Tautness,
-    len: usize,
+    /// The joints (by their slots in the islands' list) block by block, and where those of each block begin.
+    joints: Vec<u32>,
+    starts: Vec<usize>,
 }
 
 /// Blocks that are worth handing over to another thread together.
@@ -102,21 +105,13 @@ const BLOCKS_PER_TASK: usize = 8;
 const ROUNDS: usize = 2;
 const TAUT_ROUNDS: usize = 4;
 
-/// Splits the graph into what stands in one block: whole lanes of a colour, single joints of the overflow.
-fn chunks(graph: &ConstraintGraph<u32>) -> impl Iterator<Item = (u32, &[u32])> {
-    graph.in_solving_order().flat_map(|(color, list)| {
-        let size = if color == OVERFLOW { 1 } else { LANES };
-        list.chunks(size).map(move |chunk| (color, chunk))
-    })
-}
-
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.len
+        self.joints.len()
     }
 
-    /// Makes constraints of the joints that have a colour.
+    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
     pub fn load(
         &mut self,
         islands: &IslandManager,
@@ -131,38 +126,34 @@ impl SolverJoints {
         self.blocks.clear();
         self.members.clear();
         self.tautness.clear(bodies.states.len());
-        self.len = islands.joint_graph.len();
-        let mut current = None;
-        for (color, chunk) in chunks(&islands.joint_graph) {
-            let count = self.blocks.len();
-            if current != Some(color) || color == OVERFLOW {
-                self.colors.push(count..count);
-                current = Some(color);
+        self.joints.clear();
+        self.starts.clear();
+        for (color, list) in islands.joint_graph.in_solving_order() {
+            let (first, start) = (self.blocks.len(), self.joints.len());
+            let is_member = |slot: &&u32| {
+                let link = islands.joints.get(**slot);
+                let slots = link.map(|link| link.body_slots());
+                slots.is_some_and(|slots| bodies.has_one_of(slots) && !multibodies.claims(slots))
+            };
+            self.joints.extend(list.iter().filter(is_member));
+            let size = if color == OVERFLOW { 1 } else { LANES };
+            for at in (start..self.joints.len()).step_by(size) {
+                self.starts.push(at);
+                self.add_block(
+                    at..(at + size).min(self.joints.len()),
+                    islands,
+                    joints,
+                    set,
+                    bodies,
+                    pass,
+                );
             }
-            if let Some(range) = self.colors.last_mut() {
-                range.end += 1;
+            let blocks = first..self.blocks.len();
+            if color == OVERFLOW {
+                self.colors.extend(blocks.map(|block| block..block + 1));
+            } else if !blocks.is_empty() {
+                self.colors.push(blocks);
             }
-            let mut block = JointBlock::EMPTY;
-            block.first_row = self.rows.len();
-            for (lane, &slot) in chunk.iter().enumerate() {
-                let Some(link) = islands.joints.get(slot) else { continue };
-                if multibodies.claims(link.body_slots()) {
-                    continue;
-                }
-                let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
-                let rows = &mut self.rows;
-                let tautness = &mut self.tautness;
-                load::load_lane(&mut block, rows, tautness, lane, joint, set, bodies, pass);
-                self.members.push(Member {
-                    slot,
-                    block: count as u32,
-                    lane: lane as u32,
-                    bodies: [block.bodies[0][lane], block.bodies[1][lane]],
-                    locked: joint.data.locked_axes.bits(),
-                });
-            }
-            block.row_count = self.rows.len() - block.first_row;
-            self.blocks.push(block);
         }
         let yields = pass.softness.yields();
         for member in self.direct.build(&mut self.members, bodies.states.len()) {
@@ -170,6 +161,38 @@ impl SolverJoints {
         }
         let rows = if self.direct.is_empty() { 0 } else { self.blocks.len() };
         self.memory.resize(rows, RowMemory::EMPTY);
+    }
+
+    /// Makes a block of some joints.
+    fn add_block(
+        &mut self,
+        range: Range<usize>,
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
+        set: &RigidBodySet,
+        bodies: &SolverBodies,
+        pass: &JointPass,
+    ) {
+        let mut block = JointBlock::EMPTY;
+        block.first_row = self.rows.len();
+        for (lane, &slot) in self.joints[range].iter().enumerate() {
+            let Some(link) = islands.joints.get(slot) else { continue };
+            let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
+            load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
+            let member = Member {
+                slot,
+                block: self.blocks.len() as u32,
+                lane: lane as u32,
+                bodies: [block.bodies[0][lane], block.bodies[1][lane]],
+                locked: joint.data.locked_axes.bits(),
+            };
+            for (side, body) in member.movable() {
+                self.tautness.note(body, &symmetric_lane(&block.inv_inertia[side], lane));
+            }
+            self.members.push(member);
+        }
+        block.row_count = self.rows.len() - block.first_row;
+        self.blocks.push(block);
     }
 
     /// Gives the bodies the impulses with which the step starts.
@@ -226,6 +249,9 @@ impl SolverJoints {
         for_each_color(&self.colors, tasks, |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
         });
+        if !AHEAD {
+            self.direct.forget_matrices();
+        }
         if !self.direct.is_empty() {
             let rounds = match (AHEAD, self.direct.any_taut()) {
                 (false, _) => 1,
@@ -267,17 +293,17 @@ impl SolverJoints {
         &self,
         islands: &IslandManager,
         joints: &mut ImpulseJointSet,
-        multibodies: &SolverMultibodies,
         inv_dt: Real,
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        for (index, (_, chunk)) in chunks(&islands.joint_graph).enumerate() {
-            let block = &self.blocks[index];
+        for (index, &start) in self.starts.iter().enumerate() {
+            let end = self.starts.get(index + 1).copied().unwrap_or(self.joints.len());
+            let (chunk, block) = (&self.joints[start..end], &self.blocks[index]);
             let rows = &self.rows[block.first_row..block.first_row + block.row_count];
             for (lane, &slot) in chunk.iter().enumerate() {
-                let link = islands.joints.get(slot);
-                let link = link.filter(|link| !multibodies.claims(link.body_slots()));
-                let Some(handle) = link.map(|link| link.handle) else { continue };
+                let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
+                    continue;
+                };
                 let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
                 store::store_lane(block, rows, lane, joint, inv_dt);
                 if let Some(event) = store::break_if_overloaded(handle, joint) {

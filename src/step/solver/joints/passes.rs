@@ -118,12 +118,23 @@ pub(super) unsafe fn warm_start<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Taut joints start without impulses.
+/// Taut joints start without impulses, those of motors and limits among them: without the locked axes that held
+/// against them they would throw the bodies far from where the joints let them go.
+///
+/// # Safety
+/// Nobody else may touch the block's rows meanwhile.
 #[inline(always)]
-fn forget_taut<W: Wide>(block: &mut JointBlock) {
+unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
     let kept = W::splat(1.0) - W::load(&block.is_taut);
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
+    }
+    for index in block.first_row..block.first_row + block.row_count {
+        // SAFETY: the caller's promise; the block's rows are in range.
+        let row = unsafe { rows.get_mut(index) };
+        for impulse in [&mut row.motor.impulse, &mut row.lower, &mut row.upper] {
+            (W::load(impulse) * kept).store(impulse);
+        }
     }
 }
 
@@ -174,9 +185,11 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 
     let mut wrench = Wrench::load(&block.applied);
     if AHEAD {
-        forget_taut::<W>(block);
         // SAFETY: the caller's promise.
-        let turned = unsafe { wrench_of(block, rows, &geometry, &locked) };
+        let turned = unsafe {
+            forget_taut::<W>(block, rows);
+            wrench_of(block, rows, &geometry, &locked)
+        };
         bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
         wrench = turned;
     }
@@ -187,7 +200,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
         bodies.velocities = masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
-    let added = solve_locked::<W, AHEAD>(block, &masses, &locked, &bodies, pass);
+    let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies);
     bodies.velocities = masses.push(&added, bodies.velocities);
     wrench = wrench.plus(&added);
 
@@ -241,13 +254,13 @@ fn solve_free<W: Wide, const AHEAD: bool>(
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
+    geometry: &Geometry<W>,
     masses: &Masses<W>,
     Locked { rows, locked }: &Locked<W>,
     bodies: &Bodies<W>,
-    pass: &JointPass,
 ) -> Wrench<W> {
     let mut wanted = if AHEAD {
-        LookAhead::new(block, bodies, bodies.before, pass).rates(block, rows, bodies, pass)
+        rates_with_bias(block, geometry, rows, bodies)
     } else {
         rates_here(block, rows, bodies)
     };
@@ -322,6 +335,25 @@ impl<W: Wide> LookAhead<W> {
         }
         rates
     }
+}
+
+/// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
+/// ahead, which would feed the errors that sweeps leave back into them.
+#[inline(always)]
+fn rates_with_bias<W: Wide>(
+    block: &mut JointBlock,
+    geometry: &Geometry<W>,
+    rows: &[Row<W>; SPATIAL_DIM],
+    bodies: &Bodies<W>,
+) -> [W; SPATIAL_DIM] {
+    let (errors, bias_rate) = (geometry.errors(), W::load(&block.bias_rate));
+    let mut rates = [W::zero(); SPATIAL_DIM];
+    for k in 0..SPATIAL_DIM {
+        let bias = errors[k] * bias_rate;
+        bias.store(&mut block.held_bias[k]);
+        rates[k] = rows[k].rate(&bodies.velocities) + bias;
+    }
+    rates
 }
 
 /// The rates of the rows in the relax pass; springs pull as they did in the solve pass.

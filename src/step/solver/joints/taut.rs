@@ -19,7 +19,7 @@ use crate::dim::math::{AngularInertia, Real, zero_inertia};
 use crate::model::params::JointPass;
 
 /// The `(h ω)²` above which a joint is taut.
-const TAUT: Real = 0.01;
+const TAUT: Real = 0.003;
 
 /// The bodies that joints hold: by solver index.
 #[derive(Default)]

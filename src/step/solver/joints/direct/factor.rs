@@ -27,12 +27,16 @@ pub(super) struct Factor {
     /// By member: its diagonal block (row by row), then `L` with the inverse pivots on the diagonal.
     diagonal: Vec<f64>,
     first_diagonal: Vec<usize>,
+    /// By row: `J M⁻¹ Jᵀ` of the row itself.
+    diagonals: Vec<f64>,
     /// By column, the blocks below the diagonal.
     below: Vec<f64>,
     /// By column: where each of its blocks begins in `below`.
     first_below: Vec<Vec<usize>>,
     /// Right-hand side, then solution.
     x: Vec<f64>,
+    /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
+    made_with: Option<f64>,
 }
 
 impl Factor {
@@ -46,12 +50,22 @@ impl Factor {
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
     ) {
-        self.load(component, memory);
-        self.assemble(component, memory);
-        self.eliminate(component);
+        let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
+        if self.made_with != Some(yields) {
+            self.load(component, memory);
+            self.assemble(component, memory);
+            self.eliminate(component);
+            self.made_with = Some(yields);
+        }
+        self.load_rates(component, memory);
         self.substitute(component);
         // SAFETY: the caller's promise.
         unsafe { self.push_bodies(component, states) };
+    }
+
+    /// The bodies have moved: the matrix must be made anew.
+    pub fn forget(&mut self) {
+        self.made_with = None;
     }
 
     /// Reads the rows, and lays out the blocks.
@@ -59,19 +73,32 @@ impl Factor {
         self.first_row.clear();
         self.rows.clear();
         self.responses.clear();
-        self.x.clear();
         for member in component.members {
-            self.first_row.push(self.x.len());
+            self.first_row.push(self.rows.len());
             let from = &memory[member.block as usize];
             let lane = member.lane as usize;
             for axis in locked_axes(member) {
                 self.rows.push(body_row(&from.rows[axis], lane));
                 self.responses.push(body_row(&from.responses[axis], lane));
-                self.x.push(-f64::from(from.rates[axis].0[lane]));
             }
         }
-        self.first_row.push(self.x.len());
+        self.first_row.push(self.rows.len());
         self.lay_out(component);
+    }
+
+    /// Reads the right-hand side.
+    fn load_rates(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+        self.x.clear();
+        for member in component.members {
+            let from = &memory[member.block as usize];
+            let lane = member.lane as usize;
+            let yields = yields_of(member, memory);
+            for axis in locked_axes(member) {
+                let soft = yields * self.diagonals[self.x.len()];
+                let impulse = f64::from(from.impulses[axis].0[lane]);
+                self.x.push(-f64::from(from.rates[axis].0[lane]) - soft * impulse);
+            }
+        }
     }
 
     fn lay_out(&mut self, component: Component<'_>) {
@@ -96,6 +123,7 @@ impl Factor {
 
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
     fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+        self.diagonals.clear();
         for (at, member) in component.members.iter().enumerate() {
             let size = member.row_count();
             let start = self.first_diagonal[at];
@@ -105,14 +133,11 @@ impl Factor {
                 let start = self.first_below[at][index];
                 self.add_block(other, member, [row as usize, at], start, false);
             }
-            let from = &memory[member.block as usize];
-            let yields = f64::from(from.yields.0[member.lane as usize]);
-            for (k, axis) in locked_axes(member).enumerate() {
+            let yields = yields_of(member, memory);
+            for k in 0..size {
                 let pivot = &mut self.diagonal[start + k * size + k];
-                let soft = yields * *pivot;
-                *pivot += soft;
-                let impulse = f64::from(from.impulses[axis].0[member.lane as usize]);
-                self.x[self.first_row[at] + k] -= soft * impulse;
+                self.diagonals.push(*pivot);
+                *pivot += yields * *pivot;
             }
         }
     }
@@ -165,8 +190,7 @@ impl Factor {
         let rows = self.first_row[at]..self.first_row[at + 1];
         let d = &mut self.diagonal[self.first_diagonal[at]..][..size * size];
         for j in 0..size {
-            let (row, response) = (&self.rows[rows.start + j], &self.responses[rows.start + j]);
-            let original = dot(&row[0], &response[0]) + dot(&row[1], &response[1]);
+            let original = self.diagonals[rows.start + j];
             let mut pivot = d[j * size + j];
             for m in 0..j {
                 // The inverse pivots stand on the diagonal, and `L` times its pivot above it.
@@ -300,6 +324,10 @@ fn divide_right(block: &mut [f64], d: &[f64], size: usize) {
             }
         }
     }
+}
+
+fn yields_of(member: &Member, memory: &[RowMemory]) -> f64 {
+    f64::from(memory[member.block as usize].yields.0[member.lane as usize])
 }
 
 fn locked_axes(member: &Member) -> impl Iterator<Item = usize> + use<> {

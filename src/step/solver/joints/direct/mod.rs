@@ -14,6 +14,9 @@
 //! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more. What would
 //! get too many (a net, a cloth of joints) is left to the sweeps.
 //!
+//! The matrix depends on where the bodies are, so it is made once per substep: the relax pass and the solve pass
+//! of the next substep share it, unless they soften it differently.
+//!
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
 //! held already gets no impulse.
 //!
@@ -51,6 +54,7 @@ impl Direct {
         if self.factors.len() < count {
             self.factors.resize_with(count, Factor::default);
         }
+        self.forget_matrices();
         self.pattern.members()
     }
 
@@ -65,6 +69,11 @@ impl Direct {
         for index in 0..self.pattern.component_count() {
             self.taut.push(find(self.pattern.component(index).members));
         }
+    }
+
+    /// The bodies have moved, or others took their places: all matrices must be made anew.
+    pub fn forget_matrices(&mut self) {
+        self.factors.iter_mut().for_each(Factor::forget);
     }
 
     /// Is any component taut?
@@ -89,7 +98,12 @@ impl Direct {
                 // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
                 // task.
                 unsafe {
-                    factors.get_mut(index).solve(pattern.component(index), read, &states);
+                    let factor = factors.get_mut(index);
+                    factor.solve(pattern.component(index), read, &states);
+                    // Taut joints took their rows from where the bodies are not yet.
+                    if taut[index] {
+                        factor.forget();
+                    }
                 }
             }
         });

@@ -1,0 +1,125 @@
+//! What joints do in space alone: swing, twist, hinges about any axis.
+
+use crate::suite::joints::stage::{bob, post};
+use crate::suite::physics::stage::{RATES, run, steps, weightless, world};
+use rapier::prelude::*;
+
+/// Half a degree.
+const ROOM: Real = 0.5 * core::f64::consts::PI as Real / 180.0;
+
+/// The angle between the X axes of two bodies.
+fn swing(world: &PhysicsWorld, [one, two]: [RigidBodyHandle; 2]) -> Real {
+    let [a, b] = [one, two].map(|body| *world.bodies[body].rotation() * Vector::X);
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+#[test]
+fn the_swing_stays_in_its_cone() {
+    for rate in RATES {
+        for degrees in [25.0, 90.0, 170.0] {
+            let cone = Real::to_radians(degrees);
+            for direction in [Vector::Y, Vector::Z, Vector::new(0.0, -0.6, 0.8)] {
+                let mut world = weightless(rate);
+                let post = post(&mut world, Vector::ZERO);
+                let spin = Vector::X.cross(direction) * 3.0;
+                let arm = world.insert_body(bob(1.0, 0.5).angvel(spin));
+                world.insert_impulse_joint(
+                    post,
+                    arm,
+                    SphericalJointBuilder::new().swing_limit(cone),
+                );
+                let mut widest: Real = 0.0;
+                for _ in 0..steps(&world, 3.0) {
+                    world.step();
+                    widest = widest.max(swing(&world, [post, arm]));
+                }
+                assert!((widest - cone).abs() < ROOM, "{widest} of {cone} at {rate} Hz");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_twist_stays_in_its_range() {
+    for rate in RATES {
+        let mut world = weightless(rate);
+        let post = post(&mut world, Vector::ZERO);
+        let arm = world.insert_body(bob(1.0, 0.5).angvel(Vector::X * 2.0));
+        let joint = SphericalJointBuilder::new().limits(JointAxis::AngX, [-0.3, 0.7]);
+        world.insert_impulse_joint(post, arm, joint.swing_limit(0.5));
+        run(&mut world, 2.0);
+        let twist = world.bodies[arm].rotation().to_scaled_axis().x;
+        assert!((twist - 0.7).abs() < ROOM, "{twist} at {rate} Hz");
+    }
+}
+
+#[test]
+fn each_axis_of_the_swing_has_its_own_limits() {
+    for (axis, direction) in [(JointAxis::AngY, Vector::Y), (JointAxis::AngZ, Vector::Z)] {
+        let mut world = weightless(60);
+        let post = post(&mut world, Vector::ZERO);
+        let arm = world.insert_body(bob(1.0, 0.5).angvel(direction * -2.0));
+        let joint = SphericalJointBuilder::new().limits(axis, [-0.4, 0.1]);
+        world.insert_impulse_joint(post, arm, joint);
+        run(&mut world, 2.0);
+        let found = world.bodies[arm].rotation().to_scaled_axis().dot(direction);
+        assert!((found + 0.4).abs() < ROOM, "{found} about {direction}");
+    }
+}
+
+#[test]
+fn spherical_motors_reach_their_pose() {
+    let mut world = weightless(60);
+    let post = post(&mut world, Vector::ZERO);
+    let arm = world.insert_body(bob(1.0, 0.5));
+    let mut joint = SphericalJoint::new();
+    for (axis, target) in [(JointAxis::AngX, 0.3), (JointAxis::AngY, 0.0), (JointAxis::AngZ, -0.5)]
+    {
+        joint.set_motor_position(axis, target, 200.0, 30.0);
+    }
+    world.insert_impulse_joint(post, arm, joint);
+    run(&mut world, 3.0);
+    let rotation = *world.bodies[arm].rotation();
+    // The swing about Z after the twist about X.
+    let exact = Rotation::from_rotation_z(-0.5) * Rotation::from_rotation_x(0.3);
+    assert!(rotation.angle_between(exact) < 2.0e-2, "{rotation} instead of {exact}");
+}
+
+#[test]
+fn hinges_turn_about_their_axis_alone() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let post = post(&mut world, Vector::ZERO);
+        let axis = Vector::new(0.48, 0.6, 0.64);
+        let lever = axis.cross(Vector::Y).normalize();
+        let (door, _) = world.insert(
+            RigidBodyBuilder::dynamic().translation(lever).can_sleep(false),
+            ColliderBuilder::cuboid(0.2, 0.6, 0.4),
+        );
+        let joint = RevoluteJointBuilder::new(axis).local_anchor2(-lever);
+        world.insert_impulse_joint(post, door, joint);
+        let mut worst: Real = 0.0;
+        for _ in 0..steps(&world, 5.0) {
+            world.step();
+            let body = &world.bodies[door];
+            let tilt = (*body.rotation() * axis).cross(axis).length();
+            worst = worst.max(tilt).max((body.translation() - *body.rotation() * lever).length());
+        }
+        println!("an askew hinge at {rate} Hz is off by {worst:e}");
+        assert!(worst < 1.0e-3, "{worst} at {rate} Hz");
+    }
+}
+
+#[test]
+fn universal_joints_lock_the_twist_alone() {
+    let mut world = weightless(60);
+    let post = post(&mut world, Vector::ZERO);
+    let arm = world.insert_body(bob(1.0, 0.5).angvel(Vector::new(1.0, 0.5, -0.8)));
+    let locked = JointAxesMask::LIN_AXES | JointAxesMask::ANG_X;
+    world.insert_impulse_joint(post, arm, GenericJoint::new(locked));
+    for _ in 0..120 {
+        world.step();
+        assert!(world.bodies[arm].rotation().x.abs() < 2.0e-3);
+    }
+    assert!(swing(&world, [post, arm]) > 0.5);
+}
