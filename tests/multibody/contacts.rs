@@ -164,3 +164,23 @@ fn bodies_rest_on_links() {
     let expected = G * (world.bodies[shelf].mass() * 1.0 + world.bodies[weight].mass() * 1.5);
     assert!((torque / expected - 1.0).abs() < 0.03, "{torque} instead of {expected}");
 }
+
+/// Islands have substeps of their own: a chain whose links ask for more falls and lies beside one whose links do not.
+#[test]
+fn chains_with_other_substeps_live_side_by_side() {
+    let mut world = world(60);
+    add_ground(&mut world, 0.6);
+    let usual = boxes(&mut world, 4, 0.5);
+    let careful = boxes(&mut world, 4, 3.0);
+    for &body in &careful.bodies {
+        world.bodies[body].set_additional_solver_iterations(4);
+        let at = world.bodies[body].translation() + vec(20.0, -2.5);
+        world.bodies[body].set_translation(at, true);
+    }
+    run(&mut world, 3.0);
+    for &body in usual.bodies.iter().chain(&careful.bodies) {
+        let y = world.bodies[body].translation().y;
+        assert!((y - 0.2).abs() < 5.0e-3, "it lies on the ground, not at {y}");
+        assert!(world.bodies[body].is_sleeping());
+    }
+}

@@ -68,20 +68,40 @@ impl SolverBodies {
         self.clear();
         self.indices.resize(bodies.slot_count().max(self.indices.len()), WORLD);
         let spectators = 0..groups.spectators();
-        let mut load = |members: Range<usize>, h: Real| {
-            for &handle in &groups.order()[members] {
-                let body = bodies.get_unnoted_mut(handle);
-                match body.filter(|_| !multibodies.moves(handle.into_raw_parts().0)) {
-                    Some(body) => self.push(handle, body, gravity, params, h),
-                    None => self.push_nobody(), // positions in the order are indices here
-                }
-            }
-        };
-        load(spectators, params.dt);
+        let around = (multibodies, gravity, params);
+        self.load_members(&groups.order()[spectators], bodies, around, params.dt);
         for group in groups.iter() {
-            load(group.members.clone(), params.dt / group.substeps as Real);
+            let h = params.dt / group.substeps as Real;
+            let members = &groups.order()[group.members.clone()];
+            self.load_members(members, bodies, around, h);
         }
         self.before.clone_from(&self.states);
+    }
+
+    fn load_members(
+        &mut self,
+        members: &[RigidBodyHandle],
+        bodies: &mut RigidBodySet,
+        (multibodies, gravity, params): (&SolverMultibodies, Vector, &IntegrationParameters),
+        h: Real,
+    ) {
+        for &handle in members {
+            let Some(body) = bodies.get_unnoted_mut(handle) else {
+                self.push_nobody(); // positions in the order are indices here
+                continue;
+            };
+            let slot = handle.into_raw_parts().0;
+            if multibodies.moves(slot) {
+                self.push_nobody();
+                continue;
+            }
+            let index = self.states.len() as u32;
+            // Colours keep constraints apart at bodies with an island, and at no others.
+            let writable = body.link.island != NONE;
+            self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
+            self.listed.push(slot);
+            self.push(body, gravity, params, h);
+        }
     }
 
     /// From now on this group is solved; the others stand still.
@@ -137,18 +157,11 @@ impl SolverBodies {
 
     fn push(
         &mut self,
-        handle: RigidBodyHandle,
         body: &mut RigidBody,
         gravity: Vector,
         params: &IntegrationParameters,
         h: Real,
     ) {
-        let slot = handle.into_raw_parts().0;
-        let index = self.states.len() as u32;
-        // Colours keep constraints apart at bodies with an island, and at no others.
-        let writable = body.link.island != NONE;
-        self.indices[slot as usize] = if writable { index } else { index | READ_ONLY };
-        self.listed.push(slot);
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
         self.poses.push(BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia));

@@ -56,19 +56,17 @@ impl SolverContacts {
         self.manifolds.clear();
         self.starts.clear();
         self.point_count = 0;
-        let are_all = bodies.are_one_group() && multibodies.is_empty();
+        let slots = |manifold: &ManifoldRef| narrow_phase.contacts.bodies(manifold.pair);
         for (color, list) in graph.in_solving_order() {
             let start = self.manifolds.len();
-            if are_all {
+            if bodies.are_one_group() && multibodies.move_nobody() {
                 self.manifolds.extend_from_slice(list);
-            }
-            for manifold in list.iter().filter(|_| !are_all) {
-                let slots = narrow_phase.contacts.bodies(manifold.pair);
-                if multibodies.claims(slots) {
-                    multibodies.leave_out(*manifold);
-                } else if bodies.has_one_of(slots) {
-                    self.manifolds.push(*manifold);
-                }
+            } else {
+                let members = list.iter().filter(|manifold| {
+                    !multibodies.take_over(**manifold, slots(manifold))
+                        && bodies.has_one_of(slots(manifold))
+                });
+                self.manifolds.extend(members);
             }
             self.add_color(color, start, narrow_phase, bodies);
         }

@@ -12,7 +12,6 @@
 //! with 32. The alternatives were a direct solution of the contacts that press (they come and go within a
 //! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
 
-use super::multibodies::SolverMultibodies;
 use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
@@ -33,8 +32,6 @@ pub(super) struct Group {
     /// Where they stand in [`Groups::order`].
     pub members: Range<usize>,
     pub substeps: usize,
-    /// Are the multibodies among them? They are all solved together.
-    pub has_multibodies: bool,
 }
 
 /// What an island needs.
@@ -44,12 +41,10 @@ struct Need {
     masses: [Real; 2],
     /// Substeps that its bodies ask for.
     extra: usize,
-    /// Is a link of a multibody among them? Links carry heavy things in one piece.
-    has_links: bool,
 }
 
 impl Need {
-    const NOTHING: Self = Self { masses: [Real::INFINITY, 0.0], extra: 0, has_links: false };
+    const NOTHING: Self = Self { masses: [Real::INFINITY, 0.0], extra: 0 };
 
     fn include(&mut self, mass: Real) {
         let [lightest, heaviest] = &mut self.masses;
@@ -110,7 +105,6 @@ impl Groups {
         islands: &IslandManager,
         bodies: &RigidBodySet,
         narrow_phase: &NarrowPhase,
-        multibodies: &SolverMultibodies,
         params: &IntegrationParameters,
     ) {
         self.order.clear();
@@ -118,11 +112,10 @@ impl Groups {
         if all_alike(islands, bodies) {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
-            let substeps = params.num_solver_iterations;
-            return self.groups.push(Group { members, substeps, has_multibodies: true });
+            return self.groups.push(Group { members, substeps: params.num_solver_iterations });
         }
-        self.find_needs(islands, bodies, narrow_phase, multibodies);
-        let of_links = self.find_substeps(islands, params);
+        self.find_needs(islands, bodies, narrow_phase);
+        self.find_substeps(islands, params);
         let island_of =
             |handle: &RigidBodyHandle| bodies.get(*handle).map_or(NONE, |body| body.link.island);
         let of_none = islands.awake.iter().filter(|handle| island_of(handle) == NONE);
@@ -134,8 +127,7 @@ impl Groups {
                     self.substeps.get(island_of(handle) as usize) == Some(&substeps)
                 }),
             );
-            let (members, has_multibodies) = (start..self.order.len(), substeps == of_links);
-            self.groups.push(Group { members, substeps, has_multibodies });
+            self.groups.push(Group { members: start..self.order.len(), substeps });
         }
     }
 
@@ -145,7 +137,6 @@ impl Groups {
         islands: &IslandManager,
         bodies: &RigidBodySet,
         narrow_phase: &NarrowPhase,
-        multibodies: &SolverMultibodies,
     ) {
         self.needs.clear();
         self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
@@ -153,7 +144,6 @@ impl Groups {
             let Some(body) = bodies.get(*handle) else { continue };
             if let Some(need) = self.needs.get_mut(body.link.island as usize) {
                 need.extra = need.extra.max(body.additional_solver_iterations);
-                need.has_links |= multibodies.moves(handle.into_raw_parts().0);
             }
         }
         let at = |slot: u32| {
@@ -172,24 +162,20 @@ impl Groups {
         }
     }
 
-    /// Finds the substeps of each island with an awake body. Returns those of multibodies.
-    fn find_substeps(&mut self, islands: &IslandManager, params: &IntegrationParameters) -> usize {
+    /// Finds the substeps of each island with an awake body.
+    fn find_substeps(&mut self, islands: &IslandManager, params: &IntegrationParameters) {
         self.substeps.clear();
         self.counts.clear();
-        let extra_of_links = self.needs.iter().filter(|need| need.has_links).map(|need| need.extra);
-        let of_links = params.num_solver_iterations + extra_of_links.max().unwrap_or(0);
         for (id, need) in self.needs.iter().enumerate() {
             let island = islands.island(id as u32);
             let usual = params.num_solver_iterations + need.extra;
-            let own = usual * need.factor(island.bodies.len());
-            self.substeps.push(if need.has_links { of_links } else { own });
+            self.substeps.push(usual * need.factor(island.bodies.len()));
             if !island.bodies.is_empty() && !island.sleeping {
                 self.counts.extend(self.substeps.last());
             }
         }
         self.counts.sort_unstable();
         self.counts.dedup();
-        of_links
     }
 }
 

@@ -47,7 +47,6 @@ pub(crate) struct SolverScratch {
     groups: Groups,
     bodies: SolverBodies,
     constraints: Constraints,
-    multibodies: SolverMultibodies,
 }
 
 /// What holds bodies.
@@ -55,6 +54,7 @@ pub(crate) struct SolverScratch {
 struct Constraints {
     joints: SolverJoints,
     contacts: SolverContacts,
+    multibodies: SolverMultibodies,
 }
 
 /// What the solver reads and writes.
@@ -74,100 +74,94 @@ pub(crate) struct Scene<'a> {
 
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, simd, bodies, narrow_phase, joints: set, islands, broken, .. } =
-        scene;
-    let SolverScratch { groups, bodies: states, constraints, multibodies } = scratch;
+    let Scene { gravity, params, simd, bodies, narrow_phase, islands, .. } = scene;
+    let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
+    let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    multibodies.load(scene.multibodies, bodies);
-    groups.divide(islands, bodies, narrow_phase, multibodies, params);
-    states.load(groups, bodies, multibodies, gravity, params);
+    groups.divide(islands, bodies, narrow_phase, params);
+    constraints.multibodies.claim(trees, bodies);
+    states.load(groups, bodies, &constraints.multibodies, gravity, params);
     counters.velocity_assembly_time.pause();
     (counters.nconstraints, counters.ncontacts) = (0, 0);
-    let nobody = &mut SolverMultibodies::default();
     for group in groups.iter() {
-        let h = params.dt / group.substeps as Real;
-        let multibodies = if group.has_multibodies { &mut *multibodies } else { &mut *nobody };
-        let Constraints { joints, contacts } = constraints;
-        let pass = JointPass::new(params, h);
         counters.velocity_assembly_time.resume();
         states.enter(group, groups);
+        let pass = JointPass::new(params, params.dt / group.substeps as Real);
+        let Constraints { joints, contacts, multibodies } = constraints;
+        multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
+        multibodies.begin(bodies, gravity, pass.substep);
         joints.load(islands, set, bodies, states, multibodies, &pass);
-        joints.warm_start(states, simd, Tasks::current());
-        multibodies.begin(bodies, gravity, h);
         contacts.load(&islands.graph, narrow_phase, states, multibodies);
-        contacts.prepare(states, params, simd, Tasks::current());
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        counters.velocity_resolution_time.resume();
-        let substeps = Substeps { count: group.substeps, h, params, simd, world: bodies };
-        substeps.run(states, constraints, multibodies);
-        counters.velocity_resolution_time.pause();
+        solve_group(group.substeps, (params, bodies), states, constraints, simd, counters);
 
         counters.velocity_writeback_time.resume();
-        let Constraints { joints, contacts } = constraints;
+        let Constraints { joints, contacts, multibodies } = constraints;
         contacts.store(narrow_phase);
         joints.store(islands, set, params.inv_dt(), broken);
+        multibodies.store_constraints(set, narrow_phase, params.inv_dt());
+        multibodies.store(trees, islands, bodies);
         counters.velocity_writeback_time.pause();
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
-    states.store(groups, islands, bodies, multibodies, params);
-    multibodies.store(scene.multibodies, set, narrow_phase, islands, bodies, params.inv_dt());
+    states.store(groups, islands, bodies, &constraints.multibodies, params);
     counters.velocity_writeback_time.pause();
 }
 
-/// How some bodies are taken through a step.
-struct Substeps<'a> {
-    count: usize,
-    /// Length of each (s).
-    h: Real,
-    params: &'a IntegrationParameters,
+/// Solves one step for some bodies, in substeps.
+fn solve_group(
+    substeps: usize,
+    (params, bodies): (&IntegrationParameters, &RigidBodySet),
+    states: &mut SolverBodies,
+    constraints: &mut Constraints,
     simd: Simd,
-    world: &'a RigidBodySet,
-}
+    counters: &mut SolverCounters,
+) {
+    let Constraints { joints, contacts, multibodies } = constraints;
+    let tasks = Tasks::current();
+    let h = params.dt / substeps as Real;
+    let pass = ContactPass::new(params, h);
+    let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let joint_pass = JointPass::new(params, h);
+    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
+    counters.velocity_assembly_time.resume();
+    joints.warm_start(states, simd, tasks);
+    contacts.prepare(states, params, simd, tasks);
+    multibodies.warm_start(states);
+    counters.velocity_assembly_time.pause();
 
-impl Substeps<'_> {
-    fn run(
-        &self,
-        states: &mut SolverBodies,
-        Constraints { joints, contacts }: &mut Constraints,
-        multibodies: &mut SolverMultibodies,
-    ) {
-        let Self { count, h, params, simd, world } = *self;
-        let tasks = Tasks::current();
-        let pass = ContactPass::new(params, h);
-        let early_pass = ContactPass { is_last_visit: false, ..pass };
-        let joint_pass = JointPass::new(params, h);
-        let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
-        for substep in 0..count {
-            states.integrate_velocities(h, params, substep == 0);
-            if substep > 0 {
-                multibodies.follow_loops(world, states);
-            }
-            multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
-            joints.tighten(&joint_pass);
-            joints.scale_impulses(params.warmstart_coefficient);
-            contacts.scale_impulses(params.warmstart_coefficient);
-            for _ in 0..params.num_internal_pgs_iterations {
-                joints.solve(states, &joint_pass, simd, tasks);
-                contacts.solve(states, &pass, simd, tasks);
-                multibodies.solve(states, &pass, params);
-            }
-            states.integrate_positions(h);
-            multibodies.integrate_positions(h, tasks);
-            for _ in 0..params.num_additional_friction_iterations {
-                joints.relax(states, &early_joint_pass, simd, tasks);
-                contacts.relax(states, &early_pass, simd, tasks);
-                multibodies.relax(states, &early_pass, params);
-            }
-            joints.relax(states, &joint_pass, simd, tasks);
-            contacts.relax(states, &pass, simd, tasks);
-            multibodies.relax(states, &pass, params);
+    counters.velocity_resolution_time.resume();
+    for substep in 0..substeps {
+        states.integrate_velocities(h, params, substep == 0);
+        if substep > 0 {
+            multibodies.follow_loops(bodies, states);
         }
-        contacts.restitute(states, &pass, simd, tasks);
-        multibodies.restitute(states, &pass);
+        multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
+        joints.tighten(&joint_pass);
+        joints.scale_impulses(params.warmstart_coefficient);
+        contacts.scale_impulses(params.warmstart_coefficient);
+        for _ in 0..params.num_internal_pgs_iterations {
+            joints.solve(states, &joint_pass, simd, tasks);
+            contacts.solve(states, &pass, simd, tasks);
+            multibodies.solve(states, &pass, params);
+        }
+        states.integrate_positions(h);
+        multibodies.integrate_positions(h, tasks);
+        for _ in 0..params.num_additional_friction_iterations {
+            joints.relax(states, &early_joint_pass, simd, tasks);
+            contacts.relax(states, &early_pass, simd, tasks);
+            multibodies.relax(states, &early_pass, params);
+        }
+        joints.relax(states, &joint_pass, simd, tasks);
+        contacts.relax(states, &pass, simd, tasks);
+        multibodies.relax(states, &pass, params);
     }
+    contacts.restitute(states, &pass, simd, tasks);
+    multibodies.restitute(states, &pass);
+    counters.velocity_resolution_time.pause();
 }

@@ -111,7 +111,7 @@ impl SolverJoints {
         self.joints.len()
     }
 
-    /// Makes constraints of the joints that have a colour.
+    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
     pub fn load(
         &mut self,
         islands: &IslandManager,
@@ -132,10 +132,8 @@ impl SolverJoints {
             let (first, start) = (self.blocks.len(), self.joints.len());
             let is_member = |slot: &&u32| {
                 let link = islands.joints.get(**slot);
-                link.is_some_and(|link| {
-                    let slots = link.body_slots();
-                    bodies.has_one_of(slots) && !multibodies.claims(slots)
-                })
+                let slots = link.map(|link| link.body_slots());
+                slots.is_some_and(|slots| bodies.has_one_of(slots) && !multibodies.claims(slots))
             };
             self.joints.extend(list.iter().filter(is_member));
             let size = if color == OVERFLOW { 1 } else { LANES };

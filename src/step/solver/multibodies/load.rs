@@ -1,52 +1,73 @@
 //! From multibodies and their bodies to what the solver moves.
 
-use super::{LinkPlace, Moving, SolverMultibodies};
+use super::{Claim, Moving, NOT_NOW, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
-use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
 use crate::model::joint::{JointMotor, MotorModel};
-use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJointSet};
+use crate::model::multibody::{Multibody, MultibodyJointSet};
 use crate::multibody::{Drive, LinkForce, usable};
 
 impl SolverMultibodies {
-    /// Takes the multibodies that are awake out of their set.
-    pub fn load(&mut self, set: &mut MultibodyJointSet, bodies: &mut RigidBodySet) {
-        self.left_out.clear();
+    /// Lays claim to the links of all multibodies that are awake and act.
+    pub fn claim(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
         for slot in self.listed.drain(..) {
-            self.places[slot as usize] = None;
+            self.claims[slot as usize] = None;
         }
-        for position in 0..set.index_bound() {
-            let Some(index) = set.index_at(position) else { continue };
-            let Some(multibody) = set.get_unnoted_mut(index) else { continue };
+        self.positions.clear();
+        self.positions.resize(set.index_bound() as usize, NOT_NOW);
+        for owner in 0..set.index_bound() {
+            let Some(index) = set.index_at(owner) else { continue };
+            let Some(multibody) = set.get_multibody(index) else { continue };
             if !is_awake(multibody, bodies) {
                 continue;
             }
             if acts(multibody, bodies) {
-                let multibody = core::mem::take(multibody);
-                self.take_in(index, multibody, bodies);
+                self.claim_links(owner, multibody, bodies);
             } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
                 set.note(index);
             }
         }
     }
 
-    fn take_in(&mut self, index: MultibodyIndex, mut multibody: Multibody, bodies: &RigidBodySet) {
-        multibody.forward_kinematics(bodies, false);
-        let position = self.moving.len();
+    fn claim_links(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
         for link in &multibody.links {
             let slot = link.body.into_raw_parts().0;
-            if slot as usize >= self.places.len() {
-                self.places.resize(slot as usize + 1, None);
+            if slot as usize >= self.claims.len() {
+                self.claims.resize(slot as usize + 1, None);
             }
             let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
-            self.places[slot as usize] =
-                Some(LinkPlace { multibody: position, link: link.id, is_moved });
+            self.claims[slot as usize] = Some(Claim { owner, link: link.id, is_moved });
             self.listed.push(slot);
         }
-        let mut moving = self.spare.pop().unwrap_or_default();
-        (moving.index, moving.multibody) = (index, multibody);
-        self.moving.push(moving);
+    }
+
+    /// Takes the multibodies of these bodies, which are solved now, out of their set.
+    pub fn load(
+        &mut self,
+        members: &[RigidBodyHandle],
+        set: &mut MultibodyJointSet,
+        bodies: &RigidBodySet,
+    ) {
+        self.left_out.clear();
+        if self.move_nobody() {
+            return;
+        }
+        for member in members {
+            let claim = self.claim_on(member.into_raw_parts().0).filter(|claim| claim.is_moved);
+            let Some(owner) = claim.map(|claim| claim.owner) else { continue };
+            if self.positions[owner as usize] != NOT_NOW {
+                continue;
+            }
+            let Some(index) = set.index_at(owner) else { continue };
+            let Some(multibody) = set.get_unnoted_mut(index) else { continue };
+            self.positions[owner as usize] = self.moving.len();
+            let mut moving = self.spare.pop().unwrap_or_default();
+            (moving.index, moving.multibody) = (index, core::mem::take(multibody));
+            moving.multibody.forward_kinematics(bodies, false);
+            self.moving.push(moving);
+        }
     }
 
     /// Notes what acts on the multibodies, and where they start. Ordinary bodies must have been loaded.

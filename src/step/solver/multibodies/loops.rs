@@ -94,7 +94,7 @@ impl SolverMultibodies {
         self.loops.loops.clear();
         let slots = islands.joint_graph.in_solving_order().flat_map(|(_, list)| list);
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
-        let links = links.filter(|link| self.claims(link.body_slots()));
+        let links = links.filter(|link| self.solves_one_of(link.body_slots()));
         let joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
         for (slots, handle) in joined {
             let Some(joint) = joints.get(handle) else { continue };

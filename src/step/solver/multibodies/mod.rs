@@ -56,23 +56,37 @@ pub(super) struct Moving {
     start: (Vec<MultibodyJoint>, Pose),
 }
 
-/// A link, as others find it.
+/// A link that somebody in the solver may meet.
 #[derive(Copy, Clone, Debug)]
-struct LinkPlace {
-    multibody: usize,
+struct Claim {
+    /// The multibody's position in its set.
+    owner: u32,
     link: usize,
     /// Is it moved here? A root without degrees of freedom is an ordinary body for the solver.
     is_moved: bool,
 }
 
-/// All multibodies that are awake.
+/// The position of a multibody that is not among those that are solved now.
+const NOT_NOW: usize = usize::MAX;
+
+/// A link of a multibody that is solved now.
+#[derive(Copy, Clone, Debug)]
+struct LinkPlace {
+    multibody: usize,
+    link: usize,
+    is_moved: bool,
+}
+
+/// All multibodies that are awake: claimed at the beginning, and solved group by group as the bodies are.
 #[derive(Default)]
 pub(super) struct SolverMultibodies {
     moving: Vec<Moving>,
+    /// By position in the set: the position above, or [`NOT_NOW`].
+    positions: Vec<usize>,
     /// Buffers of those that were awake before.
     spare: Vec<Moving>,
     /// By body slot: the link that is there.
-    places: Vec<Option<LinkPlace>>,
+    claims: Vec<Option<Claim>>,
     /// The slots where there is one, to be cleared by the next step.
     listed: Vec<u32>,
     /// Manifolds of links, left out of the lanes.
@@ -142,30 +156,45 @@ impl SoftPass {
 
 impl SolverMultibodies {
     /// Is no multibody awake?
-    pub fn is_empty(&self) -> bool {
-        self.moving.is_empty()
+    pub fn move_nobody(&self) -> bool {
+        self.listed.is_empty()
     }
 
     /// Are a pair's contacts left to us?
     pub fn claims(&self, slots: [u32; 2]) -> bool {
-        slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
+        slots.into_iter().any(|slot| self.moves(slot))
     }
 
     /// Is a body moved by its multibody?
     pub fn moves(&self, slot: u32) -> bool {
-        self.place(slot).is_some_and(|place| place.is_moved)
+        self.claim_on(slot).is_some_and(|claim| claim.is_moved)
     }
 
-    /// Takes over a manifold that was left out of the lanes.
-    pub fn leave_out(&mut self, manifold: ManifoldRef) {
-        self.left_out.push(manifold);
+    /// Takes over a manifold if one of its bodies is a link. True: it must be left out of the lanes.
+    pub fn take_over(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
+        let is_ours = self.claims(slots);
+        if is_ours && self.solves_one_of(slots) {
+            self.left_out.push(manifold);
+        }
+        is_ours
+    }
+
+    /// Is one of these bodies a link that is moved now?
+    fn solves_one_of(&self, slots: [u32; 2]) -> bool {
+        slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
+    }
+
+    fn claim_on(&self, slot: u32) -> Option<Claim> {
+        self.claims.get(slot as usize).copied().flatten()
     }
 
     fn place(&self, slot: u32) -> Option<LinkPlace> {
-        self.places.get(slot as usize).copied().flatten()
+        let Claim { owner, link, is_moved } = self.claim_on(slot)?;
+        let multibody = self.positions.get(owner as usize).copied()?;
+        (multibody != NOT_NOW).then_some(LinkPlace { multibody, link, is_moved })
     }
 
-    /// Makes the constraints, and gives everybody last step's impulses.
+    /// Makes the constraints.
     pub fn prepare(
         &mut self,
         Surroundings { narrow_phase, islands, joints, world }: Surroundings<'_>,
@@ -177,9 +206,14 @@ impl SolverMultibodies {
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
         self.lock_loops(joints, world, bodies);
-        let Self { numbers, joints, contacts, moving, .. } = self;
+        let Self { numbers, contacts, moving, .. } = self;
         let mut before = Actors { multibodies: moving, states: &mut bodies.before };
         contacts.note_approach(numbers, &mut before);
+    }
+
+    /// Gives everybody last step's impulses.
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies) {
+        let Self { numbers, joints, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         joints.warm_start(numbers, &mut actors);
         contacts.warm_start(numbers, &mut actors);

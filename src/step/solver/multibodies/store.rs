@@ -1,6 +1,6 @@
 //! From what the solver moved back to multibodies and their bodies.
 
-use super::{Moving, SolverMultibodies};
+use super::{Moving, NOT_NOW, SolverMultibodies};
 use crate::base::measure::is_coordinate;
 use crate::dim::math::{Pose, Real, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
@@ -12,25 +12,31 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 
 impl SolverMultibodies {
-    /// Writes impulses to manifolds and joints, poses and velocities to bodies, and notes how far each one moved. The
-    /// multibodies go back to their set.
-    pub fn store(
+    /// Writes impulses to manifolds and joints.
+    pub fn store_constraints(
         &mut self,
-        set: &mut MultibodyJointSet,
         joints: &mut ImpulseJointSet,
         narrow_phase: &mut NarrowPhase,
-        islands: &mut IslandManager,
-        bodies: &mut RigidBodySet,
         inv_dt: Real,
     ) {
         self.contacts.store(narrow_phase);
         self.joints.store(&mut self.moving, joints);
         self.loops.store(joints, inv_dt);
+    }
+
+    /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.
+    pub fn store(
+        &mut self,
+        set: &mut MultibodyJointSet,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+    ) {
         for mut moving in self.moving.drain(..) {
             moving.store(islands, bodies);
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
+            self.positions[moving.index.0.slot()] = NOT_NOW;
             self.spare.push(moving);
         }
     }
