@@ -6,10 +6,10 @@
 use core::f64::consts::FRAC_2_PI;
 use parry::math::Real;
 
-/// A quarter of a turn in two parts: the first has so few digits that its small multiples are exact
+/// A quarter of a turn in three parts: the first two have so few digits that their small multiples are exact
 /// (Cody and Waite 1980).
-const QUARTER_HIGH: f64 = 1.570_796_251_296_997;
-const QUARTER_LOW: f64 = 7.549_789_415_861_596e-8;
+const QUARTER: [f64; 3] =
+    [1.570_796_251_296_997, 7.549_789_415_861_596e-8, 5.390_302_858_158_119e-15];
 
 /// Taylor's coefficients. At an eighth of a turn, the largest angle they see, what is left out is below the
 /// last digit of a double.
@@ -40,7 +40,8 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     let angle = f64::from(angle);
     let quarters = (angle * FRAC_2_PI).round();
     // Beyond what has digits behind the point, the rest is nonsense: any angle will do, but it must be one.
-    let rest = ((angle - quarters * QUARTER_HIGH) - quarters * QUARTER_LOW).clamp(-1.0, 1.0);
+    let rest =
+        QUARTER.into_iter().fold(angle, |rest, part| rest - quarters * part).clamp(-1.0, 1.0);
     let square = rest * rest;
     let series = |terms: &[f64]| terms.iter().rev().fold(0.0, |sum, term| sum * square + term);
     let (sine, cosine) = (rest * series(&SINE), series(&COSINE));
