@@ -1,6 +1,7 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
+use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -8,7 +9,7 @@ use crate::base::wide::{Kernel, LANES, Simd, Wide};
 use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
-use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
+use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef};
 use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
 use crate::model::params::{ContactPass, FrictionModel, IntegrationParameters};
 use core::ops::Range;
@@ -24,18 +25,14 @@ pub(super) struct SolverContacts {
     inputs: Vec<ContactInput>,
     /// Friction per point of each block; empty with the standard friction model.
     coulomb: Vec<CoulombBlock>,
-    /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
-    colors: Vec<Range<usize>>,
-    /// The manifolds block by block, and where those of each block begin.
-    manifolds: Vec<ManifoldRef>,
-    starts: Vec<usize>,
+    layout: Layout<ManifoldRef>,
     point_count: usize,
 }
 
 impl SolverContacts {
     /// Number of manifolds.
     pub fn len(&self) -> usize {
-        self.manifolds.len()
+        self.layout.len()
     }
 
     /// Number of contact points in them.
@@ -52,53 +49,21 @@ impl SolverContacts {
         bodies: &SolverBodies,
         multibodies: &mut SolverMultibodies,
     ) {
-        self.colors.clear();
-        self.manifolds.clear();
-        self.starts.clear();
-        self.point_count = 0;
-        let slots = |manifold: &ManifoldRef| narrow_phase.contacts.bodies(manifold.pair);
+        self.layout.clear();
+        let are_all = bodies.are_one_group() && multibodies.move_nobody();
         for (color, list) in graph.in_solving_order() {
-            let start = self.manifolds.len();
-            if bodies.are_one_group() && multibodies.move_nobody() {
-                self.manifolds.extend_from_slice(list);
-            } else {
-                let members = list.iter().filter(|manifold| {
-                    !multibodies.take_over(**manifold, slots(manifold))
-                        && bodies.has_one_of(slots(manifold))
-                });
-                self.manifolds.extend(members);
-            }
-            self.add_color(color, start, narrow_phase, bodies);
+            let members = list.iter().copied().filter(|&manifold| {
+                let slots = || narrow_phase.contacts.bodies(manifold.pair);
+                are_all || !multibodies.take_over(manifold, slots()) && bodies.has_one_of(slots())
+            });
+            self.layout.add(color, members);
         }
-        self.inputs.truncate(self.starts.len());
-        self.blocks.truncate(self.starts.len());
-    }
-
-    /// Fills the inputs from the manifolds of a colour, which begin at `start`.
-    fn add_color(
-        &mut self,
-        color: u32,
-        start: usize,
-        narrow_phase: &NarrowPhase,
-        bodies: &SolverBodies,
-    ) {
-        let first = self.starts.len();
-        let size = if color == OVERFLOW { 1 } else { LANES };
-        for (index, chunk) in self.manifolds[start..].chunks(size).enumerate() {
-            let count = first + index;
-            if count == self.inputs.len() {
-                self.inputs.push(ContactInput::EMPTY);
-                self.blocks.push(ContactBlock::EMPTY);
-            }
-            self.starts.push(start + index * size);
-            self.point_count += fill(&mut self.inputs[count], chunk, narrow_phase, bodies);
-        }
-        let blocks = first..self.starts.len();
-        if color == OVERFLOW {
-            self.colors.extend(blocks.map(|block| block..block + 1));
-        } else if !blocks.is_empty() {
-            self.colors.push(blocks);
-        }
+        let count = self.layout.block_count();
+        self.inputs.resize_with(count, || ContactInput::EMPTY);
+        self.blocks.resize_with(count, || ContactBlock::EMPTY);
+        let filled = self.inputs.iter_mut().zip(self.layout.blocks());
+        let points = filled.map(|(input, chunk)| fill(input, chunk, narrow_phase, bodies));
+        self.point_count = points.sum();
     }
 
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
@@ -116,7 +81,7 @@ impl SolverContacts {
         let (poses, states, before) = bodies.shared();
         let inputs = DisjointMut::new(&mut self.inputs);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Prepare { range, inputs, blocks, poses, states, before, prediction });
         });
     }
@@ -139,7 +104,7 @@ impl SolverContacts {
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Solve { range, blocks, states, pass });
         });
     }
@@ -154,7 +119,7 @@ impl SolverContacts {
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
     }
@@ -169,16 +134,14 @@ impl SolverContacts {
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Restitute { range, blocks, states, pass });
         });
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
     pub fn store(&self, narrow_phase: &mut NarrowPhase) {
-        for (index, &start) in self.starts.iter().enumerate() {
-            let end = self.starts.get(index + 1).copied().unwrap_or(self.manifolds.len());
-            let chunk = &self.manifolds[start..end];
+        for (index, chunk) in self.layout.blocks().enumerate() {
             let (block, input) = (&self.blocks[index], &self.inputs[index]);
             for (lane, at) in chunk.iter().enumerate() {
                 let pair = &mut narrow_phase.contacts[at.pair];

@@ -20,6 +20,7 @@ mod bodies;
 mod contacts;
 mod groups;
 mod joints;
+mod layout;
 mod multibodies;
 #[cfg(test)]
 mod tests;

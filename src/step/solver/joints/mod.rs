@@ -61,15 +61,15 @@ mod taut;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
+use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, LANES, Simd, Wide};
+use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::dim::wide::symmetric_lane;
 use crate::model::body::RigidBodySet;
-use crate::model::constraint_graph::OVERFLOW;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
@@ -86,16 +86,13 @@ pub(super) struct SolverJoints {
     blocks: Vec<JointBlock>,
     /// The rows of free axes, those of one block together.
     rows: Vec<AxisRow>,
-    /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
-    colors: Vec<Range<usize>>,
+    /// The joints of each block, by their slots in the islands' list.
+    layout: Layout<u32>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
     memory: Vec<RowMemory>,
     members: Vec<Member>,
     tautness: Tautness,
-    /// The joints (by their slots in the islands' list) block by block, and where those of each block begin.
-    joints: Vec<u32>,
-    starts: Vec<usize>,
 }
 
 /// Blocks that are worth handing over to another thread together.
@@ -108,7 +105,7 @@ const TAUT_ROUNDS: usize = 4;
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.joints.len()
+        self.layout.len()
     }
 
     /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
@@ -121,40 +118,23 @@ impl SolverJoints {
         multibodies: &SolverMultibodies,
         pass: &JointPass,
     ) {
-        self.colors.clear();
+        self.layout.clear();
         self.rows.clear();
         self.blocks.clear();
         self.members.clear();
         self.tautness.clear(bodies.states.len());
-        self.joints.clear();
-        self.starts.clear();
         for (color, list) in islands.joint_graph.in_solving_order() {
-            let (first, start) = (self.blocks.len(), self.joints.len());
-            let is_member = |slot: &&u32| {
-                let link = islands.joints.get(**slot);
-                let slots = link.map(|link| link.body_slots());
+            let is_member = |slot: &u32| {
+                let slots = islands.joints.get(*slot).map(|link| link.body_slots());
                 slots.is_some_and(|slots| bodies.has_one_of(slots) && !multibodies.claims(slots))
             };
-            self.joints.extend(list.iter().filter(is_member));
-            let size = if color == OVERFLOW { 1 } else { LANES };
-            for at in (start..self.joints.len()).step_by(size) {
-                self.starts.push(at);
-                self.add_block(
-                    at..(at + size).min(self.joints.len()),
-                    islands,
-                    joints,
-                    set,
-                    bodies,
-                    pass,
-                );
-            }
-            let blocks = first..self.blocks.len();
-            if color == OVERFLOW {
-                self.colors.extend(blocks.map(|block| block..block + 1));
-            } else if !blocks.is_empty() {
-                self.colors.push(blocks);
-            }
+            self.layout.add(color, list.iter().copied().filter(is_member));
         }
+        let layout = core::mem::take(&mut self.layout);
+        for chunk in layout.blocks() {
+            self.add_block(chunk, islands, joints, set, bodies, pass);
+        }
+        self.layout = layout;
         let yields = pass.softness.yields();
         for member in self.direct.build(&mut self.members, bodies.states.len()) {
             self.blocks[member.block as usize].solve_exactly(member.lane as usize, yields);
@@ -166,7 +146,7 @@ impl SolverJoints {
     /// Makes a block of some joints.
     fn add_block(
         &mut self,
-        range: Range<usize>,
+        chunk: &[u32],
         islands: &IslandManager,
         joints: &mut ImpulseJointSet,
         set: &RigidBodySet,
@@ -175,7 +155,7 @@ impl SolverJoints {
     ) {
         let mut block = JointBlock::EMPTY;
         block.first_row = self.rows.len();
-        for (lane, &slot) in self.joints[range].iter().enumerate() {
+        for (lane, &slot) in chunk.iter().enumerate() {
             let Some(link) = islands.joints.get(slot) else { continue };
             let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
             load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
@@ -199,7 +179,7 @@ impl SolverJoints {
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks) {
         let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(WarmStart { range, parts, states, before });
         });
     }
@@ -246,7 +226,7 @@ impl SolverJoints {
     ) {
         let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(&self.colors, tasks, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
         });
         if !AHEAD {
@@ -296,9 +276,7 @@ impl SolverJoints {
         inv_dt: Real,
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        for (index, &start) in self.starts.iter().enumerate() {
-            let end = self.starts.get(index + 1).copied().unwrap_or(self.joints.len());
-            let (chunk, block) = (&self.joints[start..end], &self.blocks[index]);
+        for (chunk, block) in self.layout.blocks().zip(&self.blocks) {
             let rows = &self.rows[block.first_row..block.first_row + block.row_count];
             for (lane, &slot) in chunk.iter().enumerate() {
                 let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {

@@ -250,12 +250,7 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        loops.solve(numbers, &mut actors, true);
-        joints.solve(numbers, &mut actors, &limit, true);
-        contacts.solve(numbers, &mut actors, &contact, true);
+        self.visit(bodies, pass, params, true);
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -265,17 +260,30 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        self.visit(bodies, pass, params, false);
+        let Self { numbers, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        loops.solve(numbers, &mut actors, false);
-        joints.solve(numbers, &mut actors, &limit, false);
-        contacts.solve(numbers, &mut actors, &contact, false);
         contacts.rub(numbers, &mut actors);
         if pass.is_last_visit {
             loops.count();
             contacts.count();
         }
+    }
+
+    /// Visits all rows but those of friction.
+    fn visit(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &ContactPass,
+        params: &IntegrationParameters,
+        bias: bool,
+    ) {
+        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        loops.solve(numbers, &mut actors, bias);
+        joints.solve(numbers, &mut actors, &limit, bias);
+        contacts.solve(numbers, &mut actors, &contact, bias);
     }
 
     /// Lets the contacts bounce that hit something in this step.

@@ -1,0 +1,65 @@
+//! Which constraints stand in which block: whole lanes of a colour, single constraints of the overflow.
+
+use crate::base::wide::LANES;
+use crate::model::constraint_graph::OVERFLOW;
+use core::ops::Range;
+
+/// The constraints (as `T` names them) of all blocks.
+pub(super) struct Layout<T> {
+    /// Block by block, and where those of each block begin.
+    members: Vec<T>,
+    starts: Vec<usize>,
+    /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.
+    colors: Vec<Range<usize>>,
+}
+
+impl<T> Default for Layout<T> {
+    fn default() -> Self {
+        Self { members: Vec::new(), starts: Vec::new(), colors: Vec::new() }
+    }
+}
+
+impl<T> Layout<T> {
+    pub fn clear(&mut self) {
+        self.members.clear();
+        self.starts.clear();
+        self.colors.clear();
+    }
+
+    /// Adds blocks for the constraints of the next colour.
+    pub fn add(&mut self, color: u32, members: impl IntoIterator<Item = T>) {
+        let (first, start) = (self.starts.len(), self.members.len());
+        self.members.extend(members);
+        let size = if color == OVERFLOW { 1 } else { LANES };
+        self.starts.extend((start..self.members.len()).step_by(size));
+        let blocks = first..self.starts.len();
+        if color == OVERFLOW {
+            self.colors.extend(blocks.map(|block| block..block + 1));
+        } else if !blocks.is_empty() {
+            self.colors.push(blocks);
+        }
+    }
+
+    /// Number of constraints.
+    pub fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Number of blocks.
+    pub fn block_count(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// The constraints of each block, a lane for each.
+    pub fn blocks(&self) -> impl Iterator<Item = &[T]> {
+        self.starts.iter().enumerate().map(|(block, &start)| {
+            let end = self.starts.get(block + 1).copied().unwrap_or(self.members.len());
+            &self.members[start..end]
+        })
+    }
+
+    /// The blocks of each colour in solving order.
+    pub fn colors(&self) -> &[Range<usize>] {
+        &self.colors
+    }
+}
