@@ -11,12 +11,13 @@ use super::neighbor::Neighbor;
 use super::parts::{Part, Parts};
 use super::patches::{Patches, push_manifold, unit_normal};
 use super::seams::Seam;
-use super::search::{Search, Waiting};
+use super::search::Search;
+use super::sifting::Sifted;
 use crate::base::guard::guarded;
 use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::contact::ContactManifold;
+use crate::model::contact::{ContactManifold, Nearby};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
 use parry::shape::Shape;
 use smallvec::SmallVec;
@@ -38,7 +39,8 @@ pub(crate) struct ManifoldScratch {
     /// The points of one manifold.
     points: Vec<RawPoint>,
     patches: Patches,
-    waiting: Waiting,
+    sifted: Sifted,
+    passing: Nearby,
     seams: Vec<Seam>,
 }
 
@@ -48,6 +50,8 @@ pub(crate) struct ShapePair<'a> {
     /// Pose of the second shape in the frame of the first.
     pub pos12: Pose,
     pub shapes: [&'a dyn Shape; 2],
+    /// How far the second moves against the first in a step, about, in the frame of the first.
+    pub motion: Vector,
     /// How far apart points may be (length units).
     pub prediction: Real,
     /// How high a step may be that is none (length units).
@@ -62,6 +66,7 @@ pub(crate) struct ShapePair<'a> {
 ///
 /// `out` is overwritten; manifolds without points are left out, as are those whose numbers are not
 /// finite. Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses).
+/// `kept` is what was there to look up last time; nothing but time depends on it.
 ///
 /// Returns a lower bound of the distance between the shapes: 0 if they touch or nothing is known,
 /// infinity if they can never touch. When no manifold comes out, none can appear before the shapes
@@ -69,6 +74,7 @@ pub(crate) struct ShapePair<'a> {
 pub(crate) fn compute_manifolds(
     pair: &ShapePair<'_>,
     previous: &[ContactManifold],
+    kept: Option<&mut Option<Box<Nearby>>>,
     scratch: &mut ManifoldScratch,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
@@ -81,13 +87,14 @@ pub(crate) fn compute_manifolds(
         return voxel_manifolds(&pos12, [shape1, shape2], prediction, scratch, out);
     }
     let parts = [Parts::of(shape1), Parts::of(shape2)];
-    let ManifoldScratch { raw, points, patches, waiting, seams, .. } = scratch;
+    let ManifoldScratch { raw, points, patches, sifted, passing, seams, .. } = scratch;
     if parts.iter().all(Parts::is_convex) && pair.neighbors.iter().all(|list| list.is_empty()) {
         return convex_pair(pair, previous, raw, points, out);
     }
     patches.clear();
     let distance = Real::INFINITY;
-    let mut search = Search { pair, parts, previous, raw, patches, waiting, distance };
+    let mut search =
+        Search { pair, parts, previous, raw, patches, sifted, kept, passing, distance };
     let bound = search.visit_near();
     for side in 0..2 {
         search.take_out_seams(side, seams);
@@ -150,10 +157,19 @@ impl<'a> ShapePair<'a> {
         Self {
             pos12: *pos12,
             shapes,
+            motion: Vector::ZERO,
             prediction,
             flush: 0.0,
             neighbors: [&[], &[]],
             simd: Simd::detect(),
+        }
+    }
+
+    /// How far the shape on a side moves against the other in a step, in the frame of the other.
+    pub fn motion_of(&self, side: usize) -> Vector {
+        match side {
+            0 => self.pos12.rotation.inverse() * -self.motion,
+            _ => self.motion,
         }
     }
 

@@ -13,6 +13,8 @@
 mod ball;
 mod capsule;
 mod convex;
+mod floors;
+mod footing;
 mod manifolds;
 mod matching;
 mod neighbor;
@@ -21,6 +23,7 @@ mod patches;
 mod polytopes;
 mod search;
 mod seams;
+mod sifting;
 mod support;
 #[cfg(test)]
 mod tests;

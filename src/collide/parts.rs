@@ -4,7 +4,10 @@
 //! only part. Parts that are far from the other shape are never looked at.
 
 use super::voxels::{for_each_voxel, with_voxel};
-use crate::dim::collide::{Flat, FlatShape, as_flat, flat_corners, for_each_cell, with_cell};
+use crate::dim::collide::{
+    Flat, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_of, for_each_cell,
+    for_each_free_cell, has_free_cells, with_cell,
+};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::partitioning::BvhNode;
@@ -36,12 +39,6 @@ impl<'a> Part<'a> {
             self.shape.as_typed_shape(),
             TypedShape::Ball(_) | TypedShape::Cuboid(_) | TypedShape::Capsule(_)
         )
-    }
-
-    /// The part, if it is flat and nothing but its shape matters.
-    pub fn as_flat(&self) -> Option<&'a FlatShape> {
-        let is_plain = self.pose.is_none() && self.constraints.is_none();
-        as_flat(self.shape).filter(|_| is_plain)
     }
 
     /// Is it flat, and does it lie in a plane of its shape's frame?
@@ -126,6 +123,33 @@ impl<'a> Parts<'a> {
         found
     }
 
+    /// Is it a surface, all parts being flat, that may be hit from everywhere?
+    pub fn is_surface(&self) -> bool {
+        match *self {
+            Self::Tree(shape, _) => as_flat_mesh(shape).is_some(),
+            Self::Grid(_, field) => has_free_cells(field),
+            _ => false,
+        }
+    }
+
+    /// Calls `f` with every part of a surface that may reach into a box, always in the same order.
+    pub fn for_each_flat(&self, region: &Aabb, mut f: impl FnMut(u32, &FlatShape)) {
+        let near = Near::Inside(*region);
+        match *self {
+            Self::Tree(shape, _) => {
+                let Some(mesh) = as_flat_mesh(shape) else { return };
+                for id in mesh.bvh().leaves(|node| near.touches(node)) {
+                    f(id, &flat_of(mesh, id));
+                }
+            }
+            Self::Grid(_, field) => {
+                let Some(region) = near.clipped(field.local_aabb()) else { return };
+                for_each_free_cell(field, &region, f);
+            }
+            _ => {}
+        }
+    }
+
     /// Calls `f` with every part that may reach into `near`, always in the same order.
     pub fn for_each_part(&self, near: &Near, f: &mut dyn FnMut(Part<'_>)) {
         match *self {
@@ -177,9 +201,12 @@ impl Near {
         }
     }
 
-    /// Is the region of finite size?
-    pub fn is_bounded(&self) -> bool {
-        matches!(self, Self::Inside(region) if region.extents().is_finite())
+    /// The region, if it is a box of finite size.
+    pub fn bounds(&self) -> Option<Aabb> {
+        match self {
+            Self::Inside(region) => Some(*region).filter(|region| region.extents().is_finite()),
+            Self::Below { .. } => None,
+        }
     }
 
     /// May anything in `node` lie in the region?

@@ -7,7 +7,7 @@
 
 use super::parts::Part;
 use super::seams::SAME_NORMAL;
-use crate::dim::collide::{RawManifold, RawPoint, reduce};
+use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
 use core::ops::Range;
@@ -32,6 +32,8 @@ pub(super) struct Patch {
     pub dist: Real,
     /// Where its points are.
     points: Range<usize>,
+    /// Where the pieces of a [floor](super::floors) are; none are of one part alone.
+    pieces: Range<usize>,
 }
 
 impl Patch {
@@ -54,6 +56,8 @@ pub(super) struct Patches {
     list: Vec<Patch>,
     /// Points in the frames of the two shapes.
     points: Vec<RawPoint>,
+    /// Pieces of floors, in the frame of their shape.
+    pieces: Vec<FlatShape>,
     /// Which patches are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
@@ -63,6 +67,7 @@ impl Patches {
     pub fn clear(&mut self) {
         self.list.clear();
         self.points.clear();
+        self.pieces.clear();
     }
 
     pub fn list(&self) -> &[Patch] {
@@ -85,13 +90,25 @@ impl Patches {
     pub fn add(&mut self, raw: &RawManifold, part1: &Part<'_>, part2: &Part<'_>) -> bool {
         let range = self.points.len()..self.points.len();
         let at = self.list.len();
-        let parts = [part1.id, part2.id];
-        self.list.push(Patch { parts, normal: Vector::ZERO, dist: 0.0, points: range });
+        let (parts, pieces) = ([part1.id, part2.id], 0..0);
+        self.list.push(Patch { parts, normal: Vector::ZERO, dist: 0.0, points: range, pieces });
         let is_sound = self.replace(at, raw, part1, part2);
         if !is_sound {
             self.list.pop();
         }
         is_sound
+    }
+
+    /// Says which pieces the floor consists of that a patch is on.
+    pub fn lay_floor(&mut self, index: usize, pieces: impl Iterator<Item = FlatShape>) {
+        let start = self.pieces.len();
+        self.pieces.extend(pieces);
+        self.list[index].pieces = start..self.pieces.len();
+    }
+
+    /// The pieces of the floor that a patch is on; none if it is on one part.
+    pub fn pieces(&self, index: usize) -> &[FlatShape] {
+        &self.pieces[self.list[index].pieces.clone()]
     }
 
     /// Puts other contacts of the same two parts in the place of a patch. `false` if they are not

@@ -25,7 +25,7 @@ const FIRST_FACE: Real = 0.1;
 const SAME_AXIS: Real = 0.98;
 /// Overlaps deeper than this share of the thickness are searched anew: a face on another side may
 /// have become the better one.
-const DEEP: Real = 0.25;
+pub(super) const DEEP: Real = 0.25;
 
 /// How much deeper than two edges other corners may be, as a share of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;

@@ -34,8 +34,9 @@
 //! shape only.
 
 use super::parts::Parts;
-use crate::dim::collide::{Flat, Polytope};
+use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
+use parry::query::PointQuery;
 use parry::shape::Shape;
 use smallvec::SmallVec;
 
@@ -61,6 +62,8 @@ const MAX_PLANES: usize = 16;
 pub(super) enum Obstacle<'a> {
     /// A piece of a surface, in the common frame.
     Flat(Flat),
+    /// A piece of a [floor](super::floors) in the common frame, and all of them in one that stands at a pose.
+    Floor(Flat, &'a [FlatShape], Pose),
     /// A convex shape, the polytope that it is, if it is one, and its pose.
     Convex(&'a dyn Shape, Option<(Polytope<'a>, Real)>, Pose),
     /// A part of a shape at a pose.
@@ -78,13 +81,20 @@ impl<'a> Obstacle<'a> {
         }
     }
 
+    /// The floor of these pieces, in a frame that stands at a pose; `None` if there are none.
+    pub fn floor(pieces: &'a [FlatShape], pose: Pose) -> Option<Self> {
+        let flat = pieces.first().and_then(Flat::new)?;
+        Some(Self::Floor(flat.at(&pose), pieces, pose))
+    }
+
     /// Calls `f` with the part, the polytope that it is, if it is one, and its pose.
     fn with<T>(
         &self,
         mut f: impl FnMut(&dyn Shape, Option<(Polytope<'_>, Real)>, &Pose) -> T,
     ) -> Option<T> {
         match self {
-            Self::Flat(flat) => {
+            // Any piece of a floor has the plane of all.
+            Self::Flat(flat) | Self::Floor(flat, ..) => {
                 Some(f(flat.as_shape(), Some((flat.as_polytope(), 0.0)), &Pose::IDENTITY))
             }
             Self::Convex(shape, polytope, pose) => Some(f(*shape, *polytope, pose)),
@@ -104,6 +114,12 @@ impl<'a> Obstacle<'a> {
         if let Self::Flat(flat) = self {
             return Some(flat.height(direction));
         }
+        if let Self::Floor(_, pieces, pose) = self {
+            let local = pose.rotation.inverse() * direction;
+            let corners = pieces.iter().flat_map(flat_corners);
+            let highest = corners.map(|corner| corner.dot(local)).reduce(Real::max)?;
+            return Some(highest + direction.dot(pose.translation));
+        }
         let height = self.with(|shape, polytope, pose| {
             let local = pose.rotation.inverse() * direction;
             let highest = match polytope {
@@ -117,6 +133,11 @@ impl<'a> Obstacle<'a> {
 
     /// Is a point inside, or as near as `tolerance`?
     fn contains(&self, point: Vector, tolerance: Real) -> bool {
+        if let Self::Floor(_, pieces, pose) = self {
+            let local = pose.inverse_transform_point(point);
+            let dist = |flat: &FlatShape| flat.distance_to_local_point(local, true);
+            return pieces.iter().any(|flat| dist(flat) <= tolerance);
+        }
         let near = self.with(|shape, _, pose| {
             let local = pose.inverse_transform_point(point);
             shape.distance_to_local_point(local, true) <= tolerance

@@ -1,51 +1,16 @@
 //! The search for contacts between the parts of two shapes, and for those that are only seams.
 
-use super::convex::{DISTANCE_SHARE, is_sound, manifold_along, part_manifold};
+use super::convex::{is_sound, manifold_along, part_manifold};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
 use super::patches::Patches;
-use super::polytopes::contacts_on_axis;
 use super::seams::{Facet, Obstacle, Seam, find_seams};
-use crate::base::axis::BestAxis;
-use crate::base::wide::LANES;
-use crate::dim::collide::{
-    Flat, FlatAxes, FlatBlock, FlatShape, Polytope, RawManifold, Sieve, set_flat_lane,
-};
+use super::sifting::Sifted;
+use crate::dim::collide::RawManifold;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::contact::ContactManifold;
-use arrayvec::ArrayVec;
-use parry::shape::{Cuboid, Shape};
+use crate::model::contact::{ContactManifold, Nearby};
 use smallvec::SmallVec;
-
-/// The sieve lets pass what is within this many times the reach of contacts: more than rounding and the
-/// share of a distance that is trusted can make of it.
-const SIEVE_REACH: Real = 1.02;
-
-/// Flat parts that wait until there are enough for the [`Sieve`].
-#[derive(Default)]
-pub(super) struct Waiting {
-    block: FlatBlock,
-    parts: ArrayVec<(u32, FlatShape), LANES>,
-    axes: FlatAxes,
-}
-
-impl Waiting {
-    /// Adds a part. Is there no room for another?
-    fn is_full_with(&mut self, id: u32, flat: &FlatShape) -> bool {
-        set_flat_lane(&mut self.block, self.parts.len(), flat);
-        self.parts.push((id, *flat));
-        self.parts.is_full()
-    }
-}
-
-/// Whose parts go through the sieve.
-struct Sifting<'a> {
-    side: usize,
-    /// The other shape, which is convex: its pose in the frame of the one with the parts, and the inverse.
-    other: &'a dyn Shape,
-    poses: [Pose; 2],
-}
 
 /// The search for the contacts of a pair of shapes, one of which has several parts or other contacts.
 pub(super) struct Search<'a> {
@@ -54,7 +19,10 @@ pub(super) struct Search<'a> {
     pub previous: &'a [ContactManifold],
     pub raw: &'a mut RawManifold,
     pub patches: &'a mut Patches,
-    pub waiting: &'a mut Waiting,
+    pub sifted: &'a mut Sifted,
+    /// Flat parts that are kept from step to step, where there is such a place, and those of the moment.
+    pub kept: Option<&'a mut Option<Box<Nearby>>>,
+    pub passing: &'a mut Nearby,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,
 }
@@ -63,13 +31,28 @@ pub(super) struct Search<'a> {
 impl Search<'_> {
     /// Visits all pairs of parts that are near each other; returns a bound of the shapes' distance.
     pub fn visit_near(&mut self) -> Real {
-        match self.parts {
-            [_, Parts::Convex(_)] => self.visit_parts(0),
-            [Parts::Convex(_), _] => self.visit_parts(1),
-            _ => self.visit_parts_of_both(),
+        if !(self.visit_surface(0) || self.visit_surface(1)) {
+            match self.parts {
+                [_, Parts::Convex(_)] => self.visit_parts(0),
+                [Parts::Convex(_), _] => self.visit_parts(1),
+                _ => self.visit_parts_of_both(),
+            }
         }
         // Parts that were not visited are farther than the prediction.
         self.distance.min(self.pair.prediction)
+    }
+
+    /// Visits the parts of the shape on a side, the other being convex.
+    fn visit_parts(&mut self, side: usize) {
+        let (parts, other) = (self.parts[side], self.parts[1 - side].shape());
+        let pos12 = self.pair.pos12;
+        let pose = if side == 0 { pos12 } else { pos12.inverse() };
+        let near = Near::of(other, &pose, self.pair.prediction);
+        parts.for_each_part(&near, &mut |part| {
+            let other = Part::whole(other);
+            let [part1, part2] = if side == 0 { [part, other] } else { [other, part] };
+            self.visit(part1, part2);
+        });
     }
 
     fn visit_parts_of_both(&mut self) {
@@ -82,94 +65,8 @@ impl Search<'_> {
         });
     }
 
-    /// Visits the parts of the shape on a side, the other being convex. Flat ones go through a sieve first.
-    fn visit_parts(&mut self, side: usize) {
-        let (parts, other) = (self.parts[side], self.parts[1 - side].shape());
-        let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
-        let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
-        let near = Near::of(other, &poses[0], prediction);
-        let sieve = near.is_bounded().then(|| {
-            let around = other.compute_local_aabb();
-            Sieve::new(&around, &poses[1], SIEVE_REACH * prediction)
-        });
-        let sifting = Sifting { side, poses, other };
-        parts.for_each_part(&near, &mut |part| match (&sieve, part.as_flat()) {
-            (Some(sieve), Some(flat)) => {
-                if self.waiting.is_full_with(part.id, flat) {
-                    self.sift(&sifting, sieve);
-                }
-            }
-            _ => self.visit_on(side, part),
-        });
-        if let Some(sieve) = &sieve {
-            self.sift(&sifting, sieve);
-        }
-    }
-
-    /// Visits those of the waiting parts that are near.
-    fn sift(&mut self, sifting: &Sifting<'_>, sieve: &Sieve) {
-        let Waiting { block, parts, axes } = &mut *self.waiting;
-        let near = sieve.near(block, self.pair.simd, axes);
-        let (parts, axes) = (parts.take(), *axes);
-        let cuboid = sifting.other.as_cuboid();
-        for (lane, (id, flat)) in parts.iter().enumerate() {
-            if near & (1 << lane) == 0 {
-                continue;
-            }
-            let part = Part { id: *id, ..Part::whole(flat) };
-            match (cuboid, Flat::new(flat)) {
-                (Some(cuboid), Some(flat)) => {
-                    let axis = |hint| axes.best(lane, cuboid.half_extents, hint);
-                    self.visit_box(sifting, cuboid, part, &flat, axis);
-                }
-                _ => self.visit_on(sifting.side, part),
-            }
-        }
-    }
-
-    /// Computes the contacts of a flat part with a box, `axis` being the best in the frame of the box for the
-    /// normal of last time.
-    fn visit_box(
-        &mut self,
-        sifting: &Sifting<'_>,
-        cuboid: &Cuboid,
-        part: Part<'_>,
-        flat: &Flat,
-        axis: impl Fn(Vector) -> BestAxis,
-    ) {
-        let (other, prediction) = (Part::whole(sifting.other), self.pair.prediction);
-        let [to_box, from_box] = [&sifting.poses[1], &sifting.poses[0]];
-        let (flat, cuboid) = (flat.as_polytope(), Polytope::Cuboid(cuboid));
-        let (parts, poses, polytopes) = match sifting.side {
-            0 => ([part, other], [from_box, to_box], [&flat, &cuboid]),
-            _ => ([other, part], [to_box, from_box], [&cuboid, &flat]),
-        };
-        let hint = self.hint(&parts[0], &parts[1]);
-        let axis = match sifting.side {
-            0 => axis(to_box.rotation * -hint).exchanged(from_box),
-            _ => axis(hint),
-        };
-        let raw = &mut *self.raw;
-        raw.points.clear();
-        let gap = contacts_on_axis(poses, polytopes, &axis, prediction, raw);
-        raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
-        if raw.points.is_empty() {
-            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_SHARE);
-        } else {
-            self.distance = 0.0;
-            self.patches.add(raw, &parts[0], &parts[1]);
-        }
-    }
-
-    /// Computes the contacts of a part of the shape on a side with the other shape, which is convex.
-    fn visit_on(&mut self, side: usize, part: Part<'_>) {
-        let other = Part::whole(self.parts[1 - side].shape());
-        let [part1, part2] = if side == 0 { [part, other] } else { [other, part] };
-        self.visit(part1, part2);
-    }
-
     /// Computes the contacts of two convex parts.
-    fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
+    pub(super) fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
         let pos12 = self.pose_of_parts(&part1, &part2);
         self.raw.local_n1 = self.hint(&part1, &part2);
         let parts = [part1, part2];
@@ -190,7 +87,7 @@ impl Search<'_> {
 
     /// Where the normal of two parts pointed last time, in the frame of the first part. Flat parts that
     /// lie in the plane of a manifold are part of it.
-    fn hint(&self, part1: &Part<'_>, part2: &Part<'_>) -> Vector {
+    pub(super) fn hint(&self, part1: &Part<'_>, part2: &Part<'_>) -> Vector {
         let ids = (part1.id, part2.id);
         let is_same = |m: &&ContactManifold| (m.subshape1, m.subshape2) == ids;
         let is_in_plane = |manifold: &&ContactManifold| {
@@ -216,14 +113,19 @@ impl Search<'_> {
     /// Takes contacts out that are only seams between parts of the shape on a side, or between these and
     /// other obstacles of the shape on the other side.
     pub fn take_out_seams(&mut self, side: usize, seams: &mut Vec<Seam>) {
-        let neighbors = self.pair.neighbors[1 - side];
-        if neighbors.is_empty() && (self.parts[side].is_convex() || self.patches.look_alike()) {
+        if !self.may_have_seams(side) {
             return;
         }
         self.find_seams(side, seams);
         for seam in &*seams {
             self.turn(side, seam);
         }
+    }
+
+    /// Is there more than one direction, or anything else, so that a contact may be only a seam?
+    pub(super) fn may_have_seams(&self, side: usize) -> bool {
+        let neighbors = self.pair.neighbors[1 - side];
+        !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
     }
 
     fn find_seams(&self, side: usize, seams: &mut Vec<Seam>) {
@@ -240,14 +142,15 @@ impl Search<'_> {
 
     /// A patch as a contact with an obstacle on a side, in the frame of the shape on the other.
     fn facet(&self, side: usize, patch: usize) -> Facet<'_> {
-        let (index, patch) = (patch, &self.patches.list()[patch]);
-        let pair = self.pair;
-        let deepest = self.patches.points(index).iter().min_by(|a, b| a.dist.total_cmp(&b.dist));
+        let (pair, patches, index) = (self.pair, &*self.patches, patch);
+        let patch = &patches.list()[index];
+        let deepest = patches.points(index).iter().min_by(|a, b| a.dist.total_cmp(&b.dist));
         let (normal, pose) = match side {
             0 => (pair.pos12.rotation.inverse() * patch.normal, pair.pos12.inverse()),
             _ => (-patch.normal, pair.pos12),
         };
-        let obstacle = Obstacle::new(self.parts[side], patch.parts[side], pose);
+        let obstacle = Obstacle::floor(patches.pieces(index), pose)
+            .unwrap_or_else(|| Obstacle::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
         let body = (self.parts[1 - side], patch.parts[1 - side]);
         Facet::new(obstacle, body, normal, place, patch.dist)

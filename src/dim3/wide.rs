@@ -150,6 +150,24 @@ impl<W: Wide> WideVector<W> {
         Self { x: self.x * other.x, y: self.y * other.y, z: self.z * other.z }
     }
 
+    /// The smaller of each component.
+    #[inline(always)]
+    pub fn min(self, other: Self) -> Self {
+        Self { x: self.x.min(other.x), y: self.y.min(other.y), z: self.z.min(other.z) }
+    }
+
+    /// The larger of each component.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        Self { x: self.x.max(other.x), y: self.y.max(other.y), z: self.z.max(other.z) }
+    }
+
+    /// Is no component larger than that of the other?
+    #[inline(always)]
+    pub fn all_le(self, other: Self) -> W::Mask {
+        self.x.le(other.x) & self.y.le(other.y) & self.z.le(other.z)
+    }
+
     /// `yes` in the lanes where the mask says yes, `no` in the others.
     #[inline(always)]
     pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {

@@ -81,7 +81,7 @@ fn stacked(aside: Vector, gap: Real, previous: &[ContactManifold]) -> ContactMan
     let mut found = smallvec::SmallVec::new();
     let scratch = &mut Default::default();
     let pair = super::ShapePair::alone(&pos12, [&*cube, &*cube], 0.02);
-    super::compute_manifolds(&pair, previous, scratch, &mut found);
+    super::compute_manifolds(&pair, previous, None, scratch, &mut found);
     assert_eq!(found.len(), 1);
     found.remove(0)
 }
@@ -145,7 +145,7 @@ fn turned_boxes_keep_four_points_that_span_the_overlap() {
         let scratch = &mut Default::default();
         let pos12 = Pose::from_parts(height, turn);
         let pair = super::ShapePair::alone(&pos12, [&*cube, &*cube], 0.02);
-        super::compute_manifolds(&pair, &previous, scratch, &mut found);
+        super::compute_manifolds(&pair, &previous, None, scratch, &mut found);
         let names = |m: &ContactManifold| -> Vec<_> {
             m.contacts().iter().map(|c| (c.fid1, c.fid2)).collect()
         };

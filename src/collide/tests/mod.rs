@@ -2,6 +2,7 @@
 
 mod boxes;
 mod capsules;
+mod floors;
 mod fuzz;
 mod hulls;
 mod matching;
@@ -34,7 +35,7 @@ impl Scene {
         let (old, scratch) = (core::mem::take(&mut self.found), &mut ManifoldScratch::default());
         let [shape1, shape2] = &self.shapes;
         let pair = ShapePair::alone(&pos12, [&**shape1, &**shape2], 0.02);
-        compute_manifolds(&pair, &old, scratch, &mut self.found);
+        compute_manifolds(&pair, &old, None, scratch, &mut self.found);
         inherit_impulses(&mut self.found, &old);
     }
 }
@@ -49,7 +50,7 @@ fn manifolds(
     let mut found = SmallVec::new();
     let scratch = &mut ManifoldScratch::default();
     let pair = ShapePair::alone(pos12, [shape1, shape2], prediction);
-    let bound = compute_manifolds(&pair, &[], scratch, &mut found);
+    let bound = compute_manifolds(&pair, &[], None, scratch, &mut found);
     (found, bound)
 }
 

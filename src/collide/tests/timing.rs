@@ -39,7 +39,7 @@ fn time(name: &str, shape1: &dyn Shape, shape2: &dyn Shape, poses: &[Pose]) {
             let mut found = SmallVec::new();
             let pose = &(aside * *pose);
             let pair = ShapePair::alone(pose, [shape1, shape2], 0.02);
-            compute_manifolds(&pair, &[], &mut scratch, &mut found);
+            compute_manifolds(&pair, &[], None, &mut scratch, &mut found);
             found
         })
         .collect();
@@ -48,7 +48,7 @@ fn time(name: &str, shape1: &dyn Shape, shape2: &dyn Shape, poses: &[Pose]) {
         let start = Instant::now();
         for (pose, previous) in poses.iter().zip(&previous) {
             let pair = ShapePair::alone(pose, [shape1, shape2], 0.02);
-            compute_manifolds(&pair, previous, &mut scratch, &mut out);
+            compute_manifolds(&pair, previous, None, &mut scratch, &mut out);
             inherit_impulses(&mut out, previous);
             points += out.iter().map(|manifold| manifold.contacts().len()).sum::<usize>();
         }

@@ -91,11 +91,12 @@ impl<'a> Obstacles<'a> {
         let pair = ShapePair {
             pos12: collider.position().inv_mul(pose),
             shapes: [collider.shape(), self.shape],
+            motion: Vector::ZERO,
             prediction: reach,
             flush: gait.tolerance,
             neighbors: [&[], &[]],
             simd: Simd::detect(),
         };
-        compute_manifolds(&pair, &[], &mut self.scratch, &mut self.manifolds);
+        compute_manifolds(&pair, &[], None, &mut self.scratch, &mut self.manifolds);
     }
 }

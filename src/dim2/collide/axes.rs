@@ -5,7 +5,7 @@
 //! are made of nothing but segments, and most of those near a body are in its way for the first time. So
 //! nothing is remembered of them, and as many are tried at once as a register has lanes.
 
-use super::flat::{FlatShape, flat_corners};
+use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
 use crate::base::axis::{BestAxis, Side, apart};
 use crate::base::wide::{Kernel, Lane, Simd, Wide};
@@ -20,16 +20,6 @@ const TOLERANCE: Real = 0.001;
 const SAME_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
-
-/// Segments, a lane for each.
-pub type FlatBlock = [WideVector<Lane>; 2];
-
-/// Sets one lane of a block.
-pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
-    for (ends, end) in block.iter_mut().zip(flat_corners(flat)) {
-        ends.set_lane(lane, end);
-    }
-}
 
 /// The best axis of each kind: of the box, of the segment. In the frame of the box.
 #[derive(Copy, Clone, Debug, Default)]

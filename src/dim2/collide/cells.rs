@@ -1,5 +1,6 @@
 //! The cells of height fields.
 
+use super::flat::FlatShape;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -10,6 +11,16 @@ pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstrai
 /// Calls `f` with the number, shape and normal constraints of each segment near `region`.
 pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>) {
     field.map_elements_in_local_aabb(region, &mut |id, segment| f(id, segment, None));
+}
+
+/// May the segments be hit from everywhere?
+pub fn has_free_cells(_field: &HeightField) -> bool {
+    true
+}
+
+/// Calls `f` with the number and shape of each segment near `region`.
+pub fn for_each_free_cell(field: &HeightField, region: &Aabb, mut f: impl FnMut(u32, &FlatShape)) {
+    field.map_elements_in_local_aabb(region, &mut f);
 }
 
 /// Calls `f` with the segment of a number.

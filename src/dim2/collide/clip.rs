@@ -7,7 +7,7 @@ use crate::dim::math::{Pose, Real};
 /// Points that stick out of a face by up to this share of it still count as inside: faces of equal
 /// size meet often, and rounding must not decide what their ends are. The same share above the
 /// deepest point is still as deep.
-const RIM: Real = 5.0e-3;
+pub(super) const RIM: Real = 5.0e-3;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
 pub struct FaceContact<'a> {

@@ -1,8 +1,10 @@
 //! What surfaces are made of: segments.
 
 use super::polytope::Polytope;
+use crate::base::wide::Lane;
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{Segment, Shape};
+use crate::dim::wide::WideVector;
+use parry::shape::{Polyline, Segment, Shape};
 
 /// A flat shape.
 pub type FlatShape = Segment;
@@ -17,21 +19,51 @@ pub fn flat_corners(flat: &FlatShape) -> [Vector; 2] {
     [flat.a, flat.b]
 }
 
-/// A segment.
+/// A line of flat shapes.
+pub type FlatMesh = Polyline;
+
+/// The line that a shape is, if it is one whose pieces may be hit from everywhere.
+pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
+    shape.as_polyline().filter(|line| line.pseudo_normals().is_none())
+}
+
+/// A piece of a line.
+pub fn flat_of(mesh: &FlatMesh, id: u32) -> FlatShape {
+    mesh.segment(id)
+}
+
+/// Segments, a lane for each.
+pub type FlatBlock = [WideVector<Lane>; 2];
+
+/// Sets one lane of a block.
+pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
+    for (ends, end) in block.iter_mut().zip(flat_corners(flat)) {
+        ends.set_lane(lane, end);
+    }
+}
+
+/// The segment in one lane of a block.
+pub fn flat_lane(block: &FlatBlock, lane: usize) -> FlatShape {
+    let [a, b] = block.each_ref().map(|ends| ends.lane(lane));
+    Segment::new(a, b)
+}
+
+/// A segment and its unit normal.
 #[derive(Copy, Clone, Debug)]
 pub struct Flat {
     segment: Segment,
+    normal: Vector,
 }
 
 impl Flat {
     /// A segment; `None` if it has no normal.
     pub fn new(segment: &Segment) -> Option<Self> {
-        segment.normal().map(|_| Self { segment: *segment })
+        Some(Self { segment: *segment, normal: segment.normal()? })
     }
 
     /// As it is in the frame in which its own is at `pose`.
     pub fn at(&self, pose: &Pose) -> Self {
-        Self { segment: self.segment.transformed(pose) }
+        Self { segment: self.segment.transformed(pose), normal: pose.rotation * self.normal }
     }
 
     pub fn as_polytope(&self) -> Polytope<'_> {
@@ -40,6 +72,16 @@ impl Flat {
 
     pub fn as_shape(&self) -> &dyn Shape {
         &self.segment
+    }
+
+    /// Its unit normal.
+    pub fn normal(&self) -> Vector {
+        self.normal
+    }
+
+    /// One of its corners.
+    pub fn origin(&self) -> Vector {
+        self.segment.a
     }
 
     /// How far it reaches along a direction.

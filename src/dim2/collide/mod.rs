@@ -11,20 +11,25 @@ mod flat;
 mod hull_nearest;
 mod polytope;
 mod reduce;
+mod rims;
 #[cfg(test)]
 pub mod samples;
 
-pub use axes::{FlatAxes, FlatBlock, Sieve, best_axis, set_flat_lane};
+pub use axes::{FlatAxes, Sieve, best_axis};
 pub use capsule_triangle::capsule_triangle;
-pub use cells::{for_each_cell, with_cell};
+pub use cells::{for_each_cell, for_each_free_cell, has_free_cells, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
-pub use flat::{Flat, FlatShape, as_flat, flat_corners};
+pub use flat::{
+    Flat, FlatBlock, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_lane, flat_of,
+    set_flat_lane,
+};
 pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
+pub use rims::Rims;
 
 /// Points and normal as the contact generators deliver them, in the frames of the two convex parts.
 pub type RawManifold = parry::query::ContactManifold<(), ()>;

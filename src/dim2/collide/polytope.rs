@@ -143,6 +143,17 @@ impl<'a> Polytope<'a> {
         }
     }
 
+    /// Calls `f` with the ends of the face that looks along a direction.
+    pub fn for_each_corner_toward(
+        &self,
+        direction: Vector,
+        mut f: impl FnMut(Vector, PackedFeatureId),
+    ) {
+        if let Some(face) = self.face_toward(direction) {
+            self.corners(face.id).iter().for_each(|corner| f(corner.point, corner.vertex));
+        }
+    }
+
     /// The two ends of a face, counter-clockwise.
     pub(super) fn corners(&self, id: usize) -> [Corner; 2] {
         match *self {

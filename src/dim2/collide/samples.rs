@@ -96,6 +96,22 @@ pub fn surface(hull: &dyn Shape) -> Vec<Segment> {
     points.iter().zip(next).map(|(start, end)| Segment::new(*start, *end)).collect()
 }
 
+/// A flat line of segments of the given size along the first axis: `count` in a row. Only those whose middle is to
+/// be kept.
+pub fn carpet(
+    count: u32,
+    size: Real,
+    height: fn(Vector) -> Real,
+    keep: fn(Vector) -> bool,
+) -> SharedShape {
+    let end = |i: u32| {
+        let at = Vector::new(i as Real - 0.5 * count as Real, 0.0) * size;
+        at + Vector::Y * height(at)
+    };
+    let segments = (0..count).filter(|i| keep(end(*i).midpoint(end(i + 1)))).map(|i| [i, i + 1]);
+    SharedShape::polyline((0..=count).map(end).collect(), Some(segments.collect()))
+}
+
 /// The hull of random points; `None` if it has no inside.
 pub fn hull(random: &mut Random, size: f64) -> Option<SharedShape> {
     let points: Vec<_> = (0..8).map(|_| vector(random, size)).collect();

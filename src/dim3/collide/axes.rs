@@ -6,7 +6,7 @@
 //! but triangles; a body has dozens of them around it and touches a few, most of which are in its way for the
 //! first time. So nothing is remembered of them, and as many are tried at once as a register has lanes.
 
-use super::flat::{FlatShape, flat_corners};
+use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
 use crate::base::axis::{BestAxis, Side, apart};
 use crate::base::wide::{Kernel, Lane, Simd, Wide};
@@ -24,16 +24,6 @@ const SAME_AXIS: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
 const PARALLEL: Real = 1.0e-4;
-
-/// Triangles, a lane for each.
-pub type FlatBlock = [WideVector<Lane>; 3];
-
-/// Sets one lane of a block.
-pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
-    for (corners, corner) in block.iter_mut().zip(flat_corners(flat)) {
-        corners.set_lane(lane, corner);
-    }
-}
 
 /// The best axis of each kind: of the box, of the triangle, of an edge of each. In the frame of the box.
 #[derive(Copy, Clone, Debug, Default)]

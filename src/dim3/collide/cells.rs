@@ -1,8 +1,9 @@
 //! The cells of height fields.
 
+use super::flat::FlatShape;
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
-use parry::shape::{HeightField, Shape};
+use parry::shape::{HeightField, HeightFieldFlags, Shape};
 
 /// Is called with a cell's number, its shape, and the normals that it may be hit along.
 pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstraints>) + 'a;
@@ -13,6 +14,16 @@ pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>
         let normals = field.triangle_normal_constraints(id);
         f(id, triangle, normals.as_ref().map(|normals| normals as &dyn NormalConstraints));
     });
+}
+
+/// May the triangles be hit from everywhere?
+pub fn has_free_cells(field: &HeightField) -> bool {
+    !field.flags().contains(HeightFieldFlags::FIX_INTERNAL_EDGES)
+}
+
+/// Calls `f` with the number and shape of each triangle near `region`.
+pub fn for_each_free_cell(field: &HeightField, region: &Aabb, mut f: impl FnMut(u32, &FlatShape)) {
+    field.map_elements_in_local_aabb(region, &mut f);
 }
 
 /// Calls `f` with the triangle of a number.

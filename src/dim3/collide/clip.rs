@@ -13,7 +13,7 @@ use parry::shape::PackedFeatureId;
 /// Points that stick out of a face by up to this share of its edge still count as inside: faces of
 /// equal size meet often, and rounding must not decide what their corners are. The same share above
 /// the deepest point is still as deep.
-const RIM: Real = 5.0e-3;
+pub(super) const RIM: Real = 5.0e-3;
 /// Most corners of an overlap.
 const MAX_OVERLAP: usize = 64;
 

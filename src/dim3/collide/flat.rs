@@ -1,8 +1,10 @@
 //! What surfaces are made of: triangles.
 
 use super::polytope::Polytope;
+use crate::base::wide::Lane;
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{Shape, Triangle};
+use crate::dim::wide::WideVector;
+use parry::shape::{Shape, TriMesh, TriMeshFlags, Triangle};
 
 /// A flat shape.
 pub type FlatShape = Triangle;
@@ -15,6 +17,36 @@ pub fn as_flat(shape: &dyn Shape) -> Option<&FlatShape> {
 /// The corners of a flat shape.
 pub fn flat_corners(flat: &FlatShape) -> [Vector; 3] {
     [flat.a, flat.b, flat.c]
+}
+
+/// A surface of flat shapes.
+pub type FlatMesh = TriMesh;
+
+/// The surface that a shape is, if it is one whose pieces may be hit from everywhere.
+pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
+    let is_free = |mesh: &&TriMesh| !mesh.flags().contains(TriMeshFlags::FIX_INTERNAL_EDGES);
+    shape.as_trimesh().filter(is_free)
+}
+
+/// A piece of a surface.
+pub fn flat_of(mesh: &FlatMesh, id: u32) -> FlatShape {
+    mesh.triangle(id)
+}
+
+/// Triangles, a lane for each.
+pub type FlatBlock = [WideVector<Lane>; 3];
+
+/// Sets one lane of a block.
+pub fn set_flat_lane(block: &mut FlatBlock, lane: usize, flat: &FlatShape) {
+    for (corners, corner) in block.iter_mut().zip(flat_corners(flat)) {
+        corners.set_lane(lane, corner);
+    }
+}
+
+/// The triangle in one lane of a block.
+pub fn flat_lane(block: &FlatBlock, lane: usize) -> FlatShape {
+    let [a, b, c] = block.each_ref().map(|corners| corners.lane(lane));
+    Triangle::new(a, b, c)
 }
 
 /// A triangle and its unit normal.
@@ -41,6 +73,16 @@ impl Flat {
 
     pub fn as_shape(&self) -> &dyn Shape {
         &self.triangle
+    }
+
+    /// Its unit normal.
+    pub fn normal(&self) -> Vector {
+        self.normal
+    }
+
+    /// One of its corners.
+    pub fn origin(&self) -> Vector {
+        self.triangle.a
     }
 
     /// How far it reaches along a direction.

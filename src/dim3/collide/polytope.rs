@@ -178,6 +178,20 @@ impl<'a> Polytope<'a> {
         }
     }
 
+    /// Calls `f` with the corners of the face that looks along a direction, or with the ends of a segment.
+    pub fn for_each_corner_toward(
+        &self,
+        direction: Vector,
+        mut f: impl FnMut(Vector, PackedFeatureId),
+    ) {
+        if let Self::Segment(segment) = self {
+            f(segment.a, PackedFeatureId::vertex(0));
+            f(segment.b, PackedFeatureId::vertex(1));
+        } else if let Some(face) = self.face_toward(direction) {
+            self.corners(face.id).iter().for_each(|corner| f(corner.point, corner.vertex()));
+        }
+    }
+
     /// The corners of a face.
     pub(super) fn corners(&self, id: usize) -> Corners {
         match *self {

@@ -99,6 +99,32 @@ pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
     }
 }
 
+/// A flat surface of squares of the given size, in the plane through the first and the third axis: `count` in a
+/// row, each of two triangles, one of which goes round the other way. Only those whose middle is to be kept.
+pub fn carpet(
+    count: u32,
+    size: Real,
+    height: fn(Vector) -> Real,
+    keep: fn(Vector) -> bool,
+) -> SharedShape {
+    let corner = |i: u32, j: u32| {
+        let middle = 0.5 * count as Real;
+        let at = Vector::new(i as Real - middle, 0.0, j as Real - middle) * size;
+        at + Vector::Y * height(at)
+    };
+    let squares = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
+    let number = |i: u32, j: u32| i * (count + 1) + j;
+    let is_kept = |(i, j): &(u32, u32)| keep(corner(*i, *j).midpoint(corner(i + 1, j + 1)));
+    let triangles = squares.filter(is_kept).flat_map(|(i, j)| {
+        let (a, b) = (number(i, j), number(i, j + 1));
+        let (c, d) = (number(i + 1, j), number(i + 1, j + 1));
+        [[a, b, d], [a, c, d]]
+    });
+    let points = (0..=count).flat_map(|i| (0..=count).map(move |j| (i, j)));
+    let points = points.map(|(i, j)| corner(i, j)).collect();
+    SharedShape::trimesh(points, triangles.collect()).expect("these indices are in range")
+}
+
 /// The triangles that a hull is made of.
 pub fn surface(hull: &dyn Shape) -> Vec<Triangle> {
     let (points, triangles) = hull.as_convex_polyhedron().expect("is a hull").to_trimesh();

@@ -2,12 +2,14 @@
 
 mod manifold;
 mod narrow_phase;
+mod nearby;
 mod pair;
 mod placement;
 mod store;
 
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
 pub use narrow_phase::NarrowPhase;
+pub(crate) use nearby::Nearby;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use placement::{MotionSince, Placement, WidePlacement};
 pub(crate) use store::{AwakePair, DUE, Entry, Pair, PairId, PairStore, StoreParts};

@@ -1,8 +1,10 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
 use super::manifold::ContactManifold;
+use super::nearby::Nearby;
 use super::placement::Placement;
 use super::store::Pair;
+use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 use smallvec::SmallVec;
@@ -31,6 +33,9 @@ pub struct ContactPair {
     pub(crate) pose12: Pose,
     /// How the bodies stood when the contact points were put into the world.
     pub(crate) placement: Placement,
+    /// What of a mesh is around the other collider, while neither shape changes. Nothing but time depends on it.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) nearby: Option<Box<Nearby>>,
 }
 
 impl Default for ContactPair {
@@ -51,6 +56,7 @@ impl ContactPair {
             attached: false,
             pose12: Pose::IDENTITY,
             placement: Placement::NOWHERE,
+            nearby: None,
         }
     }
 
@@ -122,6 +128,15 @@ impl IntersectionPair {
 impl Pair for ContactPair {
     fn colliders(&self) -> [ColliderHandle; 2] {
         [self.collider1, self.collider2]
+    }
+
+    #[inline]
+    fn prefetch(&self, what_is_there: bool) {
+        match self.nearby.as_deref() {
+            Some(nearby) if what_is_there => nearby.prefetch(),
+            Some(nearby) => prefetch(nearby),
+            None => {}
+        }
     }
 }
 

@@ -24,6 +24,9 @@ pub(crate) const DUE: Real = Real::NEG_INFINITY;
 pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
     fn colliders(&self) -> [ColliderHandle; 2];
+
+    /// Asks for what the pair keeps elsewhere in memory: for where it is, then for what is there.
+    fn prefetch(&self, _what_is_there: bool) {}
 }
 
 /// A pair that the narrow phase visits, with all it needs to decide that nothing must be done.

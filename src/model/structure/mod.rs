@@ -270,6 +270,7 @@ impl Structure<'_> {
                 self.update_colors(id);
                 // A pair that stays awake never hears of this body's last motion.
                 self.narrow_phase.contacts.invalidate(id);
+                self.narrow_phase.contacts[id].nearby = None;
                 self.rest_contact(id);
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {

@@ -155,12 +155,13 @@ impl ContactPair {
             let pair = ShapePair {
                 pos12: view.pose12,
                 shapes: view.colliders.map(Collider::shape),
+                motion: view.motion(),
                 prediction: reach,
                 flush: view.around.params.allowed_linear_error(),
                 neighbors,
                 simd: view.around.simd,
             };
-            let distance = compute_manifolds(&pair, old, scratch, fresh);
+            let distance = compute_manifolds(&pair, old, Some(&mut self.nearby), scratch, fresh);
             gap = (distance - reach).max(0.0);
             inherit_impulses(fresh, old);
             self.placement = place.placement();

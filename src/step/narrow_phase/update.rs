@@ -193,6 +193,12 @@ impl<P: Update> Ahead<'_, P> {
             for body in bodies {
                 self.around.bodies.prefetch(body);
             }
+            PairStore::pair(entry).into_iter().for_each(|pair| pair.prefetch(false));
+        }
+        if let Some(pair) = self.due.get(turn + 1) {
+            // SAFETY: as above.
+            let entry = unsafe { self.pairs.get(self.awake[*pair as usize].id as usize) };
+            PairStore::pair(entry).into_iter().for_each(|pair| pair.prefetch(true));
         }
     }
 }

@@ -69,6 +69,13 @@ impl<'a> PairView<'a> {
         }
     }
 
+    /// How far the second collider's body moves against the first's in a step, in the frame of the first collider.
+    pub fn motion(&self) -> Vector {
+        let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
+        let relative = velocity(self.bodies[1]) - velocity(self.bodies[0]);
+        self.colliders[0].pose.rotation.inverse() * relative * self.around.params.dt
+    }
+
     /// Gap below which contacts are wanted.
     pub fn prediction(&self) -> Real {
         let soft_ccd = |body: Option<&RigidBody>| body.map_or(0.0, |body| body.soft_ccd_prediction);

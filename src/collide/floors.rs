@@ -1,0 +1,239 @@
+//! Floors of many pieces: a body on a fine mesh costs what it costs on a plane.
+//!
+//! A body that lies on a plane touches it with the corners of one face. If the plane is a mesh, each of the
+//! dozens of triangles under the face asks to be clipped against it, and of all these points only the corners are
+//! left once they are put together: nothing else is as far out, and what lies between bears nothing that they do
+//! not. So where every corner is over *some* piece of the plane, the corners are the contacts, and the
+//! pieces need not be looked at one by one. What lies between the corners, be it other pieces, a hole or
+//! something that rises above the plane, does not matter to this: the last is in another plane, and
+//! looked at by itself.
+//!
+//! Only planes that the body touched a moment ago are tried. There is always one to begin with, because the
+//! first time the pieces *are* looked at one by one; and on rough ground, where no two triangles are in
+//! one plane, there is little to try for nothing.
+//!
+//! Where a corner is over the edge of the plane, what lies under the body decides which points bear, and the
+//! pieces are clipped as ever. Box3D clusters the points that were clipped, PhysX and Bullet keep what
+//! they find from step to step; either way each triangle is clipped.
+
+use super::convex::is_sound;
+use super::footing::{Footing, MAX_FEET};
+use super::parts::Part;
+use super::polytopes::DEEP;
+use super::search::Search;
+use super::sifting::{Bits, Sifting};
+use crate::base::wide::{Kernel, LANES, Wide};
+use crate::dim::collide::{Flat, FlatBlock, RawPoint, Rims};
+use crate::dim::math::{Real, Vector};
+use crate::dim::wide::WideVector;
+use crate::model::contact::{ContactManifold, Nearby};
+use arrayvec::ArrayVec;
+use parry::shape::PackedFeatureId;
+
+/// How far a piece may be off its floor's plane, as a share of the height of a step that is none.
+const EVEN: Real = 0.1;
+/// Fewer pieces are as quickly looked at one by one.
+const MIN_PIECES: u32 = 2;
+
+/// A plane in the frame of the shape that has the parts, its normal towards the body.
+#[derive(Copy, Clone)]
+struct Plane {
+    point: Vector,
+    normal: Vector,
+}
+
+impl Plane {
+    /// That of a contact of the shape on a side, as it was in that shape's frame.
+    fn of(manifold: &ContactManifold, side: usize) -> Option<Self> {
+        let contact = manifold.contacts().first()?;
+        Some(match side {
+            0 => Self { point: contact.local_p1, normal: manifold.local_n1 },
+            _ => Self { point: contact.local_p2, normal: manifold.local_n2 },
+        })
+    }
+
+    /// That of a piece, which is not rounded anew in each step.
+    fn of_piece(&self, flat: &Flat) -> Self {
+        let normal = flat.normal();
+        let is_back = normal.dot(self.normal) < 0.0;
+        Self { point: flat.origin(), normal: if is_back { -normal } else { normal } }
+    }
+}
+
+fn is_several(pieces: &[u32]) -> bool {
+    pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= MIN_PIECES
+}
+
+/// The corners of the body over pieces of a floor.
+#[derive(Default)]
+struct Stand {
+    points: ArrayVec<RawPoint, MAX_FEET>,
+    /// The deepest: the number of its piece, and the plane's normal there.
+    piece: u32,
+    normal: Vector,
+    dist: Real,
+}
+
+impl Search<'_> {
+    /// Takes those of the flat parts that the body stands on as on one plane, and adds its contacts.
+    pub(super) fn take_floors(&mut self, sifting: &Sifting<'_>) {
+        for last in self.previous {
+            let Some((plane, pieces)) = self.floor_of(last, sifting) else { continue };
+            if let Some(stand) = self.stand(sifting, &plane, &pieces) {
+                for (left, taken) in self.sifted.left.iter_mut().zip(&pieces) {
+                    *left &= !taken;
+                }
+                if let Some(patch) = self.add_floor(sifting, &stand) {
+                    self.sifted.floors.push((patch, pieces));
+                }
+            }
+        }
+    }
+
+    /// The plane of a manifold of last time, and the parts that lie in it, if they are several.
+    fn floor_of(&self, last: &ContactManifold, sifting: &Sifting<'_>) -> Option<(Plane, Bits)> {
+        let plane = Plane::of(last, sifting.side)?;
+        let (nearby, flush) = (sifting.nearby, self.pair.flush);
+        // The normal may have been that of the body's own face, which leans a little.
+        let nearly = self.parts_in(nearby, &plane, flush);
+        let block = nearly.iter().position(|&bits| bits != 0).filter(|_| is_several(&nearly))?;
+        let (_, first) = nearby.piece(block, nearly[block].trailing_zeros() as usize);
+        let plane = plane.of_piece(&Flat::new(&first)?);
+        let pieces = self.parts_in(nearby, &plane, EVEN * flush);
+        is_several(&pieces).then_some((plane, pieces))
+    }
+
+    /// The flat parts that lie in a plane.
+    fn parts_in(&self, nearby: &Nearby, plane: &Plane, tolerance: Real) -> Bits {
+        let (blocks, left) = (nearby.blocks(), &self.sifted.left[..]);
+        let mut pieces = Bits::from_elem(0, blocks.len());
+        let found = &mut pieces[..];
+        self.pair.simd.run(InPlane { plane, tolerance, blocks, left, pieces: found });
+        pieces
+    }
+
+    /// The corners with which the body stands on a floor; `None` if it is not over pieces with all of
+    /// them, is not near, or is so deep that it may have come from the side.
+    fn stand(&self, sifting: &Sifting<'_>, plane: &Plane, pieces: &[u32]) -> Option<Stand> {
+        let pose = &sifting.poses[0];
+        let footing = Footing::of(sifting.body.shape, pose.rotation.inverse() * -plane.normal)?;
+        let places: ArrayVec<Vector, MAX_FEET> =
+            footing.feet.iter().map(|foot| *pose * foot.point).collect();
+        let mut found = [None; MAX_FEET];
+        let blocks = sifting.nearby.blocks();
+        let (normal, places, found) = (plane.normal, &places[..], &mut found[..places.len()]);
+        self.pair.simd.run(Over { normal, blocks, pieces, places, found });
+        let mut stand = Stand { dist: Real::INFINITY, ..Stand::default() };
+        for ((foot, place), found) in footing.feet.iter().zip(places).zip(found) {
+            let (block, lane) = (*found)?;
+            let (piece, shape) = sifting.nearby.piece(block, lane);
+            let flat = Flat::new(&shape)?;
+            let Plane { point, normal } = plane.of_piece(&flat);
+            let dist = normal.dot(*place - point);
+            let (on_floor, id) = (*place - normal * dist, PackedFeatureId::UNKNOWN);
+            let is_second = sifting.side == 1;
+            let point = RawPoint::flipped(on_floor, foot.point, id, foot.feature, dist, is_second);
+            stand.points.push(point);
+            if dist < stand.dist {
+                (stand.piece, stand.normal, stand.dist) = (piece, normal, dist);
+            }
+        }
+        let (dist, prediction) = (stand.dist, self.pair.prediction);
+        let is_shallow = -dist < prediction.max(DEEP * footing.thickness);
+        (dist <= prediction && is_shallow).then_some(stand)
+    }
+
+    /// Adds the contacts with a floor, in the name of the piece under the deepest.
+    /// Returns the number of its patch.
+    fn add_floor(&mut self, sifting: &Sifting<'_>, stand: &Stand) -> Option<usize> {
+        let (raw, prediction) = (&mut *self.raw, self.pair.prediction);
+        let normals = [stand.normal, sifting.poses[1].rotation * -stand.normal];
+        [raw.local_n1, raw.local_n2] =
+            if sifting.side == 0 { normals } else { [normals[1], normals[0]] };
+        raw.points.clear();
+        let points = stand.points.iter().copied();
+        raw.points.extend(points.filter(|point| is_sound(point) && point.dist <= prediction));
+        self.distance = 0.0;
+        // Of the piece only its number counts: points are in the frame of the shape.
+        let piece = Part { id: stand.piece, ..Part::whole(sifting.body.shape) };
+        let [part1, part2] = sifting.with_body(piece);
+        self.patches.add(raw, &part1, &part2).then(|| self.patches.list().len() - 1)
+    }
+
+    /// Tells the patches of floors what these are made of, which only seams ask for.
+    pub(super) fn lay_floors(&mut self, nearby: &Nearby) {
+        for (patch, pieces) in &self.sifted.floors {
+            let bits = |(block, bits): (usize, &u32)| {
+                let bits = *bits;
+                let lanes = (0..LANES).filter(move |lane| bits & (1 << lane) != 0);
+                lanes.map(move |lane| (block, lane))
+            };
+            let places = pieces.iter().enumerate().flat_map(bits);
+            let shapes = places.map(|(block, lane)| nearby.piece(block, lane).1);
+            self.patches.lay_floor(*patch, shapes);
+        }
+    }
+}
+
+/// Which flat shapes lie in a plane?
+struct InPlane<'a> {
+    plane: &'a Plane,
+    tolerance: Real,
+    blocks: &'a [FlatBlock],
+    /// Those of each block that count.
+    left: &'a [u32],
+    pieces: &'a mut [u32],
+}
+
+impl Kernel for InPlane<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        let Self { plane, tolerance, blocks, left, pieces } = self;
+        let (point, normal) =
+            (WideVector::<W>::splat(plane.point), WideVector::<W>::splat(plane.normal));
+        let tolerance = W::splat(tolerance);
+        for index in 0..blocks.len() {
+            pieces[index] = left[index];
+            for corner in &blocks[index] {
+                let height = normal.dot(WideVector::load(corner) - point);
+                pieces[index] &= W::bits(height.abs().le(tolerance));
+            }
+        }
+    }
+}
+
+/// Over which piece of a floor is each of some places?
+struct Over<'a> {
+    normal: Vector,
+    blocks: &'a [FlatBlock],
+    pieces: &'a [u32],
+    places: &'a [Vector],
+    /// Block and lane of the first that a place is over.
+    found: &'a mut [Option<(usize, usize)>],
+}
+
+impl Kernel for Over<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        let Self { normal, blocks, pieces, places, found } = self;
+        for block in 0..blocks.len() {
+            if pieces[block] == 0 {
+                continue;
+            }
+            let rims = Rims::<W>::of(&blocks[block], normal);
+            for (place, found) in places.iter().zip(&mut *found) {
+                if found.is_some() {
+                    continue;
+                }
+                let over = pieces[block] & W::bits(rims.contain(WideVector::splat(*place)));
+                if over != 0 {
+                    *found = Some((block, over.trailing_zeros() as usize));
+                }
+            }
+        }
+    }
+}

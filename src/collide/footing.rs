@@ -1,0 +1,58 @@
+//! What of a convex shape meets a plane: the corners of the face, the edge or the point that looks at it.
+
+use super::parts::Part;
+use super::support::Core;
+use crate::dim::collide::Polytope;
+use crate::dim::math::{Real, Vector};
+use arrayvec::ArrayVec;
+use parry::shape::{PackedFeatureId, PolygonalFeature, Shape};
+
+/// Most corners of a footing. Faces have no more that are looked at.
+pub(super) const MAX_FEET: usize = 32;
+/// The lowest point may be lower than the corners by this share of the shape's thickness.
+const LOWER: Real = 0.01;
+
+/// A point of the shape, in its frame.
+#[derive(Copy, Clone)]
+pub(super) struct Foot {
+    pub point: Vector,
+    pub feature: PackedFeatureId,
+}
+
+/// What a shape stands on.
+pub(super) struct Footing {
+    pub feet: ArrayVec<Foot, MAX_FEET>,
+    /// How thick the shape is at right angles to the plane (length units).
+    pub thickness: Real,
+}
+
+impl Footing {
+    /// The footing of a shape, `down` being the unit vector from it to the plane. `None` if it is not known, or
+    /// if the shape stands on something else.
+    pub fn of(shape: &dyn Shape, down: Vector) -> Option<Self> {
+        let mut feet = ArrayVec::new();
+        let mut add = |point, feature| {
+            // No face has more than there is room for.
+            let _ = feet.try_push(Foot { point, feature });
+        };
+        if let Some(ball) = shape.as_ball() {
+            add(down * ball.radius, PackedFeatureId::face(0));
+        } else if let Some((polytope, radius)) = Polytope::of(shape) {
+            polytope.for_each_corner_toward(down, |point, id| add(point + down * radius, id));
+        } else {
+            let Core { shape, radius } = Core::of(&Part::whole(shape))?;
+            let (lowest, mut feature) =
+                (shape.local_support_point(down), PolygonalFeature::default());
+            shape.local_support_feature_toward(down, lowest, &mut feature);
+            for index in 0..feature.num_vertices {
+                add(feature.vertices[index] + down * radius, feature.vids[index]);
+            }
+        }
+        let support = shape.as_support_map()?;
+        let lowest = support.local_support_point(down).dot(down);
+        let thickness = lowest - support.local_support_point(-down).dot(down);
+        let depths = feet.iter().map(|foot: &Foot| foot.point.dot(down));
+        let is_lowest = depths.fold(Real::NEG_INFINITY, Real::max) >= lowest - LOWER * thickness;
+        is_lowest.then_some(Self { feet, thickness })
+    }
+}

@@ -1,0 +1,217 @@
+//! Parts of surfaces go through a sieve: most of those whose boxes overlap a body's are far from it.
+
+use super::convex::{DISTANCE_SHARE, is_sound};
+use super::parts::{Near, Part, Parts};
+use super::polytopes::contacts_on_axis;
+use super::search::Search;
+use crate::base::wide::{Kernel, LANES, Wide};
+use crate::dim::collide::{Flat, FlatAxes, FlatBlock, Polytope, RawManifold, Sieve, as_flat};
+use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::wide::WideVector;
+use crate::model::contact::Nearby;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::shape::Cuboid;
+use smallvec::SmallVec;
+
+/// The sieve lets pass what is within this many times the reach of contacts: more than rounding and the
+/// share of a distance that is trusted can make of it.
+const SIEVE_REACH: Real = 1.02;
+/// Parts are looked up for as many steps of the body's motion, unless it moves by more than its
+/// size.
+const STEPS_AHEAD: Real = 6.0;
+/// And for motion in other directions, as a share of its size.
+const MARGIN: Real = 0.05;
+
+/// Some flat parts: a bit for each of each block.
+pub(super) type Bits = SmallVec<[u32; 16]>;
+
+/// What became of flat parts.
+#[derive(Default)]
+pub(super) struct Sifted {
+    /// Those that are still to be looked at.
+    pub left: Bits,
+    /// The pieces of floors, with the number of the floor's patch.
+    pub floors: Vec<(usize, Bits)>,
+    /// The axes of a block.
+    axes: FlatAxes,
+}
+
+/// Parts of a surface, and a convex part of the other shape, the body.
+pub(super) struct Sifting<'a> {
+    /// Which of the shapes is the surface.
+    pub side: usize,
+    pub nearby: &'a Nearby,
+    pub body: Part<'a>,
+    /// The body's pose in the frame of the surface, and the inverse.
+    pub poses: [Pose; 2],
+}
+
+impl<'a> Sifting<'a> {
+    /// A part of the surface and the body, in the order of the pair.
+    pub fn with_body<'b>(&self, part: Part<'b>) -> [Part<'b>; 2]
+    where
+        'a: 'b,
+    {
+        if self.side == 0 { [part, self.body] } else { [self.body, part] }
+    }
+}
+
+impl Search<'_> {
+    /// Visits the parts of the surface on a side that are near the other shape.
+    ///
+    /// Returns false if it is no surface or the other shape is without limits. Then nothing was done.
+    pub(super) fn visit_surface(&mut self, side: usize) -> bool {
+        let [surface, body] = [self.parts[side], self.parts[1 - side]];
+        let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
+        let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
+        let near = Near::of(body.shape(), &poses[0], prediction);
+        let Some(bounds) = near.bounds().filter(|_| surface.is_surface()) else { return false };
+        let mut passing = core::mem::take(&mut *self.passing);
+        let kept = self.kept.take();
+        let nearby = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
+        look_up(&surface, &bounds, self.pair.motion_of(1 - side), nearby);
+        let nearby = &*nearby;
+        self.sifted.floors.clear();
+        if let Parts::Convex(shape) = body {
+            self.visit_over(&Sifting { side, nearby, body: Part::whole(shape), poses });
+        } else {
+            let around = Near::of(surface.shape(), &poses[1], prediction);
+            body.for_each_part(&around, &mut |body| {
+                let in_shape = body.pose();
+                let poses = [poses[0] * in_shape, in_shape.inverse() * poses[1]];
+                self.visit_over(&Sifting { side, nearby, body, poses });
+            });
+        }
+        if self.may_have_seams(side) {
+            self.lay_floors(nearby);
+        }
+        passing.clear();
+        *self.passing = passing;
+        true
+    }
+
+    /// Visits the parts of a surface that are near a body: what is a [floor](super::floors) is taken as one, and
+    /// the others go through the sieve.
+    fn visit_over(&mut self, sifting: &Sifting<'_>) {
+        let near = Near::of(sifting.body.shape, &sifting.poses[0], self.pair.prediction);
+        let Some(bounds) = near.bounds() else { return };
+        self.list_left(sifting.nearby, &bounds);
+        if as_flat(sifting.body.shape).is_none() {
+            self.take_floors(sifting);
+        }
+        self.sift(sifting);
+    }
+
+    /// Lists the flat parts that reach into a box.
+    fn list_left(&mut self, nearby: &Nearby, bounds: &Aabb) {
+        let blocks = nearby.blocks();
+        let left = &mut self.sifted.left;
+        left.clear();
+        left.extend((0..blocks.len()).map(|block| nearby.used(block)));
+        self.pair.simd.run(Inside { bounds, blocks, left });
+    }
+
+    /// Visits those of the flat parts that are near.
+    fn sift(&mut self, sifting: &Sifting<'_>) {
+        let around = sifting.body.shape.compute_local_aabb();
+        let sieve = Sieve::new(&around, &sifting.poses[1], SIEVE_REACH * self.pair.prediction);
+        let cuboid = sifting.body.shape.as_cuboid();
+        for (index, block) in sifting.nearby.blocks().iter().enumerate() {
+            let Sifted { left, axes, .. } = &mut *self.sifted;
+            if left[index] == 0 {
+                continue;
+            }
+            let near = left[index] & sieve.near(block, self.pair.simd, axes);
+            for lane in (0..LANES).filter(|lane| near & (1 << lane) != 0) {
+                let (id, shape) = sifting.nearby.piece(index, lane);
+                let part = Part { id, ..Part::whole(&shape) };
+                match (cuboid, Flat::new(&shape)) {
+                    (Some(cuboid), Some(flat)) => {
+                        self.visit_box(sifting, cuboid, part, &flat, lane);
+                    }
+                    _ => {
+                        let [part1, part2] = sifting.with_body(part);
+                        self.visit(part1, part2);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Computes the contacts of a flat part with a box. Its axes are those in a lane.
+    fn visit_box(
+        &mut self,
+        sifting: &Sifting<'_>,
+        cuboid: &Cuboid,
+        part: Part<'_>,
+        flat: &Flat,
+        lane: usize,
+    ) {
+        let prediction = self.pair.prediction;
+        let [to_box, from_box] = [&sifting.poses[1], &sifting.poses[0]];
+        let (flat, half) = (flat.as_polytope(), cuboid.half_extents);
+        let cuboid = Polytope::Cuboid(cuboid);
+        let (poses, polytopes) = match sifting.side {
+            0 => ([from_box, to_box], [&flat, &cuboid]),
+            _ => ([to_box, from_box], [&cuboid, &flat]),
+        };
+        let parts = sifting.with_body(part);
+        let (hint, axes) = (self.hint(&parts[0], &parts[1]), &self.sifted.axes);
+        let axis = match sifting.side {
+            0 => axes.best(lane, half, to_box.rotation * -hint).exchanged(from_box),
+            _ => axes.best(lane, half, hint),
+        };
+        let raw: &mut RawManifold = &mut *self.raw;
+        raw.points.clear();
+        let gap = contacts_on_axis(poses, polytopes, &axis, prediction, raw);
+        raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
+        if raw.points.is_empty() {
+            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_SHARE);
+        } else {
+            self.distance = 0.0;
+            self.patches.add(raw, &parts[0], &parts[1]);
+        }
+    }
+}
+
+/// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there already.
+fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, nearby: &mut Nearby) {
+    if nearby.knows(bounds) {
+        return;
+    }
+    nearby.clear();
+    let size = bounds.extents().max_element();
+    let way = (motion * STEPS_AHEAD).clamp_length_max(size);
+    let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
+    let region = bounds.merged(&later).loosened(MARGIN * size);
+    // What is as fast as numbers go is looked up for the moment.
+    let region = if region.extents().is_finite() { region } else { *bounds };
+    surface.for_each_flat(&region, |id, flat| nearby.add(id, flat));
+    nearby.keep(region);
+}
+
+/// Which flat parts reach into a box?
+struct Inside<'a> {
+    bounds: &'a Aabb,
+    blocks: &'a [FlatBlock],
+    /// Those that do not go.
+    left: &'a mut [u32],
+}
+
+impl Kernel for Inside<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        let mins = WideVector::<W>::splat(self.bounds.mins);
+        let maxs = WideVector::<W>::splat(self.bounds.maxs);
+        for (block, left) in self.blocks.iter().zip(self.left) {
+            let (mut low, mut high) = (WideVector::load(&block[0]), WideVector::load(&block[0]));
+            for corner in &block[1..] {
+                let corner = WideVector::load(corner);
+                (low, high) = (low.min(corner), high.max(corner));
+            }
+            *left &= W::bits(low.all_le(maxs) & mins.all_le(high));
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! What lies over a segment, a segment per lane.
+
+use super::clip::RIM;
+use super::flat::FlatBlock;
+use crate::base::wide::Wide;
+use crate::dim::math::Vector;
+use crate::dim::wide::WideVector;
+
+/// The lines through the ends of segments, at right angles to a line that all of them lie in.
+#[derive(Copy, Clone)]
+pub struct Rims<W> {
+    start: WideVector<W>,
+    /// From end to end.
+    along: WideVector<W>,
+    /// The square of its length, and how much of it beyond the ends is still inside.
+    length: W,
+    rim: W,
+}
+
+impl<W: Wide> Rims<W> {
+    /// Those of the segments of a block.
+    #[inline(always)]
+    pub fn of(block: &FlatBlock, _normal: Vector) -> Self {
+        let (start, end) = (WideVector::load(&block[0]), WideVector::load(&block[1]));
+        let along = end - start;
+        let length = along.dot(along);
+        Self { start, along, length, rim: length * W::splat(RIM) }
+    }
+
+    /// Is a point over the segment? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.
+    #[inline(always)]
+    pub fn contain(&self, point: WideVector<W>) -> W::Mask {
+        let place = self.along.dot(point - self.start);
+        (-self.rim).le(place) & place.le(self.length + self.rim)
+    }
+}

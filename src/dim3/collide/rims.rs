@@ -1,0 +1,50 @@
+//! What lies over a triangle, a triangle per lane.
+
+use super::clip::RIM;
+use super::flat::FlatBlock;
+use crate::base::wide::Wide;
+use crate::dim::math::Vector;
+use crate::dim::wide::{WideVector, cross};
+
+/// The planes through the edges of triangles, at right angles to a plane that all of them lie in.
+#[derive(Copy, Clone)]
+pub struct Rims<W> {
+    corners: [WideVector<W>; 3],
+    /// Out of the triangle, as long as the edge, and how far that way is still inside.
+    outward: [WideVector<W>; 3],
+    limits: [W; 3],
+}
+
+impl<W: Wide> Rims<W> {
+    /// Those of the triangles of a block.
+    #[inline(always)]
+    pub fn of(block: &FlatBlock, normal: Vector) -> Self {
+        let corners =
+            [WideVector::load(&block[0]), WideVector::load(&block[1]), WideVector::load(&block[2])];
+        let [a, b, c] = corners;
+        let normal = WideVector::splat(normal);
+        let outward = [cross(b - a, normal), cross(c - b, normal), cross(a - c, normal)];
+        // Clockwise, everything is the other way round.
+        let is_clockwise = W::zero().lt(outward[0].dot(c - a));
+        let sign = W::select(is_clockwise, W::splat(-1.0), W::splat(1.0));
+        let outward = [outward[0] * sign, outward[1] * sign, outward[2] * sign];
+        let rim = W::splat(RIM);
+        let limits = [
+            rim * outward[0].dot(outward[0]),
+            rim * outward[1].dot(outward[1]),
+            rim * outward[2].dot(outward[2]),
+        ];
+        Self { corners, outward, limits }
+    }
+
+    /// Is a point over the triangle? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.
+    #[inline(always)]
+    pub fn contain(&self, point: WideVector<W>) -> W::Mask {
+        self.is_inside(0, point) & self.is_inside(1, point) & self.is_inside(2, point)
+    }
+
+    #[inline(always)]
+    fn is_inside(&self, edge: usize, point: WideVector<W>) -> W::Mask {
+        self.outward[edge].dot(point - self.corners[edge]).le(self.limits[edge])
+    }
+}
