@@ -14,6 +14,30 @@ pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     world
 }
 
+/// A mesh over a square in the middle of the world: so many smaller squares along each side, of two triangles
+/// each, and their corners at a height.
+pub(crate) fn surface(
+    squares: u32,
+    size: Real,
+    height: impl Fn(Real, Real) -> Real,
+) -> ColliderBuilder {
+    let at = |i: u32, j: u32| i * (squares + 1) + j;
+    let middle = 0.5 * size * squares as Real;
+    let vertex = |i: u32, j: u32| {
+        let [x, z] = [i, j].map(|n| size * n as Real - middle);
+        Vector::new(x, height(x, z), z)
+    };
+    let corners = (0..=squares).flat_map(|i| (0..=squares).map(move |j| (i, j)));
+    let vertices = corners.map(|(i, j)| vertex(i, j)).collect();
+    let square = |i: u32, j: u32| {
+        let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    };
+    let places = (0..squares).flat_map(|i| (0..squares).map(move |j| (i, j)));
+    let triangles = places.flat_map(|(i, j)| square(i, j)).collect();
+    ColliderBuilder::trimesh(vertices, triangles).expect("there are squares")
+}
+
 /// Adds a dynamic body with one collider.
 pub(crate) fn add(
     world: &mut PhysicsWorld,

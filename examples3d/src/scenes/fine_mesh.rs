@@ -1,7 +1,7 @@
 //! A thousand boxes on a mesh of two hundred thousand triangles.
 
 use crate::common::{Scene, SceneInfo};
-use crate::kit::add;
+use crate::kit::{add, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -23,20 +23,7 @@ const BOXES: usize = 32;
 /// Builds the scene.
 pub fn build() -> Scene {
     let mut world = PhysicsWorld::new();
-    let at = |i: u32, j: u32| i * (SQUARES + 1) + j;
-    let middle = 0.5 * SIZE * SQUARES as Real;
-    let vertex = |i: u32, j: u32| {
-        let [x, z] = [i, j].map(|n| SIZE * n as Real - middle);
-        Vector::new(x, height(x, z), z)
-    };
-    let vertices = (0..=SQUARES).flat_map(|i| (0..=SQUARES).map(move |j| vertex(i, j)));
-    let square = |i: u32, j: u32| {
-        let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
-        [[a, b, c], [a, c, d]]
-    };
-    let triangles = (0..SQUARES).flat_map(|i| (0..SQUARES).flat_map(move |j| square(i, j)));
-    let ground = ColliderBuilder::trimesh(vertices.collect(), triangles.collect());
-    world.insert(RigidBodyBuilder::fixed(), ground.expect("the hills have triangles"));
+    world.insert(RigidBodyBuilder::fixed(), surface(SQUARES, SIZE, height));
     for i in 0..1_000 {
         let [x, z] = [i % BOXES, i / BOXES].map(|n| 1.6 * (n as Real - 0.5 * BOXES as Real));
         let y = height(x, z) + 1.5 + 0.3 * (i % 5) as Real;

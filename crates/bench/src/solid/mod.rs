@@ -65,6 +65,8 @@ const SCENES: [(&str, bool); 15] = [
     ("fine_mesh", false),
     ("tiles", false),
     ("cobbles", false),
+    ("glide_mesh", false),
+    ("glide_box", false),
 ];
 
 /// The scenes in 3D.
