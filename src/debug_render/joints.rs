@@ -9,7 +9,7 @@ use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::pipeline::{DebugRenderMode, DebugRenderPipeline};
 use super::style::{AXIS_HUES, DebugColor, times};
 use crate::base::outline::{Detail, Outline};
-use crate::dim::joint_axes::JointAxis;
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{ANG_DIM, DIM, Real, Vector};
 use crate::dim::spatial::rotation_about;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -147,12 +147,18 @@ impl DebugRenderPipeline {
     }
 }
 
-/// The free axes that have a direction: coupled translations are a distance, which the line between the anchors shows.
+/// The free axes that have something to show. Coupled translations are a distance, which is the line between the anchors;
+/// and where no translation is locked, nobody thinks of a rotation as the joint's, unless it has limits or a motor.
 fn free_axes(joint: &GenericJoint) -> impl Iterator<Item = JointAxis> {
     let free = !joint.locked_axes;
+    let driven = joint.limit_axes | joint.motor_axes;
+    let holds_a_place = joint.locked_axes.intersects(JointAxesMask::LIN_AXES);
     JointAxis::ALL.into_iter().filter(move |&axis| {
-        let is_distance = (axis as usize) < DIM && joint.is_measured_together(axis);
-        free.contains(mask_of(axis)) && !is_distance
+        let shows = match (axis as usize) < DIM {
+            true => !joint.is_measured_together(axis),
+            false => holds_a_place || driven.contains(mask_of(axis)),
+        };
+        free.contains(mask_of(axis)) && shows
     })
 }
 
