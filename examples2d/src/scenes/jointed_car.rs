@@ -49,8 +49,9 @@ fn add_wheel(world: &mut PhysicsWorld, chassis: RigidBodyHandle, place: Vector) 
     let joint = GenericJointBuilder::new(JointAxesMask::LIN_X)
         .local_anchor1(place)
         .limits(JointAxis::LinY, [-0.25, 0.3])
-        // In units of acceleration: 2 Hz, and half of critical damping.
-        .motor_position(JointAxis::LinY, -0.05, 160.0, 12.0)
+        // Half of the car on it: 2 Hz, and half of critical damping.
+        .motor_model(JointAxis::LinY, MotorModel::ForceBased)
+        .motor_position(JointAxis::LinY, -0.05, 280.0, 22.0)
         .motor_model(JointAxis::AngX, MotorModel::ForceBased)
         .motor_velocity(JointAxis::AngX, -SPEED, 4.0)
         .motor_max_force(JointAxis::AngX, TORQUE)

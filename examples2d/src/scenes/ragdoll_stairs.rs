@@ -10,14 +10,14 @@ pub const INFO: SceneInfo = SceneInfo {
     name: "ragdoll_stairs",
     description: "Ragdolls tumble down stairs: hinges with the limits of necks, shoulders, elbows, hips and knees.",
     category: Category::Capability,
-    steps: 170,
+    steps: 110,
     build,
 };
 
 /// Steps of the stairs, and the length and height of each.
 const STEPS: usize = 12;
-const TREAD: Real = 0.6;
-const RISE: Real = 0.35;
+const TREAD: Real = 0.55;
+const RISE: Real = 0.4;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -31,9 +31,9 @@ pub fn build() -> Scene {
     let landing = ColliderBuilder::cuboid(3.0, 0.5 * height);
     add_fixed(&mut world, Vector::new(-3.0, 0.5 * height), landing);
     for i in 0..3 {
-        let place = Vector::new(-0.5 - 1.5 * i as Real, height + 0.9);
+        let place = Vector::new(2.2 * i as Real, height + 1.2 - 0.6 * i as Real);
         for body in add_ragdoll(&mut world, place) {
-            world.bodies[body].set_linvel(Vector::new(3.0 + 0.8 * i as Real, 1.0), true);
+            world.bodies[body].set_linvel(Vector::new(3.0, 1.0), true);
         }
     }
     Scene::new(world, View::flat()).focusing(Vector::new(-4.0, -0.3), Vector::new(10.0, 6.2))

@@ -19,10 +19,10 @@ const LINKS: [(Real, Real); 4] = [(1.4, 0.14), (1.2, 0.12), (0.9, 0.10), (0.6, 0
 /// How far each joint turns to either side (rad).
 const REACH: Real = 2.4;
 /// Steps in which the target goes round.
-const ROUND: Real = 240.0;
-/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 5 Hz.
-const STIFFNESS: Real = 1000.0;
-const DAMPING: Real = 63.0;
+const ROUND: Real = 400.0;
+/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
+const STIFFNESS: Real = 4000.0;
+const DAMPING: Real = 126.0;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -44,27 +44,27 @@ pub fn build() -> Scene {
 /// A figure of eight before the arm.
 fn place_of_target(step: usize) -> Vector {
     let angle = 2.0 * HALF_TURN * step as Real / ROUND;
-    Vector::new(2.2 * angle.sin(), 2.2 + 0.8 * (2.0 * angle).sin())
+    Vector::new(2.4 * angle.sin(), 2.2 + 0.8 * (2.0 * angle).sin())
 }
 
-/// Links stacked on a base. Returns the joint of the last one.
+/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
 fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
     let (mut parent, _) = world.insert(base, ColliderBuilder::cuboid(0.4, 0.15));
-    let (mut foot, mut end) = (0.3, 0.15);
+    let (mut place, mut anchor) = (Vector::Y * 0.3, Vector::Y * 0.15);
     let mut tip = MultibodyJointHandle::invalid();
     for (length, half) in LINKS {
-        let place = Vector::Y * (foot + 0.5 * length);
-        let shape = ColliderBuilder::cuboid(half, 0.5 * length - 0.02);
+        let along = Vector::Y * length;
+        place += along;
         let body = RigidBodyBuilder::dynamic().translation(place).can_sleep(false);
+        let shape = ColliderBuilder::cuboid(half, 0.5 * length - 0.02).translation(along * -0.5);
         let (body, _) = world.insert(body, shape);
-        let joint = hinge()
-            .local_anchor1(Vector::Y * end)
-            .local_anchor2(Vector::Y * (-0.5 * length))
-            .limits([-REACH, REACH])
-            .contacts_enabled(false);
+        let joint = hinge().local_anchor1(anchor).local_anchor2(-along).limits([-REACH, REACH]);
         tip = world.insert_multibody_joint(parent, body, joint).expect("links form a tree");
-        (parent, foot, end) = (body, foot + length, 0.5 * length);
+        (parent, anchor) = (body, Vector::ZERO);
+    }
+    if let Some((arm, _)) = world.multibody_joints.get_mut(tip) {
+        arm.set_self_contacts_enabled(false);
     }
     tip
 }
@@ -73,12 +73,12 @@ fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
 fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
     let PhysicsWorld { multibody_joints, bodies, .. } = world;
     let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
-    // The tip is half the last link's length from its body's origin: aim the origin there, from above.
-    let half = 0.5 * LINKS[3].0;
-    let pose = Pose::from_parts(place + Vector::Y * half, Rotation::from_angle(HALF_TURN));
+    let pose = Pose::from_translation(place);
     let options = InverseKinematicsOption {
         damping: 0.2,
         max_iters: 20,
+        // From wherever it likes.
+        constrained_axes: JointAxesMask::LIN_AXES,
         ..InverseKinematicsOption::default()
     };
     let mut turns = Vec::new();

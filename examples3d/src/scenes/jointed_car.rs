@@ -10,7 +10,7 @@ pub const INFO: SceneInfo = SceneInfo {
     name: "jointed_car",
     description: "A car on joints drives a curve over planks: hubs slide on springs and steer, motors turn the wheels.",
     category: Category::Capability,
-    steps: 260,
+    steps: 300,
     build,
 };
 
@@ -22,8 +22,11 @@ const RADIUS: Real = 0.5;
 const HALF_WIDTH: Real = 0.15;
 /// Velocity of the motors (rad/s) and their torque, and the angle of the front wheels in the curve (rad).
 const SPEED: Real = 14.0;
-const TORQUE: Real = 5.0;
+const TORQUE: Real = 9.0;
 const STEERING: Real = 0.22;
+/// What turns the front wheels there: torque by angle, and by angular velocity.
+const STIFFNESS: Real = 100.0;
+const DAMPING: Real = 3.0;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -31,7 +34,7 @@ pub fn build() -> Scene {
     add_planks(&mut world);
     add_pyramid(&mut world, Vector::new(14.0, 0.0, 13.0), 5, &cube(0.4).density(0.3), 0.4);
     let chassis = ColliderBuilder::cuboid(HALF.x, HALF.y, HALF.z).density(2.0);
-    let chassis = add(&mut world, Vector::new(-14.0, 1.0, 0.0), chassis);
+    let chassis = add(&mut world, Vector::new(-13.0, 1.0, 0.0), chassis);
     let cabin = ColliderBuilder::cuboid(0.9, 0.3, 0.7).translation(Vector::new(-0.2, 0.6, 0.0));
     world.insert_collider(cabin.density(0.2), Some(chassis));
     let mut steered = Vec::new();
@@ -46,14 +49,10 @@ pub fn build() -> Scene {
     Scene::new(world, view)
         .focusing(Vector::new(-14.0, 0.0, -3.0), Vector::new(15.0, 3.0, 15.0))
         .script(move |world, step| {
-            let target = if step > 70 { -STEERING } else { 0.0 };
+            let target = if step > 110 { -STEERING } else { 0.0 };
             for &hub in &steered {
-                world.impulse_joints[hub].data.set_motor_position(
-                    JointAxis::AngY,
-                    target,
-                    400.0,
-                    40.0,
-                );
+                let joint = &mut world.impulse_joints[hub].data;
+                joint.set_motor_position(JointAxis::AngY, target, STIFFNESS, DAMPING);
             }
         })
 }
@@ -84,9 +83,11 @@ fn add_wheel(
     let suspension = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - free)
         .local_anchor1(place)
         .limits(JointAxis::LinY, [-0.2, 0.25])
-        // Both in units of acceleration: 2 Hz, and half of critical damping.
-        .motor_position(JointAxis::LinY, -0.05, 160.0, 12.0)
-        .motor_position(JointAxis::AngY, 0.0, 400.0, 40.0);
+        // A quarter of the car on it: 2 Hz, and half of critical damping.
+        .motor_model(JointAxis::LinY, MotorModel::ForceBased)
+        .motor_position(JointAxis::LinY, -0.05, 400.0, 30.0)
+        .motor_model(JointAxis::AngY, MotorModel::ForceBased)
+        .motor_position(JointAxis::AngY, 0.0, STIFFNESS, DAMPING);
     let suspension = world.insert_impulse_joint(chassis, hub, suspension);
 
     // A cylinder's axis is Y, a wheel's is Z.

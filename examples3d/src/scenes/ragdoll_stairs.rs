@@ -10,14 +10,14 @@ pub const INFO: SceneInfo = SceneInfo {
     name: "ragdoll_stairs",
     description: "Ragdolls tumble down stairs: shoulders, hips and necks swing and twist as far as people's do, elbows and knees bend one way.",
     category: Category::Capability,
-    steps: 170,
+    steps: 110,
     build,
 };
 
 /// Steps of the stairs, and the length and height of each.
 const STEPS: usize = 12;
-const TREAD: Real = 0.6;
-const RISE: Real = 0.35;
+const TREAD: Real = 0.55;
+const RISE: Real = 0.4;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -34,10 +34,10 @@ pub fn build() -> Scene {
     let floor = ColliderBuilder::cuboid(30.0, 1.0, 30.0);
     add_fixed(&mut world, -Vector::Y, floor);
     for (i, z) in [-1.5, 0.0, 1.5].into_iter().enumerate() {
-        let place = Vector::new(-0.6 - 0.4 * i as Real, height + 0.9, z);
+        let place = Vector::new(1.2 * i as Real, height + 1.2 - 0.5 * i as Real, z);
         let doll = add_ragdoll(&mut world, place);
         for body in doll {
-            let push = Vector::new(2.6, 0.5, 0.2 * (i as Real - 1.0));
+            let push = Vector::new(3.2, 0.5, 0.2 * (i as Real - 1.0));
             world.bodies[body].set_linvel(push, true);
         }
     }

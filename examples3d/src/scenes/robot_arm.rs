@@ -26,10 +26,10 @@ const LINKS: [(Vector, Real, Real); 6] = [
 /// How far each joint turns to either side (rad).
 const REACH: Real = 2.4;
 /// Steps in which the target goes round.
-const ROUND: Real = 240.0;
-/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 5 Hz.
-const STIFFNESS: Real = 1000.0;
-const DAMPING: Real = 63.0;
+const ROUND: Real = 400.0;
+/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
+const STIFFNESS: Real = 4000.0;
+const DAMPING: Real = 126.0;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -55,24 +55,28 @@ fn place_of_target(step: usize) -> Vector {
     Vector::new(2.2 * about.cos(), 2.0 + 0.8 * (2.0 * angle).sin(), 2.2 * about.sin())
 }
 
-/// Links stacked on a base. Returns the joint of the last one.
+/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
 fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
     let (mut parent, _) = world.insert(base, ColliderBuilder::cylinder(0.15, 0.5));
-    let (mut foot, mut end) = (0.3, 0.15);
+    let (mut place, mut anchor) = (Vector::Y * 0.3, Vector::Y * 0.15);
     let mut tip = MultibodyJointHandle::invalid();
     for (axis, length, half) in LINKS {
-        let place = Vector::Y * (foot + 0.5 * length);
-        let shape = ColliderBuilder::cuboid(half, 0.5 * length - 0.02, half);
+        let along = Vector::Y * length;
+        place += along;
         let body = RigidBodyBuilder::dynamic().translation(place).can_sleep(false);
+        let shape =
+            ColliderBuilder::cuboid(half, 0.5 * length - 0.02, half).translation(along * -0.5);
         let (body, _) = world.insert(body, shape);
         let joint = RevoluteJointBuilder::new(axis)
-            .local_anchor1(Vector::Y * end)
-            .local_anchor2(Vector::Y * (-0.5 * length))
-            .limits([-REACH, REACH])
-            .contacts_enabled(false);
+            .local_anchor1(anchor)
+            .local_anchor2(-along)
+            .limits([-REACH, REACH]);
         tip = world.insert_multibody_joint(parent, body, joint).expect("links form a tree");
-        (parent, foot, end) = (body, foot + length, 0.5 * length);
+        (parent, anchor) = (body, Vector::ZERO);
+    }
+    if let Some((arm, _)) = world.multibody_joints.get_mut(tip) {
+        arm.set_self_contacts_enabled(false);
     }
     tip
 }
@@ -81,9 +85,8 @@ fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
 fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
     let PhysicsWorld { multibody_joints, bodies, .. } = world;
     let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
-    // The tip of the last link is half its length from its body's origin: aim the origin there, from above.
-    let down = Rotation::from_rotation_z(HALF_TURN);
-    let pose = Pose::from_parts(place + Vector::Y * (0.5 * LINKS[5].1), down);
+    // From above.
+    let pose = Pose::from_parts(place, Rotation::from_rotation_z(HALF_TURN));
     let options = InverseKinematicsOption {
         damping: 0.2,
         max_iters: 20,

@@ -8,7 +8,7 @@ use gallery::{Category, View};
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "strider",
-    description: "Theo Jansen's walking machine: twelve legs of bars and hinges in closed loops, and one motor.",
+    description: "Theo Jansen's walking machine: eight legs of bars and hinges in closed loops, and one motor.",
     category: Category::Capability,
     steps: 240,
     build,
@@ -24,10 +24,10 @@ const SPEED: Real = -4.0;
 pub fn build() -> Scene {
     let mut world = world_with_floor(60.0);
     let planes = |side: Real, first: Real| {
-        let angles = turns(3, first).enumerate();
+        let angles = turns(2, first).enumerate();
         angles.map(move |(k, angle)| (side * (NEAREST + APART * k as Real), angle))
     };
-    let pairs: Vec<_> = planes(1.0, 0.0).chain(planes(-1.0, HALF_TURN)).collect();
+    let pairs: Vec<_> = planes(1.0, 0.0).chain(planes(-1.0, 0.5 * HALF_TURN)).collect();
     Strider::new(&mut world, Vector::X * -5.0, &pairs, NEAREST, SPEED);
     for i in 0..5 {
         let place = Vector::new(2.5, 0.2 + 0.4 * i as Real, 0.0);
