@@ -56,7 +56,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-1.0, -UP - 2.2, 0.0), Vector::new(3.0 * ACROSS + 1.0, 1.6, 0.0));
     let scene = labels.into_iter().fold(scene, |scene, (at, name)| scene.label(at, name));
     scene.script(move |world, step| {
-        if step % REST == 0 {
+        if step.is_multiple_of(REST) {
             for &body in &hung {
                 let body = &mut world.bodies[body];
                 // Off its middle, so that it turns, too.

@@ -49,7 +49,7 @@ pub fn build() -> Scene {
         scene.label(place(column, row) + Vector::Y * 1.4, text)
     });
     scene.script(move |world, step| {
-        let side = if step / HOLD % 2 == 0 { 1.0 } else { -1.0 };
+        let side = if (step / HOLD).is_multiple_of(2) { 1.0 } else { -1.0 };
         // What stiffness and damping mean: frequency √stiffness, critical damping 2 √stiffness.
         drive(world, stiff.0, |joint| {
             joint.set_motor_position(JointAxis::AngX, side, 900.0, 60.0);
