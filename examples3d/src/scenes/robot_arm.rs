@@ -52,7 +52,7 @@ pub fn build() -> Scene {
 fn place_of_target(step: usize) -> Vector {
     let angle = 2.0 * HALF_TURN * step as Real / ROUND;
     let about = 0.5 * HALF_TURN * angle.sin();
-    Vector::new(2.2 * about.cos(), 2.0 + 0.8 * (2.0 * angle).sin(), 2.2 * about.sin())
+    Vector::new(2.0 * about.cos(), 1.3 + 0.5 * (2.0 * angle).sin(), 2.0 * about.sin())
 }
 
 /// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
