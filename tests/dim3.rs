@@ -10,6 +10,8 @@ pub mod floors;
 mod space;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
+#[path = "joints/top.rs"]
+mod top;
 #[path = "joints/space.rs"]
 mod joints;
 #[path = "physics/tumbling.rs"]

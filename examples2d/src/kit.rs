@@ -34,6 +34,31 @@ pub(crate) fn add_fixed(
     world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
 }
 
+/// Adds a fixed body that something hangs on: a small square that touches nothing.
+pub(crate) fn add_post(world: &mut PhysicsWorld, place: Vector) -> RigidBodyHandle {
+    add_fixed(world, place, square(0.15).collision_groups(InteractionGroups::none()))
+}
+
+/// The point with these coordinates.
+pub(crate) fn flat(x: Real, y: Real) -> Vector {
+    Vector::new(x, y)
+}
+
+/// As far towards the eye as this: a flat world knows nothing of it.
+pub(crate) fn near(_: Real) -> Vector {
+    Vector::ZERO
+}
+
+/// A rectangle with these half extents; the third is that of a flat world.
+pub(crate) fn brick(x: Real, y: Real, _: Real) -> SharedShape {
+    SharedShape::cuboid(x, y)
+}
+
+/// A hinge.
+pub(crate) fn hinge() -> RevoluteJointBuilder {
+    RevoluteJointBuilder::new()
+}
+
 /// Adds a wall on either side, `half_extent` from the y axis.
 pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Real) {
     let (half_height, thickness) = (0.5 * height, 0.25);

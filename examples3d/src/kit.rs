@@ -56,6 +56,36 @@ pub(crate) fn add_fixed(
     world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
 }
 
+/// Adds a fixed body that something hangs on: a small cube that touches nothing.
+pub(crate) fn add_post(world: &mut PhysicsWorld, place: Vector) -> RigidBodyHandle {
+    add_fixed(world, place, cube(0.15).collision_groups(InteractionGroups::none()))
+}
+
+/// A rotation by an angle (rad) in the plane of the picture.
+pub(crate) fn turn(angle: Real) -> AngVector {
+    Vector::Z * angle
+}
+
+/// The point of the plane of the picture with these coordinates.
+pub(crate) fn flat(x: Real, y: Real) -> Vector {
+    Vector::new(x, y, 0.0)
+}
+
+/// As far towards the eye as this (away from it if negative).
+pub(crate) fn near(z: Real) -> Vector {
+    Vector::Z * z
+}
+
+/// A box with these half extents.
+pub(crate) fn brick(x: Real, y: Real, z: Real) -> SharedShape {
+    SharedShape::cuboid(x, y, z)
+}
+
+/// A hinge about the axis that points out of the picture.
+pub(crate) fn hinge() -> RevoluteJointBuilder {
+    RevoluteJointBuilder::new(Vector::Z)
+}
+
 /// Adds four walls around the square that reaches `half_extent` from the y axis.
 pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Real) {
     let (half_height, thickness) = (0.5 * height, 0.25);

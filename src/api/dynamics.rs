@@ -19,8 +19,8 @@ pub use crate::model::joint::{
 pub use crate::base::square::SquareMatrix;
 pub use crate::dim::surface::joint::*;
 pub use crate::model::multibody::{
-    Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet,
-    MultibodyLink, MultibodyLinkId,
+    Multibody, MultibodyDofCoupling, MultibodyIndex, MultibodyJoint, MultibodyJointHandle,
+    MultibodyJointSet, MultibodyLink, MultibodyLinkId,
 };
 pub use crate::model::params::{
     CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,

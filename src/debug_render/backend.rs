@@ -5,6 +5,8 @@ use crate::dim::math::{Pose, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{Collider, ColliderHandle};
 use crate::model::contact::ContactPair;
+use crate::model::joint::{ImpulseJoint, ImpulseJointHandle};
+use crate::model::multibody::{Multibody, MultibodyJointHandle, MultibodyLink};
 use parry::bounding_volume::Aabb;
 
 /// What a line is part of.
@@ -19,6 +21,10 @@ pub enum DebugRenderObject<'a> {
     ColliderAabb(ColliderHandle, &'a Collider, &'a Aabb),
     /// The contacts of two colliders.
     ContactPair(&'a ContactPair, &'a Collider, &'a Collider),
+    /// A joint that is held by impulses.
+    ImpulseJoint(ImpulseJointHandle, &'a ImpulseJoint),
+    /// A joint of a multibody: the one between this link and its parent.
+    MultibodyJoint(MultibodyJointHandle, &'a Multibody, &'a MultibodyLink),
 }
 
 /// Draws lines. Implement [`Self::draw_line`]; the rest follows from it.

@@ -1,6 +1,6 @@
 //! # Debug rendering: a world as lines
 //!
-//! Reads:   bodies, colliders, contacts
+//! Reads:   bodies, colliders, contacts, joints
 //! Writes:  nothing but lines, to a [`DebugRenderBackend`] of the user's
 //! Never:   changes the world; decides how a line is drawn
 //!
@@ -9,6 +9,7 @@
 //! stands in `dim2/outline.rs` and `dim3/outline.rs`.
 
 mod backend;
+mod joints;
 mod outlines;
 mod pipeline;
 mod style;

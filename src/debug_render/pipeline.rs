@@ -2,7 +2,7 @@
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::outlines::Outlines;
-use super::style::{DebugColor, DebugRenderStyle, times};
+use super::style::{AXIS_HUES, DebugColor, DebugRenderStyle, times};
 use crate::base::outline::Detail;
 use crate::dim::math::{Pose, Vector};
 use crate::dim::outline::{box_outline, pseudo_normals};
@@ -29,12 +29,20 @@ bitflags::bitflags! {
         const SOLVER_CONTACTS = 1 << 4;
         /// The normals with which meshes and polylines decide what is inside, if they have them.
         const PSEUDO_NORMALS = 1 << 5;
+        /// Impulse joints: from each body to where the joint holds it, and between these two places.
+        const IMPULSE_JOINTS = 1 << 6;
+        /// Multibody joints, likewise.
+        const MULTIBODY_JOINTS = 1 << 7;
+        /// Joints of both kinds.
+        const JOINTS = Self::IMPULSE_JOINTS.bits() | Self::MULTIBODY_JOINTS.bits();
+        /// Along with joints: their free axes, as far as their limits reach.
+        const JOINT_AXES = 1 << 8;
     }
 }
 
 impl Default for DebugRenderMode {
     fn default() -> Self {
-        Self::COLLIDER_SHAPES
+        Self::COLLIDER_SHAPES | Self::JOINTS
     }
 }
 
@@ -56,6 +64,11 @@ impl DebugRenderPipeline {
         Self { style, mode, outlines: Outlines::default() }
     }
 
+    /// A pipeline that draws everything in this style.
+    pub fn render_all(style: DebugRenderStyle) -> Self {
+        Self::new(style, DebugRenderMode::all())
+    }
+
     #[cfg(test)]
     pub(super) fn outlines_kept(&self) -> usize {
         self.outlines.len()
@@ -71,10 +84,9 @@ impl DebugRenderPipeline {
         multibody_joints: &MultibodyJointSet,
         narrow_phase: &NarrowPhase,
     ) {
-        debug_assert!(multibody_joints.is_empty());
-        let _ = impulse_joints;
         self.render_rigid_bodies(backend, bodies);
         self.render_colliders(backend, bodies, colliders);
+        self.render_joints(backend, bodies, impulse_joints, multibody_joints);
         self.render_contacts(backend, colliders, narrow_phase);
     }
 
@@ -93,7 +105,7 @@ impl DebugRenderPipeline {
                 continue;
             }
             let (center, rotation) = (body.center_of_mass(), body.position().rotation);
-            for (axis, hue) in Vector::AXES.into_iter().zip([0.0, 120.0, 220.0]) {
+            for (axis, hue) in Vector::AXES.into_iter().zip(AXIS_HUES) {
                 let tip = center + rotation * axis * self.style.rigid_body_axes_length;
                 let color = self.body_color(body, [hue, 1.0, 0.6, 1.0]);
                 backend.draw_line(object, center, tip, color);

@@ -5,6 +5,9 @@ use crate::dim::math::Real;
 /// A colour: hue (degrees), saturation, lightness and opacity (each 0 to 1).
 pub type DebugColor = [f32; 4];
 
+/// Hues of X, Y and Z (degrees): red, green, blue.
+pub(super) const AXIS_HUES: [f32; 3] = [0.0, 120.0, 220.0];
+
 /// How everything looks. The defaults are made for a dark background.
 ///
 /// A multiplier is applied to a colour part by part: `[1.0, 1.0, 0.5, 1.0]` halves the lightness.
@@ -34,6 +37,17 @@ pub struct DebugRenderStyle {
     pub disabled_color_multiplier: [f32; 4],
     /// Length of a body's axes (length units). They are red, green and, in 3D, blue.
     pub rigid_body_axes_length: Real,
+    /// Lines from bodies to where an impulse joint holds them.
+    pub impulse_joint_anchor_color: DebugColor,
+    /// Lines between the two places where an impulse joint holds its bodies.
+    pub impulse_joint_separation_color: DebugColor,
+    /// Lines from bodies to where a multibody joint holds them.
+    pub multibody_joint_anchor_color: DebugColor,
+    /// Lines between the two places where a multibody joint holds its bodies.
+    pub multibody_joint_separation_color: DebugColor,
+    /// Length of a joint's free axes, where no limits say how long they are, and radius of its arcs (length units). They
+    /// are red, green and blue as a body's axes are; in 2D arcs are blue.
+    pub joint_axes_length: Real,
     /// Lines between the points of two surfaces that are in contact.
     pub contact_depth_color: DebugColor,
     /// Normals of contacts.
@@ -62,6 +76,11 @@ impl Default for DebugRenderStyle {
             sleep_eligible_color_multiplier: [1.0, 0.9, 0.85, 1.0],
             disabled_color_multiplier: [1.0, 0.0, 0.5, 0.5],
             rigid_body_axes_length: 0.5,
+            impulse_joint_anchor_color: [265.0, 0.75, 0.70, 1.0],
+            impulse_joint_separation_color: [340.0, 0.95, 0.60, 1.0],
+            multibody_joint_anchor_color: [165.0, 0.75, 0.60, 1.0],
+            multibody_joint_separation_color: [20.0, 0.95, 0.60, 1.0],
+            joint_axes_length: 0.4,
             contact_depth_color: [350.0, 0.95, 0.60, 1.0],
             contact_normal_color: [55.0, 0.95, 0.65, 1.0],
             contact_normal_length: 0.3,

@@ -1,11 +1,12 @@
 //! What is drawn, in which colours.
 
 use super::*;
-use crate::dim::math::{DIM, Real, Vector};
-use crate::model::body::{RigidBodyBuilder, RigidBodySet};
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
+use crate::dim::math::{ANG_DIM, DIM, Real, Vector};
+use crate::model::body::{RigidBodyBuilder, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderBuilder, ColliderSet};
 use crate::model::contact::NarrowPhase;
-use crate::model::joint::ImpulseJointSet;
+use crate::model::joint::{GenericJointBuilder, ImpulseJointSet};
 use crate::model::multibody::MultibodyJointSet;
 
 /// Keeps what is drawn; draws nothing of sensors.
@@ -34,6 +35,8 @@ impl Paper {
 struct World {
     bodies: RigidBodySet,
     colliders: ColliderSet,
+    impulse_joints: ImpulseJointSet,
+    multibody_joints: MultibodyJointSet,
 }
 
 impl World {
@@ -48,11 +51,17 @@ impl World {
             &mut paper,
             &self.bodies,
             &self.colliders,
-            &ImpulseJointSet::new(),
-            &MultibodyJointSet::new(),
+            &self.impulse_joints,
+            &self.multibody_joints,
             &NarrowPhase::new(),
         );
         paper
+    }
+
+    /// Two bodies without colliders, the second three units along X from the first.
+    fn pair(&mut self) -> [RigidBodyHandle; 2] {
+        [0.0, 3.0]
+            .map(|x| self.bodies.insert(RigidBodyBuilder::dynamic().translation(Vector::X * x)))
     }
 }
 
@@ -157,4 +166,91 @@ fn outlines_of_dropped_shapes_are_forgotten() {
     world.colliders.remove(handle, islands, &mut world.bodies, true);
     pipeline.render_colliders(&mut paper, &world.bodies, &world.colliders);
     assert_eq!(pipeline.outlines_kept(), 0);
+}
+
+#[test]
+fn joints_are_drawn_from_bodies_to_anchors() {
+    let style = DebugRenderStyle::default();
+    let joint = || {
+        GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES)
+            .local_anchor1(Vector::X)
+            .local_anchor2(Vector::Y)
+            .build()
+    };
+    let [p1, p2] = [Vector::X, Vector::X * 3.0 + Vector::Y];
+    let lines = |anchor, separation| {
+        [(Vector::ZERO, p1, anchor), (Vector::X * 3.0, p2, anchor), (p1, p2, separation)]
+    };
+
+    let mut world = World::default();
+    let [body1, body2] = world.pair();
+    world.impulse_joints.insert(body1, body2, joint(), true);
+    let drawn = world.draw(DebugRenderMode::IMPULSE_JOINTS).lines;
+    let colors = (style.impulse_joint_anchor_color, style.impulse_joint_separation_color);
+    assert_eq!(drawn, lines(colors.0, colors.1));
+    assert!(world.draw(DebugRenderMode::MULTIBODY_JOINTS).lines.is_empty());
+
+    let mut world = World::default();
+    let [body1, body2] = world.pair();
+    world.multibody_joints.insert(body1, body2, joint(), true);
+    let drawn = world.draw(DebugRenderMode::MULTIBODY_JOINTS).lines;
+    let colors = (style.multibody_joint_anchor_color, style.multibody_joint_separation_color);
+    assert_eq!(drawn, lines(colors.0, colors.1));
+    assert!(world.draw(DebugRenderMode::IMPULSE_JOINTS).lines.is_empty());
+}
+
+#[test]
+fn joints_of_nobody_are_left_out_and_those_that_are_off_are_dimmed() {
+    let style = DebugRenderStyle::default();
+    let mut world = World::default();
+    let [body1, body2] = world.pair();
+    let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES).build();
+    let handle = world.impulse_joints.insert(body1, body2, joint, true);
+    world.impulse_joints.insert(body1, RigidBodyHandle::invalid(), joint, true);
+    assert_eq!(world.draw(DebugRenderMode::JOINTS).lines.len(), 3);
+    world.impulse_joints[handle].data.set_enabled(false);
+    let drawn = world.draw(DebugRenderMode::JOINTS);
+    let dimmed = |color| style::times(color, style.disabled_color_multiplier);
+    assert!(drawn.has_color(dimmed(style.impulse_joint_anchor_color)));
+    assert!(!drawn.has_color(style.impulse_joint_anchor_color));
+}
+
+/// An arc goes as far as the limits do, and its hand points to the angle.
+#[test]
+fn arcs_and_ways_reach_as_far_as_limits() {
+    let length = DebugRenderStyle::default().joint_axes_length;
+    let mode = DebugRenderMode::JOINTS | DebugRenderMode::JOINT_AXES;
+    // Lines of a joint without the three to and between the anchors.
+    let axes_of = |joint: GenericJointBuilder| {
+        let mut world = World::default();
+        let [body1, body2] = world.pair();
+        world.impulse_joints.insert(body1, body2, joint.build(), true);
+        world.draw(mode).lines.split_off(3)
+    };
+    let tolerance = 16.0 * Real::EPSILON;
+
+    let hinge = GenericJointBuilder::new(JointAxesMask::LOCKED_REVOLUTE_AXES);
+    let zero = if ANG_DIM == 1 { Vector::X } else { Vector::Y };
+    let lines = axes_of(hinge.limits(JointAxis::AngX, [-0.5, 1.0]));
+    let (mut smallest, mut largest): (Real, Real) = (0.0, 0.0);
+    let (hand, arc) = lines.split_last().expect("a hinge has an axis");
+    for point in arc.iter().flat_map(|line| [line.0, line.1]).filter(|&p| p != Vector::ZERO) {
+        assert!((point.length() - length).abs() < tolerance);
+        // The direction in which the angle grows is the axis behind the one of angle zero.
+        let ahead = if ANG_DIM == 1 { point.y } else { point[DIM - 1] };
+        let angle = ahead.atan2(point.dot(zero));
+        (smallest, largest) = (smallest.min(angle), largest.max(angle));
+    }
+    assert!((smallest + 0.5).abs() < tolerance && (largest - 1.0).abs() < tolerance);
+    assert_eq!((hand.0, hand.1), (Vector::X * 3.0, Vector::X * 3.0 + zero * length));
+
+    let slider = GenericJointBuilder::new(JointAxesMask::LOCKED_PRISMATIC_AXES);
+    let lines = axes_of(slider.limits(JointAxis::LinX, [-1.0, 2.0]));
+    assert_eq!((lines[0].0, lines[0].1), (-Vector::X, Vector::X * 2.0));
+    assert_eq!(lines.len(), 3); // the way and two marks
+
+    // What is free without limits is drawn as long as the style says.
+    let lines = axes_of(slider);
+    assert_eq!((lines[0].0, lines[0].1), (-Vector::X * length, Vector::X * length));
+    assert!(axes_of(GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES)).is_empty());
 }

@@ -63,6 +63,40 @@ fn overloaded_joints_break_once_and_let_go() {
     assert!((fallen / exact - 1.0).abs() < 0.03, "{fallen} instead of {exact}");
 }
 
+/// Joints on links bear and break as others do: locked axes and limits. The link is a plate on a fixed root that cannot turn far.
+#[test]
+fn joints_on_links_break_too() {
+    let rope = RopeJointBuilder::new(0.5).local_anchor2(Vector::ZERO).build().into();
+    let weld = FixedJointBuilder::new().local_anchor2(vec(0.0, 0.5)).build().into();
+    for joint in [rope, weld] {
+        let hung = |limit: Real| {
+            let mut world = world(60);
+            let (root, _) = (post(&mut world, Vector::ZERO), ());
+            let link = world.insert_body(bob(1.0, 0.2));
+            world
+                .insert_multibody_joint(root, link, crate::dim::hinge().limits([0.0, 0.0]))
+                .expect("it fits");
+            let load = world.insert_body(bob(2.0, 0.2).translation(vec(0.0, -0.5)));
+            let mut joint: GenericJoint = joint;
+            joint.set_break_thresholds(limit, Real::INFINITY);
+            let joint = world.insert_impulse_joint(link, load, joint);
+            let breaks = Breaks::default();
+            for _ in 0..30 {
+                world.step_with_events(&(), &breaks);
+            }
+            let broken = breaks.0.lock().unwrap().len();
+            (world.impulse_joints[joint].clone(), broken, world.bodies[load].translation().y)
+        };
+        let (held, broken, y) = hung(2.1 * G);
+        assert_eq!(broken, 0);
+        assert!((held.force() - vec(0.0, 2.0 * G)).length() < 0.02 * G, "{}", held.force());
+        assert!((y + 0.5).abs() < 5.0e-3, "{y}");
+        let (broke, broken, y) = hung(1.9 * G);
+        assert_eq!(broken, 1);
+        assert!(!broke.data.is_enabled() && y < -1.0, "{y}");
+    }
+}
+
 #[test]
 fn joints_break_by_torque_too() {
     let mut world = world(60);

@@ -4,6 +4,7 @@
 
 pub mod stage;
 
+mod agreement;
 mod breaking;
 mod chains;
 mod determinism;

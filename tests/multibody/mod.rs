@@ -8,6 +8,7 @@ mod contacts;
 mod drives;
 mod edits;
 mod free;
+mod gears;
 mod inverse;
 mod laws;
 mod loops;

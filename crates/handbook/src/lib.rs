@@ -27,6 +27,8 @@ pages! {
     queries: "../../../docs/guide/queries.md",
     characters: "../../../docs/guide/characters.md",
     vehicles: "../../../docs/guide/vehicles.md",
+    joints: "../../../docs/guide/joints.md",
+    multibodies: "../../../docs/guide/multibodies.md",
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",

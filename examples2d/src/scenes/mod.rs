@@ -27,6 +27,14 @@ pub mod heightfield;
 pub mod polyline;
 pub mod seams;
 pub mod radar;
+pub mod strider;
+pub mod joints;
+pub mod motors;
+pub mod bridge;
+pub mod newton_cradle;
+pub mod jointed_car;
+pub mod ragdoll_stairs;
+pub mod robot_arm;
 pub mod voxels;
 pub mod heavy_on_light;
 pub mod card_house;
@@ -46,7 +54,7 @@ pub mod downpour;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 42] = [
+pub const SCENES: [SceneInfo; 50] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -74,6 +82,14 @@ pub const SCENES: [SceneInfo; 42] = [
     polyline::INFO,
     seams::INFO,
     radar::INFO,
+    strider::INFO,
+    joints::INFO,
+    motors::INFO,
+    bridge::INFO,
+    newton_cradle::INFO,
+    jointed_car::INFO,
+    ragdoll_stairs::INFO,
+    robot_arm::INFO,
     voxels::INFO,
     heavy_on_light::INFO,
     card_house::INFO,

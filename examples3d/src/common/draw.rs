@@ -1,5 +1,6 @@
 //! Draws a world: lines from the debug renderer, and the surfaces between them.
 
+use super::scene::Scene;
 use crate::rapier::prelude::*;
 use crate::solid::{Solid, point, solid};
 use gallery::{Color, Line, Pen, Triangle as Face};
@@ -15,12 +16,19 @@ const SCENERY_LINES: f32 = 0.3;
 const SENSOR_HUE: f32 = 140.0;
 
 /// Draws everything in the world.
-pub(super) fn draw(world: &PhysicsWorld, pen: &mut dyn Pen) {
+pub(super) fn draw(scene: &Scene, pen: &mut dyn Pen) {
+    let Scene { world, joint_axes, labels, .. } = scene;
     let moving = extent_of_moving(world);
-    let mut artist = Artist { world, pen, moving };
+    for (at, text) in labels {
+        pen.label(point(*at), text);
+    }
+    let mut artist = Artist { world, pen, moving, joints_on_top: joint_axes.is_some() };
     artist.draw_surfaces();
-    let mut pipeline =
-        DebugRenderPipeline::new(DebugRenderStyle::default(), DebugRenderMode::COLLIDER_SHAPES);
+    let mut pipeline = DebugRenderPipeline::default();
+    if let Some(length) = *joint_axes {
+        pipeline.style.joint_axes_length = length;
+        pipeline.mode |= DebugRenderMode::JOINT_AXES;
+    }
     world.debug_render(&mut pipeline, &mut artist);
 }
 
@@ -44,9 +52,18 @@ struct Artist<'a> {
     pen: &'a mut dyn Pen,
     /// Half of the largest extent of all that moves.
     moving: Real,
+    /// Do joints show through everything?
+    joints_on_top: bool,
 }
 
 impl Artist<'_> {
+    /// Draws a line of a joint.
+    fn draw_joint_line(&mut self, ends: [Vector; 2], [h, s, l, opacity]: DebugColor) {
+        let (color, [from, to]) = (Color::from_hsl(h, s, l, opacity), ends.map(point));
+        let on_top = self.joints_on_top;
+        self.pen.line(Line { from, to, color, scenery: false, on_top });
+    }
+
     fn is_scenery(&self, collider: &Collider) -> bool {
         let aabb = collider.compute_aabb();
         let reach = (aabb.maxs - aabb.mins).max_element() * 0.5;
@@ -81,25 +98,28 @@ impl Artist<'_> {
 }
 
 impl DebugRenderBackend for Artist<'_> {
-    /// The outline of a floor would be a harsh line where the floor fades out.
+    /// The outline of a floor would be a harsh line where the floor fades out, and a joint that broke joins nothing any more.
     fn filter_object(&self, object: DebugRenderObject) -> bool {
         match object {
             DebugRenderObject::Collider(_, collider) => {
                 DIM == 2 || !self.is_scenery(collider) || has_relief(collider)
             }
+            DebugRenderObject::ImpulseJoint(_, joint) => joint.data.is_enabled(),
             _ => true,
         }
     }
 
     fn draw_line(&mut self, object: DebugRenderObject, a: Vector, b: Vector, color: DebugColor) {
-        let DebugRenderObject::Collider(handle, collider) = object else { return };
+        let DebugRenderObject::Collider(handle, collider) = object else {
+            return self.draw_joint_line([a, b], color);
+        };
         let mut color = shifted(handle, collider, color);
         let scenery = self.is_scenery(collider);
         if DIM == 3 && !moves(self.world, collider) {
             // The net of a landscape must not outshine what stands on it.
             color.opacity *= if scenery { SCENERY_LINES } else { FIXED_LINES };
         }
-        self.pen.line(Line { from: point(a), to: point(b), color, scenery });
+        self.pen.line(Line { from: point(a), to: point(b), color, scenery, on_top: false });
     }
 }
 

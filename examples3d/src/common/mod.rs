@@ -3,8 +3,10 @@
 
 mod dice;
 mod draw;
+mod jansen;
 mod run;
 mod scene;
+mod strider;
 mod walker;
 
 #[cfg(test)]
@@ -13,4 +15,5 @@ mod tests;
 pub use dice::Dice;
 pub use run::entries;
 pub use scene::{Scene, SceneInfo};
+pub use strider::{Strider, turns};
 pub use walker::Walker;

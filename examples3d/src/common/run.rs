@@ -46,7 +46,7 @@ impl SceneRun for Scene {
     }
 
     fn draw(&self, pen: &mut dyn Pen) {
-        draw(&self.world, pen);
+        draw(self, pen);
     }
 
     fn view(&self) -> View {

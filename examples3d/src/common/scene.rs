@@ -30,6 +30,10 @@ pub struct Scene {
     pub view: View,
     /// Number of steps taken.
     pub steps_taken: usize,
+    /// How long the free axes of joints are drawn; `None`: they are not.
+    pub joint_axes: Option<Real>,
+    /// What is written where.
+    pub labels: Vec<(Vector, &'static str)>,
     script: Option<Script>,
     hooks: Box<dyn PhysicsHooks>,
     events: Box<dyn EventHandler>,
@@ -42,6 +46,8 @@ impl Scene {
             world,
             view,
             steps_taken: 0,
+            joint_axes: None,
+            labels: Vec::new(),
             script: None,
             hooks: Box::new(()),
             events: Box::new(()),
@@ -51,6 +57,18 @@ impl Scene {
     /// Looks at the box with these two opposite corners, rather than at all that moves.
     pub fn focusing(mut self, min: Vector, max: Vector) -> Self {
         self.view = self.view.focus(point(min), point(max));
+        self
+    }
+
+    /// Draws joints on top of everything, and their free axes so long.
+    pub fn showing_joints(mut self, length: Real) -> Self {
+        self.joint_axes = Some(length);
+        self
+    }
+
+    /// Writes a word or two into the picture, with their middle at a place.
+    pub fn label(mut self, at: Vector, text: &'static str) -> Self {
+        self.labels.push((at, text));
         self
     }
 

@@ -26,6 +26,14 @@ pub mod sleeping;
 pub mod trimesh;
 pub mod heightfield;
 pub mod vehicle;
+pub mod joints;
+pub mod motors;
+pub mod bridge;
+pub mod newton_cradle;
+pub mod jointed_car;
+pub mod ragdoll_stairs;
+pub mod robot_arm;
+pub mod strider;
 pub mod voxels;
 pub mod heavy_on_light;
 pub mod card_house;
@@ -49,7 +57,7 @@ pub mod glide;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 46] = [
+pub const SCENES: [SceneInfo; 54] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -76,6 +84,14 @@ pub const SCENES: [SceneInfo; 46] = [
     trimesh::INFO,
     heightfield::INFO,
     vehicle::INFO,
+    joints::INFO,
+    motors::INFO,
+    bridge::INFO,
+    newton_cradle::INFO,
+    jointed_car::INFO,
+    ragdoll_stairs::INFO,
+    robot_arm::INFO,
+    strider::INFO,
     voxels::INFO,
     heavy_on_light::INFO,
     card_house::INFO,

@@ -48,6 +48,22 @@ pub enum InvalidJoint {
         /// What it may be.
         expected: &'static str,
     },
+    /// A link of a multibody has no degree of freedom with a coordinate of its own there.
+    #[error("link {link} has no coordinate {axis:?}: the axis is locked, or one of a ball joint")]
+    Dof {
+        /// The link's position among the multibody's links.
+        link: usize,
+        /// The axis.
+        axis: JointAxis,
+    },
+    /// A degree of freedom is coupled with itself.
+    #[error("a coordinate cannot be coupled with itself: {axis:?} of link {link}")]
+    SameDof {
+        /// The link's position among the multibody's links.
+        link: usize,
+        /// The axis.
+        axis: JointAxis,
+    },
     /// Both ends are at the same body.
     #[error("a joint cannot join {body:?} to itself")]
     SameBody {

@@ -7,6 +7,7 @@
 //!
 //! The laws of motion are in [`crate::multibody`]; the step's part is in its solver.
 
+mod coupling;
 mod handle;
 mod joint;
 mod link;
@@ -16,6 +17,7 @@ mod split;
 #[cfg(test)]
 mod tests;
 
+pub use coupling::MultibodyDofCoupling;
 pub use handle::{MultibodyIndex, MultibodyJointHandle, MultibodyLinkId};
 pub use joint::MultibodyJoint;
 pub use link::MultibodyLink;

@@ -1,6 +1,6 @@
 //! The record of one multibody: its links, and a number of each kind per degree of freedom.
 
-use super::{MultibodyJoint, MultibodyLink};
+use super::{MultibodyDofCoupling, MultibodyJoint, MultibodyLink};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 use crate::dim::spatial::free_axes;
@@ -51,6 +51,7 @@ pub struct Multibody {
     pub(crate) links: Vec<MultibodyLink>,
     pub(crate) dofs: Vec<Dof>,
     pub(crate) lists: DofLists,
+    pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
 }
 
@@ -67,6 +68,7 @@ impl Multibody {
             links: Vec::new(),
             dofs: Vec::new(),
             lists: DofLists::default(),
+            couplings: Vec::new(),
             self_contacts_enabled: true,
         }
     }
@@ -108,6 +110,11 @@ impl Multibody {
         let known = other.dofs[root_end..].iter();
         self.dofs.extend(known.map(|dof| Dof { link: dof.link + offset, ..*dof }));
         self.lists.extend(other.lists.select(&kept));
+        self.couplings.extend(other.couplings.iter().map(|coupling| MultibodyDofCoupling {
+            link1: coupling.link1 + offset,
+            link2: coupling.link2 + offset,
+            ..*coupling
+        }));
         self.renumber();
     }
 

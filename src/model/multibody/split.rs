@@ -1,7 +1,7 @@
 //! Taking multibodies apart.
 
 use super::record::Dof;
-use super::{Multibody, MultibodyJoint, MultibodyLink};
+use super::{Multibody, MultibodyDofCoupling, MultibodyJoint, MultibodyLink};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::joint::GenericJoint;
 
@@ -9,9 +9,10 @@ impl Multibody {
     /// Cuts the joints of some links (to their parents). Returns the parts in the order of their roots: the first has the
     /// old root.
     ///
-    /// Joints that stay keep their coordinates and velocities. Roots move on as their bodies did.
+    /// Joints that stay keep their coordinates and velocities, and couplings whose two joints stay in one part are kept. Roots
+    /// move on as their bodies did.
     pub(super) fn split(self, is_cut: impl Fn(&MultibodyLink) -> bool) -> Vec<Self> {
-        let Self { links, dofs, mut lists, .. } = self;
+        let Self { links, dofs, mut lists, couplings, .. } = self;
         let mut parts: Vec<Self> = Vec::new();
         // By link: its part, and its position there.
         let mut places: Vec<(usize, usize)> = Vec::with_capacity(links.len());
@@ -50,6 +51,15 @@ impl Multibody {
         for (part, kept) in parts.iter_mut().zip(kept) {
             part.lists = lists.select(&kept);
             part.renumber();
+        }
+        for coupling in couplings {
+            let [(part, link1), (other, link2)] =
+                [coupling.link1, coupling.link2].map(|link| places[link]);
+            let links = &parts[part].links;
+            if part == other && [link1, link2].iter().all(|&link| links[link].parent.is_some()) {
+                let moved = MultibodyDofCoupling { link1, link2, ..coupling };
+                parts[part].couplings.push(moved);
+            }
         }
         parts
     }

@@ -103,7 +103,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies } = constraints;
         contacts.store(narrow_phase);
         joints.store(islands, set, params.inv_dt(), broken);
-        multibodies.store_constraints(set, narrow_phase, params.inv_dt());
+        multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         multibodies.store(trees, islands, bodies);
         counters.velocity_writeback_time.pause();
         counters.nconstraints += contacts.len() + joints.len();

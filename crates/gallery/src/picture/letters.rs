@@ -3,6 +3,8 @@
 //! A letter stands on a grid 4 wide and 6 high. Its strokes are separated by spaces; each is a chain
 //! of points, two digits (x, y) a point.
 
+use super::Point;
+use super::camera::Camera;
 use super::canvas::{Canvas, FINENESS};
 use super::paint::Stroke;
 
@@ -10,6 +12,9 @@ use super::paint::Stroke;
 const ADVANCE: f32 = 5.9;
 /// Distance of the caption from the picture's edges, in pixels.
 const MARGIN: f32 = 30.0;
+
+/// Size of a label's letters: pixels in a step of their grid.
+const LABEL_UNIT: f32 = 1.9;
 
 /// The strokes of a letter; small letters look like large ones.
 fn strokes(letter: char) -> &'static str {
@@ -69,6 +74,19 @@ fn strokes(letter: char) -> &'static str {
 pub(crate) fn caption(canvas: &mut Canvas, [title, details]: &[String; 2]) {
     write(canvas, title, [MARGIN, MARGIN + 16.0], 2.7, 0.85);
     write(canvas, details, [MARGIN, MARGIN + 41.0], 1.65, 0.42);
+}
+
+/// Writes a line of text with its middle at a place of the scene, if that is in the picture.
+pub(crate) fn label(canvas: &mut Canvas, camera: &Camera, at: Point, text: &str) {
+    let seen = camera.see(at);
+    if seen.w < camera.nearest() || seen.x.abs() > seen.w || seen.y.abs() > seen.w {
+        return;
+    }
+    let middle = canvas.place(seen.x / seen.w, seen.y / seen.w).map(|c| c / FINENESS as f32);
+    // The gap behind the last letter is no part of the text.
+    let width = (text.chars().count() as f32 * ADVANCE - (ADVANCE - 4.0)) * LABEL_UNIT;
+    let start = [middle[0] - 0.5 * width, middle[1] + 3.0 * LABEL_UNIT];
+    write(canvas, text, start, LABEL_UNIT, 0.7);
 }
 
 /// Writes a line of text: `start` is the left end of its foot line, `unit` the size of a step of the

@@ -36,6 +36,8 @@ pub struct Line {
     pub color: Color,
     /// Is it part of the surroundings? The camera makes no effort to show those.
     pub scenery: bool,
+    /// Does it show through what stands before it? Such lines are drawn thicker.
+    pub on_top: bool,
 }
 
 /// A filled triangle in the scene. It hides what is behind it.
@@ -59,6 +61,11 @@ pub trait Pen {
 
     /// Draws a filled triangle.
     fn triangle(&mut self, triangle: Triangle);
+
+    /// Writes a word or two, with their middle at a place. Whoever has no letters leaves them out.
+    fn label(&mut self, at: Point, text: &str) {
+        let _ = (at, text);
+    }
 }
 
 /// Size of a picture in pixels.
@@ -69,6 +76,7 @@ pub(crate) struct Picture {
     view: View,
     lines: Vec<Line>,
     triangles: Vec<Triangle>,
+    labels: Vec<(Point, String)>,
     caption: [String; 2],
 }
 
@@ -84,12 +92,24 @@ impl Pen for Picture {
             self.triangles.push(triangle);
         }
     }
+
+    fn label(&mut self, at: Point, text: &str) {
+        if at.iter().all(|c| c.is_finite()) {
+            self.labels.push((at, text.to_owned()));
+        }
+    }
 }
 
 impl Picture {
     /// An empty picture.
     pub(crate) fn new(view: View) -> Self {
-        Self { view, lines: Vec::new(), triangles: Vec::new(), caption: Default::default() }
+        Self {
+            view,
+            lines: Vec::new(),
+            triangles: Vec::new(),
+            labels: Vec::new(),
+            caption: Default::default(),
+        }
     }
 
     /// Sets what stands in the upper left corner: a large line and a small one.
@@ -108,6 +128,9 @@ impl Picture {
         let camera = Camera::fit(&self.view, &self.points_to_show(), aspect());
         let mut canvas = Canvas::new(SIZE);
         paint::scene(&mut canvas, &camera, &self.triangles, &self.lines);
+        for (at, text) in &self.labels {
+            letters::label(&mut canvas, &camera, *at, text);
+        }
         letters::caption(&mut canvas, &self.caption);
         canvas.into_bytes()
     }
@@ -120,6 +143,7 @@ impl Picture {
             lines
                 .flat_map(|line| [line.from, line.to])
                 .chain(triangles.flat_map(|t| t.corners))
+                .chain(self.labels.iter().map(|(at, _)| *at))
                 .collect()
         };
         let moving = gather(false);

@@ -7,6 +7,8 @@ use super::{Line, Point, Triangle, clip};
 
 /// Width of a line in pixels of the finished picture.
 const LINE_WIDTH: f32 = 1.15;
+/// How much thicker lines are that show through everything.
+const ON_TOP: f32 = 1.5;
 /// Lines shorter than this many pixels get fainter, or else a far crowd would be a white blot.
 const SHORT_LINE: f32 = 9.0;
 /// The faintest that shortness makes a line. In a flat scene nothing shades the insides, so lines have
@@ -48,10 +50,10 @@ fn edge(canvas: &mut Canvas, camera: &Camera, line: &Line) {
     let strength = (length / SHORT_LINE).clamp(faintest, 1.0);
     let stroke = Stroke {
         ends: [a, b],
-        nearness: ends.map(|end| LINE_LIFT / end.w),
+        nearness: ends.map(|end| if line.on_top { f32::MAX } else { LINE_LIFT / end.w }),
         light: line.color.to_light(),
         opacity: ends.map(|end| line.color.opacity * strength * clarity(camera, end.w)),
-        width: LINE_WIDTH * FINENESS as f32,
+        width: LINE_WIDTH * FINENESS as f32 * if line.on_top { ON_TOP } else { 1.0 },
     };
     stroke.paint(canvas);
 }

@@ -6,7 +6,7 @@ const WHITE: Color = Color { red: 1.0, green: 1.0, blue: 1.0, opacity: 1.0 };
 const RED: Color = Color { red: 1.0, green: 0.0, blue: 0.0, opacity: 1.0 };
 
 fn line(from: Point, to: Point, color: Color) -> Line {
-    Line { from, to, color, scenery: false }
+    Line { from, to, color, scenery: false, on_top: false }
 }
 
 fn pixel(pixels: &[u8], x: usize, y: usize) -> [u8; 3] {
@@ -46,6 +46,27 @@ fn near_triangle_hides_far_line() {
     let hidden = bright(&picture.render());
     assert!(open > 100, "the line alone covers {open} pixels");
     assert_eq!(hidden, 0);
+    picture.line(Line { on_top: true, ..far });
+    assert!(bright(&picture.render()) > 50, "what is on top shows through");
+}
+
+#[test]
+fn labels_stand_where_they_belong() {
+    let mut picture = Picture::new(View::flat().focus([-8.0, -4.5, 0.0], [8.0, 4.5, 0.0]));
+    let blank = picture.render();
+    picture.label([4.0, 0.0, 0.0], "HINGE");
+    picture.label([100.0, 0.0, 0.0], "BEYOND");
+    picture.label([f32::NAN, 0.0, 0.0], "NOWHERE");
+    let written = picture.render();
+    let changed: Vec<usize> = (0..SIZE[0] * SIZE[1])
+        .filter(|&at| blank[3 * at..3 * at + 3] != written[3 * at..3 * at + 3])
+        .collect();
+    assert!(changed.len() > 100, "{} pixels", changed.len());
+    let columns = changed.iter().map(|at| at % SIZE[0]);
+    let (first, last) = (columns.clone().min().unwrap(), columns.max().unwrap());
+    // 86 % of the width shows 16 units, the middle of the picture is at 0.
+    let expected = SIZE[0] as f32 * (0.5 + 4.0 * 0.86 / 16.0);
+    assert!(((first + last) as f32 * 0.5 - expected).abs() < 3.0, "{first} to {last}");
 }
 
 #[test]

@@ -77,6 +77,7 @@ use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
 use direct::{Direct, Member, RowMemory};
+pub(super) use store::break_if_overloaded;
 use taut::Tautness;
 
 /// All joint constraints of a step.

@@ -34,7 +34,7 @@ pub(super) fn store_lane(
 }
 
 /// Breaks a joint that bore more than it can, and says so.
-pub(super) fn break_if_overloaded(
+pub(in crate::step::solver) fn break_if_overloaded(
     handle: ImpulseJointHandle,
     joint: &mut ImpulseJoint,
 ) -> Option<JointBreakEvent> {

@@ -15,8 +15,8 @@ use super::rows::{Actors, Numbers, Part, Row};
 use super::{Moving, SoftPass};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
-use crate::dim::math::{DIM, Real};
-use crate::dim::spatial::ang_components;
+use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::spatial::{ang_components, angular, linear};
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
@@ -25,8 +25,15 @@ use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 /// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
 pub enum Owner {
-    Link { multibody: usize, link: usize },
-    Loop { joint: ImpulseJointHandle },
+    Link {
+        multibody: usize,
+        link: usize,
+    },
+    /// With what an impulse of 1 does to the second body, at its anchor, in world space.
+    Loop {
+        joint: ImpulseJointHandle,
+        wrench: SpatialVector,
+    },
 }
 
 /// Both limits of an axis. They share a row: the one pushes along it, the other against it.
@@ -38,6 +45,8 @@ struct Limit {
     /// How far the coordinate is from the lower and from the upper end.
     room: [Real; 2],
     impulses: [Real; 2],
+    /// Sum of the impulses of the substeps, those of the upper end negative.
+    total: Real,
 }
 
 /// A motor with a largest force, or friction.
@@ -55,6 +64,8 @@ struct Drive {
     velocity: Real,
     yielding: Real,
     impulse: Real,
+    /// Sum of the impulses of the substeps.
+    total: Real,
     impulse_max: Real,
 }
 
@@ -122,7 +133,7 @@ impl JointRows {
     ) {
         let room = [q - limits.min, limits.max - q];
         let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
-        self.limits.push(Limit { owner, axis, row, room, impulses });
+        self.limits.push(Limit { owner, axis, row, room, impulses, total: 0.0 });
     }
 
     /// Adds the motor of an axis whose coordinate is `q`, for substeps of `h` seconds.
@@ -177,6 +188,26 @@ impl JointRows {
         }
     }
 
+    /// Counts the impulses of the substep into those of the step.
+    pub fn count(&mut self) {
+        self.limits
+            .iter_mut()
+            .for_each(|limit| limit.total += limit.impulses[0] - limit.impulses[1]);
+        self.drives.iter_mut().for_each(|drive| drive.total += drive.impulse);
+    }
+
+    /// Adds the mean forces of limits and motors to those of joints that close loops.
+    pub fn add_forces(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
+        let limits = self.limits.iter().map(|limit| (limit.owner, limit.total));
+        let drives = self.drives.iter().map(|drive| (drive.owner, drive.total));
+        for (owner, total) in limits.chain(drives) {
+            let Owner::Loop { joint, wrench } = owner else { continue };
+            let Some(joint) = joints.get_unnoted_mut(joint) else { continue };
+            joint.force += linear(&wrench) * (total * inv_dt);
+            joint.torque += angular(&wrench) * (total * inv_dt);
+        }
+    }
+
     /// Writes the impulses to the joints.
     pub fn store(&self, multibodies: &mut [Moving], joints: &mut ImpulseJointSet) {
         for Limit { owner, axis, impulses, .. } in &self.limits {
@@ -214,7 +245,7 @@ impl Owner {
             Self::Link { multibody, link } => {
                 Some(&mut multibodies[multibody].multibody.links[link].joint.data)
             }
-            Self::Loop { joint } => Some(&mut joints.get_unnoted_mut(joint)?.data),
+            Self::Loop { joint, .. } => Some(&mut joints.get_unnoted_mut(joint)?.data),
         }
     }
 }
@@ -245,6 +276,7 @@ impl Drive {
             velocity: share(damping) * motor.target_vel,
             yielding: share(1.0 / h),
             impulse: motor.impulse.clamp(-impulse_max, impulse_max),
+            total: 0.0,
             impulse_max,
         }
     }
@@ -267,6 +299,7 @@ impl Drive {
             velocity,
             yielding,
             impulse,
+            total: 0.0,
             impulse_max,
         }
     }

@@ -10,7 +10,7 @@
 //! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
 //! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
 //! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
-//! connected joints is for ordinary bodies. They do not break.
+//! connected joints is for ordinary bodies.
 
 use super::SolverMultibodies;
 use super::contacts::Side;
@@ -26,12 +26,14 @@ use crate::dim::math::{
 use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
 use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
+use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, mask_of, relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::joints::break_if_overloaded;
 use arrayvec::ArrayVec;
 
 /// A locked axis.
@@ -221,10 +223,10 @@ impl SolverMultibodies {
         frames: &Frames,
         h: Real,
     ) {
-        let owner = Owner::Loop { joint: handle };
         for axis in joint.driven_axes() {
             let (wrench, q, is_distance) = frames.free_axis(joint, axis);
             let row = self.row_at(sides, frames, &wrench);
+            let owner = Owner::Loop { joint: handle, wrench };
             if let Some(limits) = joint.limits(axis) {
                 let mut limits = *limits;
                 if is_distance && limits.min <= 0.0 {
@@ -324,7 +326,7 @@ impl Loops {
         self.locked().for_each(|locked| locked.total += locked.impulse);
     }
 
-    /// Writes impulses and mean forces to the joints.
+    /// Writes impulses and the mean forces of locked axes to the joints.
     pub fn store(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
         for Loop { handle, locked, .. } in &self.loops {
             let Some(joint) = joints.get_unnoted_mut(*handle) else { continue };
@@ -334,8 +336,23 @@ impl Loops {
                 joint.force += linear(wrench) * (total * inv_dt);
                 joint.torque += angular(wrench) * (total * inv_dt);
             }
+        }
+    }
+
+    /// Breaks the joints that bear too much. All their forces must have been written.
+    pub fn break_overloaded(
+        &self,
+        joints: &mut ImpulseJointSet,
+        broken: &mut Vec<JointBreakEvent>,
+    ) {
+        for Loop { handle, .. } in &self.loops {
+            let Some(joint) = joints.get_unnoted_mut(*handle) else { continue };
             if !joint.is_sound() {
                 joint.forget_impulses();
+            }
+            if let Some(event) = break_if_overloaded(*handle, joint) {
+                broken.push(event);
+                joints.note_broken(*handle);
             }
         }
     }

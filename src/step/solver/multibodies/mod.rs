@@ -8,6 +8,7 @@
 //! rates is kept ([`Moving::pushed`]) and added.
 
 mod contacts;
+mod gears;
 mod limits;
 mod load;
 mod loops;
@@ -27,6 +28,7 @@ use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
 use crate::multibody::Motion;
 use contacts::LinkContacts;
+use gears::Gears;
 use limits::JointRows;
 use loops::Loops;
 use rows::{Actors, Numbers};
@@ -93,6 +95,7 @@ pub(super) struct SolverMultibodies {
     left_out: Vec<ManifoldRef>,
     numbers: Numbers,
     joints: JointRows,
+    gears: Gears,
     loops: Loops,
     contacts: LinkContacts,
 }
@@ -203,6 +206,7 @@ impl SolverMultibodies {
     ) {
         self.numbers.clear();
         self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
+        self.gears.prepare(&mut self.numbers, &mut self.moving, pass.softness);
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
         self.lock_loops(joints, world, bodies);
@@ -213,9 +217,10 @@ impl SolverMultibodies {
 
     /// Gives everybody last step's impulses.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies) {
-        let Self { numbers, joints, contacts, moving, .. } = self;
+        let Self { numbers, joints, gears, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         joints.warm_start(numbers, &mut actors);
+        gears.warm_start(numbers, &mut actors);
         contacts.warm_start(numbers, &mut actors);
         self.warm_loops(bodies, 1.0);
     }
@@ -233,6 +238,7 @@ impl SolverMultibodies {
         });
         if warmth != 1.0 {
             self.joints.scale_impulses(warmth);
+            self.gears.scale_impulses(warmth);
             self.loops.scale_impulses(warmth);
             self.contacts.scale_impulses(warmth);
         }
@@ -261,10 +267,11 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, false);
-        let Self { numbers, loops, contacts, moving, .. } = self;
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         contacts.rub(numbers, &mut actors);
         if pass.is_last_visit {
+            joints.count();
             loops.count();
             contacts.count();
         }
@@ -279,10 +286,11 @@ impl SolverMultibodies {
         bias: bool,
     ) {
         let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         loops.solve(numbers, &mut actors, bias);
         joints.solve(numbers, &mut actors, &limit, bias);
+        gears.solve(numbers, &mut actors, bias);
         contacts.solve(numbers, &mut actors, &contact, bias);
     }
 

@@ -7,21 +7,26 @@ use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::contact::NarrowPhase;
+use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 
 impl SolverMultibodies {
-    /// Writes impulses to manifolds and joints.
+    /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
     pub fn store_constraints(
         &mut self,
         joints: &mut ImpulseJointSet,
         narrow_phase: &mut NarrowPhase,
         inv_dt: Real,
+        broken: &mut Vec<JointBreakEvent>,
     ) {
         self.contacts.store(narrow_phase);
         self.joints.store(&mut self.moving, joints);
+        self.gears.store(&mut self.moving);
         self.loops.store(joints, inv_dt);
+        self.joints.add_forces(joints, inv_dt);
+        self.loops.break_overloaded(joints, broken);
     }
 
     /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.

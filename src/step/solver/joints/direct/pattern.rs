@@ -5,8 +5,8 @@ use core::ops::Range;
 
 /// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
 /// cheaper.
-const COLUMN_MAX: usize = 24;
-const MEAN_MAX: usize = 6;
+const COLUMN_MAX: usize = 32;
+const MEAN_MAX: usize = 12;
 
 /// A joint as the factorisation knows it.
 #[derive(Copy, Clone, Debug)]

@@ -1,0 +1,91 @@
+//! Gears: degrees of freedom of one multibody that move together.
+//!
+//! ```text
+//! C = q₂ - r q₁ - c        Ċ = q̇₂ - r q̇₁        J = (… -r … 1 …)        K = J M⁻¹ Jᵀ
+//! ```
+//!
+//! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a step, unlike those
+//! that follow links round curves. An impulse of either sign holds it, softened like the locked axes of joints
+//! (`model/params/softness.rs`). `M⁻¹` knows nothing of gears; a train of them takes some visits to agree, and starts with
+//! the last substep's impulses.
+
+use super::Moving;
+use super::rows::{Actors, Numbers, Part, Row};
+use crate::dim::math::Real;
+use crate::model::params::Softness;
+
+/// One coupling.
+#[derive(Debug)]
+struct Gear {
+    multibody: usize,
+    /// Its position among the couplings of the multibody.
+    position: usize,
+    row: Row,
+    softness: Softness,
+    error: Real,
+    impulse: Real,
+}
+
+/// All couplings of the multibodies that are solved now.
+#[derive(Debug, Default)]
+pub struct Gears {
+    gears: Vec<Gear>,
+}
+
+impl Gears {
+    /// Makes the rows.
+    pub fn prepare(&mut self, numbers: &mut Numbers, moving: &mut [Moving], softness: Softness) {
+        self.gears.clear();
+        for multibody in 0..moving.len() {
+            for position in 0..moving[multibody].multibody.couplings().len() {
+                let body = &moving[multibody].multibody;
+                let coupling = body.couplings()[position];
+                let Some([first, second]) = body.coupled_dofs(&coupling) else { continue };
+                let error = body.coupling_error(&coupling);
+                let part = numbers.add_links(moving, multibody, true, |_, jacobian, _| {
+                    jacobian[first] = -coupling.coeff;
+                    jacobian[second] = 1.0;
+                });
+                let row = numbers.row(moving, [part, Part::Nothing]);
+                let impulse = coupling.impulse;
+                self.gears.push(Gear { multibody, position, row, softness, error, impulse });
+            }
+        }
+    }
+
+    /// Starts the step with the last one's impulses.
+    pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
+        for gear in &self.gears {
+            numbers.push_early(&gear.row, gear.impulse, actors);
+        }
+    }
+
+    /// Lets a substep start with this share of the last one's impulses.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.gears.iter_mut().for_each(|gear| gear.impulse *= factor);
+    }
+
+    /// Solves all rows once; with `bias`, errors are undone.
+    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+        for gear in &mut self.gears {
+            let Softness { bias_rate, mass_scale, impulse_scale } =
+                if bias { gear.softness } else { Softness::RIGID };
+            let mut wrong = numbers.velocity(&gear.row, actors);
+            if bias {
+                let error = gear.error + numbers.displacement(&gear.row, actors);
+                wrong += error * bias_rate;
+            }
+            let change = -wrong * gear.row.mass * mass_scale - gear.impulse * impulse_scale;
+            gear.impulse += change;
+            numbers.push(&gear.row, change, actors);
+        }
+    }
+
+    /// Writes the impulses to the couplings.
+    pub fn store(&self, moving: &mut [Moving]) {
+        for gear in &self.gears {
+            let impulse = if gear.impulse.is_finite() { gear.impulse } else { 0.0 };
+            moving[gear.multibody].multibody.couplings[gear.position].impulse = impulse;
+        }
+    }
+}
