@@ -244,6 +244,28 @@ impl SolverJoints {
         }
     }
 
+    /// Gives the bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they
+    /// are. For impacts: the joints do not remember their impulses.
+    pub fn project(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+        if self.direct.is_empty() {
+            return;
+        }
+        let (_, states, before) = bodies.shared();
+        let count = self.blocks.len();
+        let blocks = DisjointMut::new(&mut self.blocks);
+        let memory = DisjointMut::new(&mut self.memory);
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            let again = false;
+            simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
+        });
+        self.direct.solve(&mut self.memory, states, false, tasks);
+    }
+
+    /// The bodies have been put elsewhere.
+    pub fn forget_places(&mut self) {
+        self.direct.forget_matrices();
+    }
+
     /// Solves the locked axes of connected joints together.
     fn solve_exactly<const AHEAD: bool>(
         &mut self,

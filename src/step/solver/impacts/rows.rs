@@ -1,0 +1,203 @@
+//! The points of one block in an impact: which of them hit, and how fast they are to part.
+
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Lane, Wide};
+use crate::dim::contact::{self, ContactBlock, CoulombBlock, NormalRows};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::model::params::ImpactPass;
+
+/// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
+const SWEEPS: usize = 4;
+/// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
+const SETTLED: Real = 1.0e-3;
+/// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
+const BEND_MAX: Real = 0.25;
+/// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
+/// the speed below which nothing bounces. Rounding must not wake them.
+const NOTICED: Real = 0.01;
+
+/// One contact point of each lane.
+#[derive(Copy, Clone, Debug, Default)]
+struct ImpactRow {
+    /// By how much forces have changed its velocity in this substep.
+    accelerated: Lane,
+    /// It hits where its velocity is below this.
+    limit: Lane,
+    /// `1 / K` where it hits in this round, zero elsewhere.
+    mass: Lane,
+    /// Its velocity of approach in this round (negative), and the one with which it is to part.
+    approach: Lane,
+    target: Lane,
+    /// When it hits, from the beginning of the substep (s).
+    time: Lane,
+    /// Impulses of this round, and of the whole impact.
+    impulse: Lane,
+    given: Lane,
+}
+
+/// The contacts of one block that bounce.
+#[derive(Clone, Debug)]
+pub(super) struct ImpactBlock {
+    /// Which block.
+    pub at: usize,
+    restitution: Lane,
+    rows: [ImpactRow; MAX_MANIFOLD_POINTS],
+    /// Does any point hit in this round? Has any in this substep?
+    pub is_struck: bool,
+    pub was_struck: bool,
+    /// Did the last visit have to change anything?
+    pub is_moving: bool,
+    /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
+    /// should be at most.
+    pub stopped: Lane,
+    pub surplus: Lane,
+}
+
+impl ImpactBlock {
+    /// For the block with this index.
+    pub fn new(at: usize, restitution: Lane) -> Self {
+        Self {
+            at,
+            restitution,
+            rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS],
+            is_struck: false,
+            was_struck: false,
+            is_moving: false,
+            stopped: Lane::ZERO,
+            surplus: Lane::ZERO,
+        }
+    }
+
+    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended (`last`).
+    #[inline(always)]
+    pub fn begin<W: Wide>(
+        &mut self,
+        rows: &NormalRows<'_, W>,
+        block: &ContactBlock,
+        last: &[BodyState],
+        pass: &ImpactPass,
+    ) {
+        self.was_struck = false;
+        let (now, then) = (rows.velocities(), contact::velocities_of::<W>(last, block));
+        let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
+        let noticed = W::splat(pass.threshold * NOTICED);
+        for (k, row) in self.rows.iter_mut().enumerate() {
+            let at_rest = threshold.le(now[k]);
+            (W::select(at_rest, now[k].min(zero), zero) - noticed).store(&mut row.limit);
+            (now[k] - then[k]).store(&mut row.accelerated);
+            row.given = Lane::ZERO;
+        }
+    }
+
+    /// Begins a round: finds the points that hit before the substep ends, and how they are to part.
+    #[inline(always)]
+    pub fn mark<W: Wide>(
+        &mut self,
+        rows: &NormalRows<'_, W>,
+        block: &ContactBlock,
+        pass: &ImpactPass,
+    ) {
+        let (velocities, separations) = (rows.velocities(), rows.separations());
+        let (zero, half) = (W::zero(), W::splat(0.5));
+        let (h, inv_h) = (W::splat(pass.substep), W::splat(pass.inv_substep));
+        let restitution = W::load(&self.restitution);
+        self.is_struck = false;
+        for (k, row) in self.rows.iter_mut().enumerate() {
+            let (velocity, separation) = (velocities[k], separations[k]);
+            let hits = velocity.lt(W::load(&row.limit))
+                & (separation + velocity * h).lt(zero)
+                & zero.lt(restitution);
+            self.is_struck |= W::any(hits);
+            let mass = W::select(hits, W::load(&block.points[k].mass), zero);
+            let speed = W::select(hits, -velocity, W::splat(1.0));
+            let time = (separation / speed).max(W::splat(-pass.step)).min(h);
+            let most = speed * W::splat(BEND_MAX);
+            let bend = W::load(&row.accelerated) * (time * inv_h - half);
+            let bend = bend.max(-most).min(most);
+            let target = (restitution * (speed - bend) - bend).max(zero);
+            (bend + bend - speed).store(&mut row.approach);
+            target.store(&mut row.target);
+            mass.store(&mut row.mass);
+            time.store(&mut row.time);
+            row.impulse = Lane::ZERO;
+        }
+        self.was_struck |= self.is_struck;
+    }
+
+    /// Visits the points that hit, in turn: pushes until they part as they are to.
+    #[inline(always)]
+    pub fn visit<W: Wide>(&mut self, rows: &mut NormalRows<'_, W>) {
+        self.is_moving = false;
+        for sweep in 0..SWEEPS {
+            rows.visit(|k, velocity| {
+                let row = &mut self.rows[k];
+                let (mass, old) = (W::load(&row.mass), W::load(&row.impulse));
+                let new = (old + mass * (W::load(&row.target) - velocity)).max(W::zero());
+                new.store(&mut row.impulse);
+                if sweep == 0 {
+                    let little = -(mass * W::load(&row.approach) * W::splat(SETTLED));
+                    self.is_moving |= W::any(little.lt((new - old).abs()));
+                }
+                new - old
+            });
+        }
+    }
+
+    /// Ends a round: does the accounts of its energy, and tells the bodies when they were hit (see
+    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
+    ///
+    /// # Safety
+    /// Nobody else may touch the delays of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn end<W: Wide>(
+        &mut self,
+        rows: &NormalRows<'_, W>,
+        block: &ContactBlock,
+        delays: &DisjointMut<BodyState>,
+    ) {
+        let velocities = rows.velocities();
+        let half = W::splat(0.5);
+        let allowed = W::load(&self.restitution).max(W::splat(1.0));
+        let (mut stopped, mut surplus) = (W::zero(), W::zero());
+        let (mut weight, mut moment) = (W::zero(), W::zero());
+        for (k, row) in self.rows.iter_mut().enumerate() {
+            let (impulse, approach) = (W::load(&row.impulse), W::load(&row.approach));
+            stopped = stopped + impulse * approach;
+            surplus = surplus + impulse * (velocities[k] + allowed * approach) * half;
+            weight = weight + impulse;
+            moment = moment + impulse * W::load(&row.time);
+            (W::load(&row.given) + impulse).store(&mut row.given);
+        }
+        stopped.store(&mut self.stopped);
+        surplus.store(&mut self.surplus);
+        for indices in &block.bodies {
+            // SAFETY: the caller's promise.
+            unsafe {
+                let [mut motion, displacement]: [WideMotion<W>; 2] = gather_states(delays, indices);
+                motion.linear.x = motion.linear.x + weight;
+                motion.linear.y = motion.linear.y + moment;
+                scatter_states(delays, indices, [motion, displacement]);
+            }
+        }
+    }
+
+    /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
+    ///
+    /// # Safety
+    /// Nobody else may touch the states of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn rub<W: Wide>(
+        &self,
+        block: &mut ContactBlock,
+        coulomb: Option<&mut CoulombBlock>,
+        states: &DisjointMut<BodyState>,
+    ) {
+        let given = self.rows.map(|row| row.given);
+        for (total, given) in block.totals.iter_mut().zip(&given) {
+            (W::load(total) + W::load(given)).store(total);
+        }
+        // SAFETY: the caller's promise.
+        unsafe { contact::rub::<W>(block, coulomb, states, given) };
+    }
+}
