@@ -43,6 +43,9 @@
 //!
 //! so a ball that bounces with `e = 1` keeps its height to second order in `h`.
 //!
+//! A body that comes fast but does not arrive before the substep ends is put aside until the next: the passes that let
+//! it come no nearer than to touch would take off its speed before it is there.
+//!
 //! ## Friction
 //! Acts once at the end, under all normal impulses of the impact. What an impact adds to the velocities is added to the
 //! velocities "before any impulse" of the substep too: it is no load that the next one could start with.
@@ -137,6 +140,7 @@ impl Impacts {
             visits += self.solve_round(contacts, bodies, &mut around, pass);
             self.pass(Stage::Mark, contacts, bodies, &around, pass);
         }
+        self.pass(Stage::PutAside, contacts, bodies, &around, pass);
         if visits > 0 {
             self.begin_round(bodies);
             self.pass(Stage::Rub, contacts, bodies, &around, pass);
@@ -228,6 +232,7 @@ enum Stage {
     Mark,
     Visit,
     End,
+    PutAside,
     Rub,
 }
 
@@ -266,14 +271,13 @@ impl Run<'_> {
         unsafe {
             let impact = self.impacts.get_mut(index);
             let (block, coulomb) = self.contacts.get(impact.at);
-            if self.stage == Stage::Rub {
-                if impact.was_struck {
-                    impact.rub::<W>(block, coulomb, states);
-                }
-                return;
-            }
-            if matches!(self.stage, Stage::Visit | Stage::End) && !impact.is_struck {
-                return;
+            match self.stage {
+                Stage::Begin => impact.recall(block),
+                Stage::Visit | Stage::End if !impact.is_struck => return,
+                Stage::PutAside => return impact.put_aside(block),
+                Stage::Rub if impact.was_struck => return impact.rub::<W>(block, coulomb, states),
+                Stage::Rub => return,
+                _ => {}
             }
             let mut rows = NormalRows::<W>::gather(states, block);
             match self.stage {
@@ -287,7 +291,7 @@ impl Run<'_> {
                     rows.scatter(states);
                 }
                 Stage::End => impact.end(&rows, block, &self.delays),
-                Stage::Rub => {}
+                Stage::PutAside | Stage::Rub => {}
             }
         }
     }

@@ -17,9 +17,16 @@ const BEND_MAX: Real = 0.25;
 /// the speed below which nothing bounces. Rounding must not wake them.
 const NOTICED: Real = 0.01;
 
+/// Where points are that are put aside: beyond the reach of all passes.
+const FAR: Real = 1.0e10;
+
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
 struct ImpactRow {
+    /// Its separation when the step began, as the block had it.
+    separation: Lane,
+    /// Its separation if it is not to be met in this substep, [`FAR`] if it is to be put aside.
+    shown: Lane,
     /// By how much forces have changed its velocity in this substep.
     accelerated: Lane,
     /// It hits where its velocity is below this.
@@ -42,6 +49,8 @@ pub(super) struct ImpactBlock {
     /// Which block.
     pub at: usize,
     restitution: Lane,
+    /// Are the rows filled?
+    is_filled: bool,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
     /// Does any point hit in this round? Has any in this substep?
     pub is_struck: bool,
@@ -60,12 +69,33 @@ impl ImpactBlock {
         Self {
             at,
             restitution,
+            is_filled: false,
             rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS],
             is_struck: false,
             was_struck: false,
             is_moving: false,
             stopped: Lane::ZERO,
             surplus: Lane::ZERO,
+        }
+    }
+
+    /// Takes back the points that were put aside in the last substep.
+    pub fn recall(&mut self, block: &mut ContactBlock) {
+        for (row, point) in self.rows.iter_mut().zip(&mut block.points) {
+            if self.is_filled {
+                point.separation = row.separation;
+            } else {
+                row.separation = point.separation;
+            }
+        }
+        self.is_filled = true;
+    }
+
+    /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes, which let
+    /// nothing come nearer than to touch, they would arrive too slowly.
+    pub fn put_aside(&self, block: &mut ContactBlock) {
+        for (row, point) in self.rows.iter().zip(&mut block.points) {
+            point.separation = row.shown;
         }
     }
 
@@ -105,9 +135,11 @@ impl ImpactBlock {
         self.is_struck = false;
         for (k, row) in self.rows.iter_mut().enumerate() {
             let (velocity, separation) = (velocities[k], separations[k]);
-            let hits = velocity.lt(W::load(&row.limit))
-                & (separation + velocity * h).lt(zero)
-                & zero.lt(restitution);
+            let comes = velocity.lt(W::load(&row.limit)) & zero.lt(restitution);
+            let end = separation + velocity * h;
+            let hits = comes & end.lt(zero);
+            let waits = comes & zero.le(end);
+            W::select(waits, W::splat(FAR), W::load(&row.separation)).store(&mut row.shown);
             self.is_struck |= W::any(hits);
             let mass = W::select(hits, W::load(&block.points[k].mass), zero);
             let speed = W::select(hits, -velocity, W::splat(1.0));
