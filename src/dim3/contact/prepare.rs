@@ -8,8 +8,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::{
-    BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states,
-    scatter_velocities,
+    BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, scatter_velocities,
 };
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::MotionSince;

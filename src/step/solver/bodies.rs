@@ -5,11 +5,11 @@ use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
 use crate::dim::gyro::Gyroscope;
-use crate::dim::spatial::join;
 use crate::dim::math::{
     ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
     mul_inertia,
 };
+use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{
     RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,

@@ -63,7 +63,7 @@ use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
-use rows::ImpactBlock;
+pub(super) use rows::ImpactBlock;
 
 /// Visits of all contacts that hit, per substep.
 const VISITS: usize = 64;

@@ -45,7 +45,7 @@ struct ImpactRow {
 
 /// The contacts of one block that bounce.
 #[derive(Clone, Debug)]
-pub(super) struct ImpactBlock {
+pub(in super::super) struct ImpactBlock {
     /// Which block.
     pub at: usize,
     restitution: Lane,

@@ -246,7 +246,13 @@ impl SolverJoints {
 
     /// Gives the bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they
     /// are. For impacts: the joints do not remember their impulses.
-    pub fn project(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+    pub fn project(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks,
+    ) {
         if self.direct.is_empty() {
             return;
         }
