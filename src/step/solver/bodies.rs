@@ -51,7 +51,7 @@ pub(super) struct SolverBodies {
     /// By index: with what share of its last impulses a substep begins.
     shares: Vec<Real>,
     /// By index: the island, or [`NONE`].
-    islands: Vec<u32>,
+    pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
 }
@@ -144,6 +144,12 @@ impl SolverBodies {
     pub fn island_of(&self, indices: [u32; 2]) -> u32 {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
         moved.map_or(NONE, |index| self.islands[index as usize])
+    }
+
+    /// No island of a body has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let ids = self.islands.iter().filter(|&&island| island != NONE);
+        ids.max().map_or(0, |&island| island as usize + 1)
     }
 
     fn clear(&mut self) {

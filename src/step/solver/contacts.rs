@@ -66,7 +66,7 @@ impl SolverContacts {
         let filled = self.inputs.iter_mut().zip(self.layout.blocks());
         let points = filled.map(|(input, chunk)| fill(input, chunk, narrow_phase, bodies));
         self.point_count = points.sum();
-        self.impacts.load(&self.inputs, self.layout.colors());
+        self.impacts.load(&self.inputs, self.layout.colors(), bodies);
     }
 
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.

@@ -57,7 +57,7 @@ use super::contacts::{Blocks, for_each_color};
 use super::joints::SolverJoints;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, Lane, Simd, Wide};
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim::contact::{ContactInput, NormalRows};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
@@ -82,14 +82,32 @@ pub(super) struct Impacts {
 /// What is known of bodies, by their index, or of islands.
 #[derive(Default)]
 struct Memory {
-    /// How they moved when the last substep ended.
+    /// How bodies moved when the last substep ended.
     last: Vec<BodyState>,
     /// How they moved when the round began.
     start: Vec<BodyState>,
     /// In place of a velocity: the sum of impulses in this round, and of impulse times time.
     delays: Vec<BodyState>,
-    /// By island: the sums of `stopped` and of `surplus`, then the share that is gone.
-    shares: Vec<[Real; 2]>,
+    accounts: Vec<Account>,
+}
+
+/// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
+#[derive(Copy, Clone, Default)]
+struct Account {
+    /// Visits that are left in this substep.
+    visits: usize,
+    is_struck: bool,
+    is_moving: bool,
+    /// Sums over the contacts, see [`ImpactBlock`].
+    stopped: Real,
+    surplus: Real,
+}
+
+impl Account {
+    /// How much of a round an island goes.
+    fn share(&self) -> Real {
+        if self.surplus > 0.0 { self.stopped / (self.stopped - self.surplus) } else { 1.0 }
+    }
 }
 
 /// What acts on bodies beside contacts.
@@ -102,13 +120,21 @@ pub(super) struct Around<'a> {
 
 impl Impacts {
     /// Finds the contacts with restitution among the blocks of each colour.
-    pub fn load(&mut self, inputs: &[ContactInput], colors: &[Range<usize>]) {
+    pub fn load(
+        &mut self,
+        inputs: &[ContactInput],
+        colors: &[Range<usize>],
+        bodies: &SolverBodies,
+    ) {
         self.blocks.clear();
         self.colors.clear();
         for color in colors {
             let start = self.blocks.len();
-            let members = color.clone().filter(|&at| inputs[at].restitution != Lane::ZERO);
-            self.blocks.extend(members.map(|at| ImpactBlock::new(at, inputs[at].restitution)));
+            for at in color.clone().filter(|&at| inputs[at].restitution != Lane::ZERO) {
+                let [first, second] = &inputs[at].bodies;
+                let islands = core::array::from_fn(|k| bodies.island_of([first[k], second[k]]));
+                self.blocks.push(ImpactBlock::new(at, inputs[at].restitution, islands));
+            }
             if start < self.blocks.len() {
                 self.colors.push(start..self.blocks.len());
             }
@@ -135,13 +161,18 @@ impl Impacts {
             return;
         }
         self.pass(Stage::Begin, contacts, bodies, &around, pass);
-        let mut visits = 0;
-        while visits < VISITS && self.blocks.iter().any(|block| block.is_struck) {
-            visits += self.solve_round(contacts, bodies, &mut around, pass);
-            self.pass(Stage::Mark, contacts, bodies, &around, pass);
+        let hits = self.blocks.iter().any(|block| block.struck != 0);
+        if hits {
+            self.memory.accounts.clear();
+            let account = Account { visits: VISITS, ..Account::default() };
+            self.memory.accounts.resize(bodies.island_bound(), account);
+            while self.find_struck() {
+                self.solve_round(contacts, bodies, &mut around, pass);
+                self.pass(Stage::Mark, contacts, bodies, &around, pass);
+            }
         }
         self.pass(Stage::PutAside, contacts, bodies, &around, pass);
-        if visits > 0 {
+        if hits {
             self.begin_round(bodies);
             self.pass(Stage::Rub, contacts, bodies, &around, pass);
             bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
@@ -149,33 +180,88 @@ impl Impacts {
         }
     }
 
-    /// Parts the contacts that hit. Returns the number of visits that it took.
+    /// Finds the islands where something hits, as long as they have visits left. Is there any?
+    fn find_struck(&mut self) -> bool {
+        let accounts = &mut self.memory.accounts;
+        for account in accounts.iter_mut() {
+            (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
+        }
+        let mut any = false;
+        for block in &mut self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut accounts[block.islands[lane] as usize];
+                if account.visits > 0 {
+                    (account.is_struck, any) = (true, true);
+                } else {
+                    block.let_be(lane);
+                    block.struck &= !(1 << lane);
+                }
+            }
+        }
+        any
+    }
+
+    /// Parts the contacts that hit.
     fn solve_round(
         &mut self,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
         around: &mut Around<'_>,
         pass: &ImpactPass,
-    ) -> usize {
+    ) {
         self.begin_round(bodies);
-        let mut visits = 0;
-        loop {
+        for _ in 0..ROUND_VISITS {
             self.pass(Stage::Visit, contacts, bodies, around, pass);
-            visits += 1;
-            let moving = |block: &ImpactBlock| block.is_struck && block.is_moving;
-            if visits == ROUND_VISITS || !self.blocks.iter().any(moving) {
+            if !self.find_moving() {
                 break;
             }
-            around.joints.project(bodies, around.joint_pass, around.simd, around.tasks);
+            let accounts = &self.memory.accounts;
+            let islands = &bodies.islands;
+            let account = |body: u32| accounts.get(islands[body as usize] as usize);
+            let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
+            let states = (&mut bodies.states[..], &bodies.before[..]);
+            let Around { joints, joint_pass, simd, tasks } = around;
+            joints.project(states, is_moving, joint_pass, *simd, *tasks);
         }
         self.pass(Stage::End, contacts, bodies, around, pass);
-        self.find_shares(contacts, bodies);
-        let share = |island: u32| match self.memory.shares.get(island as usize) {
-            Some(&[stopped, surplus]) if surplus > 0.0 => stopped / (stopped - surplus),
-            _ => 1.0,
-        };
-        bodies.accept_impact(&self.memory.start, &self.memory.delays, share);
-        visits
+        for block in &self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut self.memory.accounts[block.islands[lane] as usize];
+                account.stopped += block.stopped.0[lane];
+                account.surplus += block.surplus.0[lane];
+            }
+        }
+        let Memory { start, delays, accounts, .. } = &self.memory;
+        bodies.accept_impact(start, delays, |island| {
+            accounts.get(island as usize).map_or(1.0, Account::share)
+        });
+    }
+
+    /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
+    /// Is there any?
+    fn find_moving(&mut self) -> bool {
+        let accounts = &mut self.memory.accounts;
+        for account in accounts.iter_mut() {
+            account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
+            account.is_moving = false;
+        }
+        for block in &self.blocks {
+            let moving = block.struck & block.moving;
+            lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        }
+        let mut any = false;
+        for block in &mut self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut accounts[block.islands[lane] as usize];
+                if account.is_moving {
+                    any = true;
+                } else {
+                    account.is_struck = false;
+                    block.let_be(lane);
+                }
+            }
+        }
+        any
     }
 
     fn begin_round(&mut self, bodies: &SolverBodies) {
@@ -184,27 +270,6 @@ impl Impacts {
         start.extend_from_slice(&bodies.states);
         delays.clear();
         delays.resize(bodies.states.len(), BodyState::default());
-    }
-
-    /// Sums up the energy of each island.
-    fn find_shares(&mut self, contacts: Blocks<'_>, bodies: &SolverBodies) {
-        let shares = &mut self.memory.shares;
-        shares.clear();
-        for block in self.blocks.iter().filter(|block| block.is_struck) {
-            // SAFETY: no pass runs.
-            let pairs = unsafe { contacts.get(block.at).0.bodies };
-            for lane in 0..pairs[0].len() {
-                let island = bodies.island_of([pairs[0][lane], pairs[1][lane]]) as usize;
-                if block.stopped.0[lane] == 0.0 {
-                    continue;
-                }
-                if shares.len() <= island {
-                    shares.resize(island + 1, [0.0; 2]);
-                }
-                shares[island][0] += block.stopped.0[lane];
-                shares[island][1] += block.surplus.0[lane];
-            }
-        }
     }
 
     fn pass(
@@ -223,6 +288,11 @@ impl Impacts {
             around.simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
         });
     }
+}
+
+/// The lanes whose bits are set.
+fn lanes(bits: u32) -> impl Iterator<Item = usize> {
+    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }
 
 /// What is done with each block.
@@ -273,7 +343,7 @@ impl Run<'_> {
             let (block, coulomb) = self.contacts.get(impact.at);
             match self.stage {
                 Stage::Begin => impact.recall(block),
-                Stage::Visit | Stage::End if !impact.is_struck => return,
+                Stage::Visit | Stage::End if impact.struck == 0 => return,
                 Stage::PutAside => return impact.put_aside(block),
                 Stage::Rub if impact.was_struck => return impact.rub::<W>(block, coulomb, states),
                 Stage::Rub => return,

@@ -1,7 +1,7 @@
 //! The points of one block in an impact: which of them hit, and how fast they are to part.
 
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Lane, Wide};
+use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::{self, ContactBlock, CoulombBlock, NormalRows};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
@@ -52,11 +52,14 @@ pub(in super::super) struct ImpactBlock {
     /// Are the rows filled?
     is_filled: bool,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
-    /// Does any point hit in this round? Has any in this substep?
-    pub is_struck: bool,
+    /// The island of each lane.
+    pub islands: [u32; LANES],
+    /// One bit per lane: does any point hit in this round?
+    pub struck: u32,
+    /// Has any point hit in this substep?
     pub was_struck: bool,
-    /// Did the last visit have to change anything?
-    pub is_moving: bool,
+    /// One bit per lane: did the last visit have to change anything?
+    pub moving: u32,
     /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
     /// should be at most.
     pub stopped: Lane,
@@ -65,15 +68,16 @@ pub(in super::super) struct ImpactBlock {
 
 impl ImpactBlock {
     /// For the block with this index.
-    pub fn new(at: usize, restitution: Lane) -> Self {
+    pub fn new(at: usize, restitution: Lane, islands: [u32; LANES]) -> Self {
         Self {
             at,
             restitution,
             is_filled: false,
             rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS],
-            is_struck: false,
+            islands,
+            struck: 0,
             was_struck: false,
-            is_moving: false,
+            moving: 0,
             stopped: Lane::ZERO,
             surplus: Lane::ZERO,
         }
@@ -132,7 +136,7 @@ impl ImpactBlock {
         let (zero, half) = (W::zero(), W::splat(0.5));
         let (h, inv_h) = (W::splat(pass.substep), W::splat(pass.inv_substep));
         let restitution = W::load(&self.restitution);
-        self.is_struck = false;
+        self.struck = 0;
         for (k, row) in self.rows.iter_mut().enumerate() {
             let (velocity, separation) = (velocities[k], separations[k]);
             let comes = velocity.lt(W::load(&row.limit)) & zero.lt(restitution);
@@ -140,7 +144,7 @@ impl ImpactBlock {
             let hits = comes & end.lt(zero);
             let waits = comes & zero.le(end);
             W::select(waits, W::splat(FAR), W::load(&row.separation)).store(&mut row.shown);
-            self.is_struck |= W::any(hits);
+            self.struck |= W::bits(hits);
             let mass = W::select(hits, W::load(&block.points[k].mass), zero);
             let speed = W::select(hits, -velocity, W::splat(1.0));
             let time = (separation / speed).max(W::splat(-pass.step)).min(h);
@@ -154,13 +158,18 @@ impl ImpactBlock {
             time.store(&mut row.time);
             row.impulse = Lane::ZERO;
         }
-        self.was_struck |= self.is_struck;
+        self.was_struck |= self.struck != 0;
+    }
+
+    /// Leaves a lane as it is for the rest of the round.
+    pub fn let_be(&mut self, lane: usize) {
+        self.rows.iter_mut().for_each(|row| row.mass.0[lane] = 0.0);
     }
 
     /// Visits the points that hit, in turn: pushes until they part as they are to.
     #[inline(always)]
     pub fn visit<W: Wide>(&mut self, rows: &mut NormalRows<'_, W>) {
-        self.is_moving = false;
+        self.moving = 0;
         for sweep in 0..SWEEPS {
             rows.visit(|k, velocity| {
                 let row = &mut self.rows[k];
@@ -169,7 +178,7 @@ impl ImpactBlock {
                 new.store(&mut row.impulse);
                 if sweep == 0 {
                     let little = -(mass * W::load(&row.approach) * W::splat(SETTLED));
-                    self.is_moving |= W::any(little.lt((new - old).abs()));
+                    self.moving |= W::bits(little.lt((new - old).abs()));
                 }
                 new - old
             });

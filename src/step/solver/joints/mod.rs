@@ -244,11 +244,12 @@ impl SolverJoints {
         }
     }
 
-    /// Gives the bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they
-    /// are. For impacts: the joints do not remember their impulses.
+    /// Gives bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they are:
+    /// those of components with a body that is `wanted`. For impacts: the joints do not remember their impulses.
     pub fn project(
         &mut self,
-        bodies: &mut SolverBodies,
+        (states, before): (&mut [BodyState], &[BodyState]),
+        wanted: impl Fn(u32) -> bool + Sync,
         pass: &JointPass,
         simd: Simd,
         tasks: Tasks,
@@ -256,15 +257,16 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        let (_, states, before) = bodies.shared();
-        let count = self.blocks.len();
+        let (count, again, states) = (self.blocks.len(), false, DisjointMut::new(states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            let again = false;
             simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, false, tasks);
+        let wanted = |members: &[Member], _: bool| {
+            members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
+        };
+        self.direct.solve(&mut self.memory, states, wanted, tasks);
     }
 
     /// The bodies have been put elsewhere.
@@ -288,7 +290,7 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, round >= ROUNDS, tasks);
+        self.direct.solve(&mut self.memory, states, |_, taut| taut || round < ROUNDS, tasks);
         let memory = &self.memory;
         let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {

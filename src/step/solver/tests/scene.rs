@@ -321,7 +321,7 @@ unsafe fn bounce<W: Wide>(
     before: &[BodyState],
     pass: &ImpactPass,
 ) {
-    let mut impact = ImpactBlock::new(0, restitution);
+    let mut impact = ImpactBlock::new(0, restitution, [0; LANES]);
     impact.recall(block);
     // SAFETY: the caller's promise.
     unsafe {
