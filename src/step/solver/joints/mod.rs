@@ -76,7 +76,7 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Member, RowMemory};
+use direct::{Direct, InverseMass, Member, RowMemory};
 use taut::Tautness;
 
 /// All joint constraints of a step.
@@ -165,6 +165,10 @@ impl SolverJoints {
                 lane: lane as u32,
                 bodies: [block.bodies[0][lane], block.bodies[1][lane]],
                 locked: joint.data.locked_axes.bits(),
+                inverse_masses: [0, 1].map(|side| {
+                    let inv_inertia = symmetric_lane(&block.inv_inertia[side], lane);
+                    InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia)
+                }),
             };
             for (side, body) in member.movable() {
                 self.tautness.note(body, &symmetric_lane(&block.inv_inertia[side], lane));

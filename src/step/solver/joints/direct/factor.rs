@@ -11,8 +11,8 @@ use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
 /// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
-/// would.
-const PIVOT_MIN: f64 = 16.0 * Real::EPSILON as f64;
+/// would. A row that differs from the others by the rounding of its numbers alone has a pivot of the square of that.
+const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
 
 /// One row of `J` or of `M⁻¹ Jᵀ`, for both bodies.
 type BodyRow = [[f64; SPATIAL_DIM]; 2];
@@ -78,8 +78,10 @@ impl Factor {
             let from = &memory[member.block as usize];
             let lane = member.lane as usize;
             for axis in locked_axes(member) {
-                self.rows.push(body_row(&from.rows[axis], lane));
-                self.responses.push(body_row(&from.responses[axis], lane));
+                let row = body_row(&from.rows[axis], lane);
+                let [first, second] = &member.inverse_masses;
+                self.responses.push([first.response(&row[0]), second.response(&row[1])]);
+                self.rows.push(row);
             }
         }
         self.first_row.push(self.rows.len());

@@ -23,9 +23,11 @@
 //! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
 
 mod factor;
+mod masses;
 mod memory;
 mod pattern;
 
+pub(super) use masses::InverseMass;
 pub(super) use memory::{RowMemory, finish, write_rows};
 pub(super) use pattern::Member;
 
