@@ -81,7 +81,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    groups.divide(islands, bodies, narrow_phase, params);
+    groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
     constraints.multibodies.claim(trees, bodies);
     states.load(groups, bodies, &constraints.multibodies, gravity, params);
     counters.velocity_assembly_time.pause();

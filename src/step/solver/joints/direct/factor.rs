@@ -14,6 +14,9 @@ use crate::dim::state::BodyState;
 /// would. A row that differs from the others by the rounding of its numbers alone has a pivot of the square of that.
 const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
 
+/// test
+const DAMPING: f64 = 0.1 * Real::EPSILON as f64;
+
 /// One row of `J` or of `M⁻¹ Jᵀ`, for both bodies.
 type BodyRow = [[f64; SPATIAL_DIM]; 2];
 
@@ -139,7 +142,7 @@ impl Factor {
             for k in 0..size {
                 let pivot = &mut self.diagonal[start + k * size + k];
                 self.diagonals.push(*pivot);
-                *pivot += yields * *pivot;
+                *pivot += (yields + DAMPING) * *pivot;
             }
         }
     }
