@@ -66,7 +66,7 @@ use core::ops::Range;
 pub(super) use rows::ImpactBlock;
 
 /// Visits of all contacts that hit, per substep.
-const VISITS: usize = 64;
+const VISITS: usize = 128;
 /// And per round.
 const ROUND_VISITS: usize = 16;
 
