@@ -240,7 +240,7 @@ fn gases_do_not_gain_energy() {
         }
         for k in 0..64 {
             let place = vec((k % 8) as Real * 0.56 - 1.96, (k / 8) as Real * 0.56 - 1.96);
-            let velocity = vec(dice.within(-8.0, 8.0), dice.within(-8.0, 8.0));
+            let velocity = vec(dice.within(-5.0, 5.0), dice.within(-5.0, 5.0));
             let body = RigidBodyBuilder::dynamic().translation(place).linvel(velocity);
             world.insert(body, ball(1.0));
         }

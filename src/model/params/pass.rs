@@ -46,16 +46,19 @@ pub(crate) struct ImpactPass {
     pub inv_substep: Real,
     /// Approach slower than this does not bounce (length/s).
     pub threshold: Real,
+    /// The speed that gravity gives in a substep (length/s).
+    pub fall: Real,
 }
 
 impl ImpactPass {
-    /// For substeps of `substep` seconds.
-    pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
+    /// For substeps of `substep` seconds under this acceleration of gravity.
+    pub fn new(params: &IntegrationParameters, gravity: Real, substep: Real) -> Self {
         Self {
             step: params.dt,
             substep,
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             threshold: params.restitution_velocity_threshold(),
+            fall: gravity * substep,
         }
     }
 }

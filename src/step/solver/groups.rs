@@ -33,11 +33,11 @@ const EVEN: Real = 32.0;
 const MAX_FACTOR: usize = 16;
 /// Nor more than this many for its joints.
 const MAX_JOINT_FACTOR: usize = 32;
+/// Nor so many that they are more than this times its number of bodies: what lies on a large heap rests on many.
+const MAX_WORK: usize = 1024;
 /// The largest `(h ω)²` with which light links swing under a heavy load. A chain of 20 links holds at 0.51, under any load,
 /// and comes apart at 0.8.
 const SWING: Real = 0.55;
-/// Nor so many that they are more than this times its number of bodies: what lies on a large heap rests on many.
-const MAX_WORK: usize = 1024;
 
 /// Bodies that are solved together.
 #[derive(Clone, Debug)]

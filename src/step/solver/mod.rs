@@ -99,7 +99,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, (params, bodies), states, constraints, simd, counters);
+        solve_group(group.substeps, (gravity, params, bodies), states, constraints, simd, counters);
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
@@ -119,7 +119,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    (params, bodies): (&IntegrationParameters, &RigidBodySet),
+    (gravity, params, bodies): (Vector, &IntegrationParameters, &RigidBodySet),
     states: &mut SolverBodies,
     constraints: &mut Constraints,
     simd: Simd,
@@ -131,7 +131,7 @@ fn solve_group(
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
     let joint_pass = JointPass::new(params, h);
-    let impact_pass = ImpactPass::new(params, h);
+    let impact_pass = ImpactPass::new(params, gravity.length(), h);
     let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
     joints.warm_start(states, simd, tasks);

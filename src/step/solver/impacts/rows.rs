@@ -27,7 +27,8 @@ struct ImpactRow {
     separation: Lane,
     /// Its separation if it is not to be met in this substep, [`FAR`] if it is to be put aside.
     shown: Lane,
-    /// By how much forces have changed its velocity in this substep.
+    /// By how much gravity and what bears it have changed its velocity in this substep. Impulses of the last substep that
+    /// are given back in this one are larger, and must not pass for forces.
     accelerated: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
@@ -115,11 +116,12 @@ impl ImpactBlock {
         self.was_struck = false;
         let (now, then) = (rows.velocities(), contact::velocities_of::<W>(last, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
-        let noticed = W::splat(pass.threshold * NOTICED);
+        let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
             let at_rest = threshold.le(now[k]);
             (W::select(at_rest, now[k].min(zero), zero) - noticed).store(&mut row.limit);
-            (now[k] - then[k]).store(&mut row.accelerated);
+            let accelerated = (now[k] - then[k]).max(-fall).min(fall);
+            accelerated.store(&mut row.accelerated);
             row.given = Lane::ZERO;
         }
     }

@@ -302,6 +302,7 @@ impl Kernel for Run<'_> {
                         substep: SUBSTEP,
                         inv_substep: 1.0 / SUBSTEP,
                         threshold: pass.restitution_threshold,
+                        fall: 10.0 * SUBSTEP,
                     };
                     bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, before, &pass);
                 }
