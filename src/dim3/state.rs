@@ -64,6 +64,14 @@ impl BodyState {
         (Vector::new(s[0], s[1], s[2]), Vector::new(s[3], s[4], s[5]))
     }
 
+    /// Adds to the linear and then the angular components of the displacement.
+    #[inline]
+    pub fn add_displacement(&mut self, change: [Real; SPATIAL_DIM]) {
+        for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
+            *value += change;
+        }
+    }
+
     /// Adds `h` times the velocity to the displacement.
     #[inline]
     pub fn advance(&mut self, h: Real) {

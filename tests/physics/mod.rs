@@ -11,6 +11,7 @@ mod carriers;
 mod determinism;
 mod fall;
 mod friction;
+mod impacts;
 mod load;
 mod momentum;
 mod pushes;

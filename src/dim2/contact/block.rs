@@ -90,7 +90,7 @@ pub(crate) struct PointRow {
 /// [`LANES`] contact constraints of one colour.
 ///
 /// The order of the fields is the order of use: the solve pass reads up to `coupling`, the relax
-/// pass all but the last group.
+/// pass the rest.
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub(crate) struct ContactBlock {
@@ -107,16 +107,11 @@ pub(crate) struct ContactBlock {
     pub friction: FrictionRow,
     /// Sum of the normal impulses of all substeps.
     pub totals: [Lane; MAX_MANIFOLD_POINTS],
-
-    /// Used once, after the last substep.
-    pub restitution: Lane,
-    /// Relative normal velocities when the step began.
-    pub approach: [Lane; MAX_MANIFOLD_POINTS],
 }
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 29 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 26 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: one tangential row at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -156,8 +151,6 @@ impl ContactBlock {
             coupling: [zero; COUPLINGS],
             friction,
             totals: [zero; MAX_MANIFOLD_POINTS],
-            restitution: zero,
-            approach: [zero; MAX_MANIFOLD_POINTS],
         }
     };
 

@@ -3,12 +3,12 @@
 use super::block::{COUPLINGS, ContactBlock, ContactInput};
 use super::coulomb::CoulombBlock;
 use super::friction::{self, WideFriction};
-use super::rows::{Frame, NormalImpulse, NormalRow, invert};
+use super::rows::{Frame, NormalImpulse, invert};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim2::state::{
-    BodyPose, BodyState, WidePose, gather_poses, gather_states, gather_velocities, scatter_states,
+    BodyPose, BodyState, WidePose, gather_poses, gather_states, scatter_states,
 };
 use crate::dim2::wide::WideVector;
 use crate::model::contact::MotionSince;
@@ -36,8 +36,6 @@ pub(super) struct Pair<W> {
 pub(crate) struct Surroundings<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
-    /// Velocities before any impulse.
-    pub before: &'a [BodyState],
 }
 
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
@@ -51,7 +49,7 @@ pub(crate) unsafe fn prepare<W: Wide>(
     input: &mut ContactInput,
     block: &mut ContactBlock,
     _coulomb: Option<&mut CoulombBlock>,
-    Surroundings { poses, states, before }: Surroundings<'_>,
+    Surroundings { poses, states }: Surroundings<'_>,
     prediction: Real,
 ) {
     let (pair, points) = read_geometry::<W>(input, poses);
@@ -59,7 +57,6 @@ pub(crate) unsafe fn prepare<W: Wide>(
     write_points(block, &pair, &points);
     let friction = friction::prepare(input, &pair, &points, W::splat(prediction));
     friction.store(&mut block.friction);
-    write_approach(block, &pair, &points, before);
     // SAFETY: the caller's promise.
     unsafe { warm_start(block, &pair, &points, &friction, states) };
 }
@@ -122,7 +119,6 @@ fn write_pair<W: Wide>(block: &mut ContactBlock, input: &ContactInput, pair: &Pa
         pair.poses[side].inv_mass.store(&mut block.inv_mass[side]);
         pair.poses[side].inv_inertia.store(&mut block.inv_inertia[side]);
     }
-    block.restitution = input.restitution;
     block.totals = [Lane::ZERO; MAX_MANIFOLD_POINTS];
 }
 
@@ -156,27 +152,6 @@ fn write_points<W: Wide>(
 fn angular_part<W: Wide>(pair: &Pair<W>, i: &Point<W>, j: &Point<W>) -> W {
     let (a, b, c) = (i.local.x, j.local.x, pair.offset.x);
     pair.poses[0].inv_inertia * a * b + pair.poses[1].inv_inertia * (a + c) * (b + c)
-}
-
-/// Relative normal velocities before anything acts: what restitution will reverse.
-#[inline(always)]
-fn write_approach<W: Wide>(
-    block: &mut ContactBlock,
-    pair: &Pair<W>,
-    points: &[Point<W>; MAX_MANIFOLD_POINTS],
-    before: &[BodyState],
-) {
-    if block.restitution == Lane::ZERO {
-        return;
-    }
-    let velocities = [
-        gather_velocities::<W>(before, &block.bodies[0]),
-        gather_velocities::<W>(before, &block.bodies[1]),
-    ];
-    let row = NormalRow::new(&pair.frame, pair.offset, velocities);
-    for (point, approach) in points.iter().zip(&mut block.approach) {
-        row.at(point.local.x).store(approach);
-    }
 }
 
 /// Applies the impulses that the last step ended with.

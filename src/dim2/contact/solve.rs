@@ -1,27 +1,27 @@
-//! The passes over a block: solve and relax in each substep, restitution once at the end.
+//! The passes over a block: solve and relax in each substep.
 
 use super::block::ContactBlock;
 use super::coulomb::CoulombBlock;
 use super::friction::WideFriction;
 use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Lane, Wide};
+use crate::base::wide::Wide;
 use crate::dim2::math::MAX_MANIFOLD_POINTS;
 use crate::dim2::state::{BodyState, WideMotion, gather_states, scatter_states};
 use crate::dim2::wide::WideVector;
 use crate::model::params::{ContactPass, Softness};
 
 /// Velocities and displacements of a block's two bodies.
-struct Bodies<W> {
-    velocities: [WideMotion<W>; 2],
-    displacements: [WideMotion<W>; 2],
+pub(super) struct Bodies<W> {
+    pub velocities: [WideMotion<W>; 2],
+    pub displacements: [WideMotion<W>; 2],
 }
 
 impl<W: Wide> Bodies<W> {
     /// # Safety
     /// As [`gather_states`], for both bodies.
     #[inline(always)]
-    unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
+    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
         // SAFETY: the caller's promise.
         let ([v1, d1], [v2, d2]) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
@@ -32,7 +32,7 @@ impl<W: Wide> Bodies<W> {
     /// # Safety
     /// As [`scatter_states`], for both bodies.
     #[inline(always)]
-    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &ContactBlock) {
+    pub unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &ContactBlock) {
         let (v, d) = (self.velocities, self.displacements);
         // SAFETY: the caller's promise.
         unsafe {
@@ -79,7 +79,7 @@ pub(crate) unsafe fn relax<W: Wide>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
-    solve_friction(block, &mut bodies);
+    rub_block(block, None, &mut bodies);
     if pass.is_last_visit {
         for k in 0..MAX_MANIFOLD_POINTS {
             let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
@@ -92,7 +92,11 @@ pub(crate) unsafe fn relax<W: Wide>(
 
 /// Solves the friction row once, under the normal impulses as they are.
 #[inline(always)]
-fn solve_friction<W: Wide>(block: &mut ContactBlock, bodies: &mut Bodies<W>) {
+pub(super) fn rub_block<W: Wide>(
+    block: &mut ContactBlock,
+    _coulomb: Option<&mut CoulombBlock>,
+    bodies: &mut Bodies<W>,
+) {
     let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
     let mut normal_impulse = W::load(&block.points[0].impulse);
@@ -114,7 +118,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
 ) {
     let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
-    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
+    let mut rows = values_at(block, NormalRow::new(&frame, c, bodies.velocities));
     let displacement = NormalRow::new(&frame, c, bodies.displacements);
     let soft = SoftRow::<W>::new(pass);
     let mut sum = NormalImpulse::zero();
@@ -137,14 +141,17 @@ fn solve_normals<W: Wide, const BIAS: bool>(
     bodies.velocities = sum.apply(block, &frame, bodies.velocities);
 }
 
-/// The relative normal velocities at the points.
+/// The relative normal velocities, or displacements, at the points.
 #[inline(always)]
-fn velocities_at<W: Wide>(block: &ContactBlock, row: NormalRow<W>) -> [W; MAX_MANIFOLD_POINTS] {
-    let mut velocities = [W::zero(); MAX_MANIFOLD_POINTS];
-    for (velocity, point) in velocities.iter_mut().zip(&block.points) {
-        *velocity = row.at(W::load(&point.x));
+pub(super) fn values_at<W: Wide>(
+    block: &ContactBlock,
+    row: NormalRow<W>,
+) -> [W; MAX_MANIFOLD_POINTS] {
+    let mut values = [W::zero(); MAX_MANIFOLD_POINTS];
+    for (value, point) in values.iter_mut().zip(&block.points) {
+        *value = row.at(W::load(&point.x));
     }
-    velocities
+    values
 }
 
 /// A [`ContactPass`] in registers.
@@ -191,53 +198,4 @@ impl<W: Wide> SoftRow<W> {
         let impulse_scale = W::select(apart, zero, self.impulse_scale);
         mass * (velocity * mass_scale + bias) + impulse * impulse_scale
     }
-}
-
-/// Makes the points that hit separate at `restitution` times the speed at which they came.
-///
-/// Done once after the last substep, so that it cannot fight the bias. Points that approached more
-/// slowly than the threshold, or that no impulse ever stopped, are left alone: else resting bodies
-/// would hop.
-///
-/// The impulse of a bounce counts into the step's, but is no load that the next step could start with.
-///
-/// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
-#[inline(always)]
-pub(crate) unsafe fn restitute<W: Wide>(
-    block: &mut ContactBlock,
-    states: &DisjointMut<BodyState>,
-    pass: &ContactPass,
-) {
-    if block.restitution == Lane::ZERO {
-        return;
-    }
-    // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
-    let frame = Frame::load(block);
-    let c = WideVector::load(&block.offset);
-    let mut rows = velocities_at(block, NormalRow::new(&frame, c, bodies.velocities));
-    let (zero, threshold) = (W::zero(), W::splat(-pass.restitution_threshold));
-    let restitution = W::load(&block.restitution);
-    let mut sum = NormalImpulse::zero();
-    let mut coupling = 0;
-    for k in 0..MAX_MANIFOLD_POINTS {
-        let approach = W::load(&block.approach[k]);
-        let total = W::load(&block.totals[k]);
-        let point = &block.points[k];
-        let hit = approach.lt(threshold) & zero.lt(total) & zero.lt(restitution);
-        let old = W::load(&point.impulse);
-        let wanted = W::load(&point.mass) * (rows[k] + restitution * approach);
-        let new = W::select(hit, (old - wanted).max(zero), old);
-        let added = new - old;
-        (total + added).store(&mut block.totals[k]);
-        sum.add(added, W::load(&point.x));
-        for row in &mut rows[k + 1..] {
-            *row = *row + W::load(&block.coupling[coupling]) * added;
-            coupling += 1;
-        }
-    }
-    bodies.velocities = sum.apply(block, &frame, bodies.velocities);
-    // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
 }

@@ -102,7 +102,7 @@ pub(crate) struct PointRow {
 /// [`LANES`] contact constraints of one colour.
 ///
 /// The order of the fields is the order of use: the solve pass reads up to `inv_inertia`, the relax
-/// pass all but the last group.
+/// pass the rest.
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub(crate) struct ContactBlock {
@@ -122,16 +122,11 @@ pub(crate) struct ContactBlock {
     pub friction: FrictionRow,
     /// Sum of the normal impulses of all substeps.
     pub totals: [Lane; MAX_MANIFOLD_POINTS],
-
-    /// Used once, after the last substep.
-    pub restitution: Lane,
-    /// Relative normal velocities when the step began.
-    pub approach: [Lane; MAX_MANIFOLD_POINTS],
 }
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 84 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 79 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -180,8 +175,6 @@ impl ContactBlock {
             inv_inertia: [[vector; 2]; 3],
             friction,
             totals: [zero; MAX_MANIFOLD_POINTS],
-            restitution: zero,
-            approach: [zero; MAX_MANIFOLD_POINTS],
         }
     };
 

@@ -40,6 +40,7 @@
 mod block;
 mod coulomb;
 mod friction;
+mod impact;
 mod prepare;
 mod rows;
 mod solve;
@@ -48,5 +49,6 @@ mod tests;
 
 pub(crate) use block::{ContactBlock, ContactInput};
 pub(crate) use coulomb::CoulombBlock;
+pub(crate) use impact::{NormalRows, rub, velocities_of};
 pub(crate) use prepare::{Surroundings, prepare};
-pub(crate) use solve::{relax, restitute, solve};
+pub(crate) use solve::{relax, solve};

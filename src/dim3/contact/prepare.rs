@@ -3,13 +3,12 @@
 use super::block::{COUPLINGS, ContactBlock, ContactInput};
 use super::coulomb::CoulombBlock;
 use super::friction;
-use super::rows::{Frame, NormalImpulse, NormalRow, invert};
+use super::rows::{Frame, NormalImpulse, invert};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::{
-    BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, gather_velocities,
-    scatter_velocities,
+    BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, scatter_velocities,
 };
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::MotionSince;
@@ -40,8 +39,6 @@ pub(super) struct Pair<W> {
 pub(crate) struct Surroundings<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
-    /// Velocities before any impulse.
-    pub before: &'a [BodyState],
 }
 
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
@@ -56,7 +53,7 @@ pub(crate) unsafe fn prepare<W: Wide>(
     input: &mut ContactInput,
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
-    Surroundings { poses, states, before }: Surroundings<'_>,
+    Surroundings { poses, states }: Surroundings<'_>,
     prediction: Real,
 ) {
     let poses =
@@ -66,7 +63,6 @@ pub(crate) unsafe fn prepare<W: Wide>(
     write_points(block, &pair, &points);
     let friction = friction::prepare(input, &pair, &points, W::splat(prediction));
     friction.store(&mut block.friction);
-    write_approach(block, &pair, &points, before);
     // SAFETY: the caller's promise.
     let mut velocities = unsafe { gather_both(states, block) };
     velocities = match coulomb {
@@ -127,7 +123,6 @@ fn write_pair<W: Wide>(
     poses: &[WidePose<W>; 2],
 ) -> Pair<W> {
     block.bodies = input.bodies;
-    block.restitution = input.restitution;
     block.totals = [Lane::ZERO; MAX_MANIFOLD_POINTS];
     frame.n.store(&mut block.normal);
     frame.t1.store(&mut block.tangent);
@@ -189,27 +184,6 @@ fn angular_part<W: Wide>(pair: &Pair<W>, i: &Point<W>, j: &Point<W>) -> W {
 fn lever_product<W: Wide>(inv_inertia: WideSymmetric<W>, a: [W; 2], b: [W; 2]) -> W {
     inv_inertia.m11 * a[1] * b[1] - inv_inertia.m12 * (a[1] * b[0] + a[0] * b[1])
         + inv_inertia.m22 * a[0] * b[0]
-}
-
-/// Relative normal velocities before anything acts: what restitution will reverse.
-#[inline(always)]
-fn write_approach<W: Wide>(
-    block: &mut ContactBlock,
-    pair: &Pair<W>,
-    points: &[Point<W>; MAX_MANIFOLD_POINTS],
-    before: &[BodyState],
-) {
-    if block.restitution == Lane::ZERO {
-        return;
-    }
-    let velocities = [
-        gather_velocities::<W>(before, &block.bodies[0]),
-        gather_velocities::<W>(before, &block.bodies[1]),
-    ];
-    let row = NormalRow::new(&pair.frame, pair.offset, velocities);
-    for (point, approach) in points.iter().zip(&mut block.approach) {
-        row.at(point.local.x, point.local.y).store(approach);
-    }
 }
 
 /// Applies the normal impulses that the last step ended with.

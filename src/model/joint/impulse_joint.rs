@@ -3,7 +3,7 @@
 use super::GenericJoint;
 use crate::base::arena::Index;
 use crate::dim::math::{
-    ANG_DIM, ANG_ZERO, AngVector, SPATIAL_DIM, SpatialVector, Vector, ang_is_finite,
+    ANG_DIM, ANG_ZERO, AngVector, Real, SPATIAL_DIM, SpatialVector, Vector, ang_is_finite,
 };
 use crate::model::body::RigidBodyHandle;
 
@@ -88,6 +88,13 @@ impl ImpulseJoint {
         (self.force, self.torque) = (Vector::ZERO, ANG_ZERO);
         self.data.limits.iter_mut().for_each(|limits| limits.impulse = 0.0);
         self.data.motors.iter_mut().for_each(|motor| motor.impulse = 0.0);
+    }
+
+    /// Scales the impulses with which the next step starts.
+    pub(crate) fn scale_impulses(&mut self, factor: Real) {
+        self.impulses.iter_mut().for_each(|impulse| *impulse *= factor);
+        self.data.limits.iter_mut().for_each(|limits| limits.impulse *= factor);
+        self.data.motors.iter_mut().for_each(|motor| motor.impulse *= factor);
     }
 
     /// Are the impulses with which the next step would start numbers?

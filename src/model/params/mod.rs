@@ -11,7 +11,7 @@ mod validate;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use pass::{ContactPass, JointPass};
+pub(crate) use pass::{ContactPass, ImpactPass, JointPass};
 pub use softness::{CONTACT_SHARE, CONTACT_YIELD, JOINT_SHARE, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;

@@ -35,6 +35,34 @@ impl ContactPass {
     }
 }
 
+/// The numbers that all impacts of a substep share.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct ImpactPass {
+    /// Length of the step (s): nothing can have hit longer ago.
+    pub step: Real,
+    /// Length of a substep (s).
+    pub substep: Real,
+    /// One over it (1/s).
+    pub inv_substep: Real,
+    /// Approach slower than this does not bounce (length/s).
+    pub threshold: Real,
+    /// The speed that gravity gives in a substep (length/s).
+    pub fall: Real,
+}
+
+impl ImpactPass {
+    /// For substeps of `substep` seconds under this acceleration of gravity.
+    pub fn new(params: &IntegrationParameters, gravity: Real, substep: Real) -> Self {
+        Self {
+            step: params.dt,
+            substep,
+            inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
+            threshold: params.restitution_velocity_threshold(),
+            fall: gravity * substep,
+        }
+    }
+}
+
 /// The numbers that every joint constraint of a substep shares.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct JointPass {

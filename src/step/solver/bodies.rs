@@ -9,6 +9,7 @@ use crate::dim::math::{
     ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
     mul_inertia,
 };
+use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{
     RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,
@@ -49,6 +50,8 @@ pub(super) struct SolverBodies {
     listed: Vec<u32>,
     /// By index: with what share of its last impulses a substep begins.
     shares: Vec<Real>,
+    /// By index: the island, or [`NONE`].
+    pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
 }
@@ -137,6 +140,18 @@ impl SolverBodies {
         moved.map_or(1.0, |index| self.shares[index as usize])
     }
 
+    /// The island of two bodies that touch.
+    pub fn island_of(&self, indices: [u32; 2]) -> u32 {
+        let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
+        moved.map_or(NONE, |index| self.islands[index as usize])
+    }
+
+    /// No island of a body has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let ids = self.islands.iter().filter(|&&island| island != NONE);
+        ids.max().map_or(0, |&island| island as usize + 1)
+    }
+
     fn clear(&mut self) {
         for slot in self.listed.drain(..) {
             self.indices[slot as usize] = WORLD;
@@ -145,6 +160,7 @@ impl SolverBodies {
         self.states.clear();
         self.motions.clear();
         self.shares.clear();
+        self.islands.clear();
         self.push_nobody();
     }
 
@@ -153,6 +169,7 @@ impl SolverBodies {
         self.states.push(BodyState::default());
         self.motions.push(Motion::AT_REST);
         self.shares.push(1.0);
+        self.islands.push(NONE);
     }
 
     fn push(
@@ -177,6 +194,7 @@ impl SolverBodies {
         });
         self.shares.push(if body.substep > h { h / body.substep } else { 1.0 });
         body.substep = h;
+        self.islands.push(body.link.island);
     }
 
     /// The solver's index of the body in a slot ([`NONE`]: no body).
@@ -213,6 +231,34 @@ impl SolverBodies {
             before.set_velocity(v, w);
             state.set_velocity(v + impulse_v, w + impulse_w);
         });
+    }
+
+    /// Takes over what an impact did to the velocities since the `start`, or as much of it as `share` says for an
+    /// island: as if it had happened at the mean time of the blows that a body got, and was no impulse. `delays` are
+    /// the sum of these and of each times its time, in place of two components of a velocity.
+    pub fn accept_impact(
+        &mut self,
+        start: &[BodyState],
+        delays: &[BodyState],
+        share: impl Fn(u32) -> Real,
+    ) {
+        for index in self.moving.clone().into_iter().flatten() {
+            let ((old_v, old_w), (v, w)) = (start[index].velocity(), self.states[index].velocity());
+            if (v, w) == (old_v, old_w) {
+                continue;
+            }
+            let share = share(self.islands[index]);
+            let (added_v, added_w) = ((v - old_v) * share, (w - old_w) * share);
+            self.states[index].set_velocity(old_v + added_v, old_w + added_w);
+            let before = &mut self.before[index];
+            before.add_velocity(join(added_v, added_w));
+            let (blows, _) = delays[index].velocity();
+            if blows.x > 0.0 {
+                let delay = -blows.y / blows.x;
+                self.states[index].add_displacement(join(added_v * delay, added_w * delay));
+                self.motions[index].turn(added_w * delay);
+            }
+        }
     }
 
     /// Moves all bodies by their velocities.
@@ -352,6 +398,13 @@ impl Motion {
             w = gyroscope.velocity_at_middle(self.rotation, w, h);
         }
         (v.clamp_length_max(speed_max), w)
+    }
+
+    /// Turns a tumbling body by this rotation vector.
+    fn turn(&mut self, turn: AngVector) {
+        if self.gyroscope.is_some() {
+            self.rotation = integrate_rotation(self.rotation, turn);
+        }
     }
 
     /// Turns a tumbling body, and its angular velocity as its inertia turns.

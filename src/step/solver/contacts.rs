@@ -1,6 +1,7 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
+use super::impacts::{Around, Impacts};
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
@@ -11,7 +12,7 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef};
 use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
-use crate::model::params::{ContactPass, FrictionModel, IntegrationParameters};
+use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
 
 /// Blocks that are worth handing over to another thread together (some ten microseconds).
@@ -26,6 +27,7 @@ pub(super) struct SolverContacts {
     /// Friction per point of each block; empty with the standard friction model.
     coulomb: Vec<CoulombBlock>,
     layout: Layout<ManifoldRef>,
+    impacts: Impacts,
     point_count: usize,
 }
 
@@ -64,6 +66,7 @@ impl SolverContacts {
         let filled = self.inputs.iter_mut().zip(self.layout.blocks());
         let points = filled.map(|(input, chunk)| fill(input, chunk, narrow_phase, bodies));
         self.point_count = points.sum();
+        self.impacts.load(&self.inputs, self.layout.colors(), bodies);
     }
 
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
@@ -78,11 +81,11 @@ impl SolverContacts {
         let rows = if per_point { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let prediction = params.prediction_distance();
-        let (poses, states, before) = bodies.shared();
+        let (poses, states, _) = bodies.shared();
         let inputs = DisjointMut::new(&mut self.inputs);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Prepare { range, inputs, blocks, poses, states, before, prediction });
+            simd.run(Prepare { range, inputs, blocks, poses, states, prediction });
         });
     }
 
@@ -124,19 +127,15 @@ impl SolverContacts {
         });
     }
 
-    /// Lets the contacts bounce that hit something in this step.
-    pub fn restitute(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        simd: Simd,
-        tasks: Tasks,
-    ) {
-        let (_, states, _) = bodies.shared();
+    /// Notes how the bodies move at the end of a substep, before forces act in the next.
+    pub fn note_velocities(&mut self, velocities: &[BodyState]) {
+        self.impacts.note_velocities(velocities);
+    }
+
+    /// Lets the contacts bounce that hit something in this substep.
+    pub fn bounce(&mut self, bodies: &mut SolverBodies, around: Around<'_>, pass: &ImpactPass) {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Restitute { range, blocks, states, pass });
-        });
+        self.impacts.run(blocks, bodies, around, pass);
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
@@ -272,7 +271,7 @@ pub(super) fn for_each_color(
 
 /// All blocks, and the friction per point of each if that is wanted.
 #[derive(Clone, Copy)]
-struct Blocks<'a> {
+pub(super) struct Blocks<'a> {
     contacts: DisjointMut<'a, ContactBlock>,
     coulomb: DisjointMut<'a, CoulombBlock>,
 }
@@ -285,7 +284,7 @@ impl<'a> Blocks<'a> {
     /// # Safety
     /// Nobody else may use the block with this index meanwhile.
     #[inline(always)]
-    unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
+    pub unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
         // SAFETY: the caller's promise; every index of a colour is one of a block.
         unsafe {
             let block = self.contacts.get_mut(index);
@@ -302,7 +301,6 @@ struct Prepare<'a> {
     blocks: Blocks<'a>,
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
     prediction: Real,
 }
 
@@ -311,14 +309,14 @@ impl Kernel for Prepare<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        let Self { poses, states, before, prediction, .. } = self;
+        let Self { poses, states, prediction, .. } = self;
         for index in self.range {
             // SAFETY: each block belongs to one task, and the constraints of one colour share no body
             // that is not read-only.
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = self.inputs.get_mut(index);
-                let surroundings = contact::Surroundings { poses, states: &states, before };
+                let surroundings = contact::Surroundings { poses, states: &states };
                 contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
             }
         }
@@ -357,7 +355,4 @@ macro_rules! pass_kernel {
 pass_kernel!(Solve, |block, _coulomb, states, pass| contact::solve::<W>(block, states, pass));
 pass_kernel!(Relax, |block, coulomb, states, pass| {
     contact::relax::<W>(block, coulomb, states, pass);
-});
-pass_kernel!(Restitute, |block, _coulomb, states, pass| {
-    contact::restitute::<W>(block, states, pass);
 });

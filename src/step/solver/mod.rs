@@ -7,9 +7,9 @@
 //!
 //! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in
 //! Physics Simulation": many small substeps with one visit of each constraint beat one step with many
-//! visits. Each substep solves the constraints with a soft bias that undoes overlap, moves the bodies,
-//! and relaxes: solves once more without bias, so that the velocity that undid the overlap does not
-//! stay. Bounces come once, at the end.
+//! visits. Each substep lets what hits bounce, solves the constraints with a soft bias that undoes
+//! overlap, moves the bodies, and relaxes: solves once more without bias, so that the velocity that undid
+//! the overlap does not stay.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Lever
 //! arms and inertias are frozen during a step, so what those impulses do to a body is what they did to
@@ -19,6 +19,7 @@
 mod bodies;
 mod contacts;
 mod groups;
+mod impacts;
 mod joints;
 mod layout;
 mod multibodies;
@@ -35,10 +36,11 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
-use crate::model::params::{ContactPass, IntegrationParameters, JointPass};
+use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
+use impacts::Around;
 use joints::SolverJoints;
 use multibodies::{SolverMultibodies, Surroundings};
 
@@ -79,7 +81,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    groups.divide(islands, bodies, narrow_phase, params);
+    groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
     constraints.multibodies.claim(trees, bodies);
     states.load(groups, bodies, &constraints.multibodies, gravity, params);
     counters.velocity_assembly_time.pause();
@@ -97,7 +99,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, (params, bodies), states, constraints, simd, counters);
+        solve_group(group.substeps, (gravity, params, bodies), states, constraints, simd, counters);
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
@@ -117,7 +119,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    (params, bodies): (&IntegrationParameters, &RigidBodySet),
+    (gravity, params, bodies): (Vector, &IntegrationParameters, &RigidBodySet),
     states: &mut SolverBodies,
     constraints: &mut Constraints,
     simd: Simd,
@@ -129,6 +131,7 @@ fn solve_group(
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
     let joint_pass = JointPass::new(params, h);
+    let impact_pass = ImpactPass::new(params, gravity.length(), h);
     let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
     joints.warm_start(states, simd, tasks);
@@ -138,6 +141,7 @@ fn solve_group(
 
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
+        contacts.note_velocities(if substep == 0 { &states.before } else { &states.states });
         states.integrate_velocities(h, params, substep == 0);
         if substep > 0 {
             multibodies.follow_loops(bodies, states);
@@ -146,6 +150,8 @@ fn solve_group(
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
+        let around = Around { joints, joint_pass: &joint_pass, simd, tasks };
+        contacts.bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);
@@ -162,7 +168,6 @@ fn solve_group(
         contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
     }
-    contacts.restitute(states, &pass, simd, tasks);
     multibodies.restitute(states, &pass);
     counters.velocity_resolution_time.pause();
 }

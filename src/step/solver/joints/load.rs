@@ -72,6 +72,8 @@ pub(super) fn load_lane(
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);
     block.separation.set_lane(lane, separation);
+    let share = bodies.share([ends[0].index, ends[1].index]);
+    joint.scale_impulses(share);
     load_locked(block, lane, joint, pass);
     let between = relative_rotation(&ends[0].frame, &ends[1].frame);
     load_rows(rows, block.first_row, lane, joint, &between, pass);

@@ -76,7 +76,7 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Member, RowMemory};
+use direct::{Direct, InverseMass, Member, RowMemory};
 pub(super) use store::break_if_overloaded;
 use taut::Tautness;
 
@@ -166,6 +166,10 @@ impl SolverJoints {
                 lane: lane as u32,
                 bodies: [block.bodies[0][lane], block.bodies[1][lane]],
                 locked: joint.data.locked_axes.bits(),
+                inverse_masses: [0, 1].map(|side| {
+                    let inv_inertia = symmetric_lane(&block.inv_inertia[side], lane);
+                    InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia)
+                }),
             };
             for (side, body) in member.movable() {
                 self.tautness.note(body, &symmetric_lane(&block.inv_inertia[side], lane));
@@ -245,6 +249,36 @@ impl SolverJoints {
         }
     }
 
+    /// Gives bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they are:
+    /// those of components with a body that is `wanted`. For impacts: the joints do not remember their impulses.
+    pub fn project(
+        &mut self,
+        (states, before): (&mut [BodyState], &[BodyState]),
+        wanted: impl Fn(u32) -> bool + Sync,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks,
+    ) {
+        if self.direct.is_empty() {
+            return;
+        }
+        let (count, again, states) = (self.blocks.len(), false, DisjointMut::new(states));
+        let blocks = DisjointMut::new(&mut self.blocks);
+        let memory = DisjointMut::new(&mut self.memory);
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
+        });
+        let wanted = |members: &[Member], _: bool| {
+            members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
+        };
+        self.direct.solve(&mut self.memory, states, wanted, tasks);
+    }
+
+    /// The bodies have been put elsewhere.
+    pub fn forget_places(&mut self) {
+        self.direct.forget_matrices();
+    }
+
     /// Solves the locked axes of connected joints together.
     fn solve_exactly<const AHEAD: bool>(
         &mut self,
@@ -261,7 +295,7 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, round >= ROUNDS, tasks);
+        self.direct.solve(&mut self.memory, states, |_, taut| taut || round < ROUNDS, tasks);
         let memory = &self.memory;
         let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {

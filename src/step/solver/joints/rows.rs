@@ -77,16 +77,6 @@ impl<W: Wide> Masses<W> {
         }
     }
 
-    /// `M⁻¹ Jᵀ` of a row for each body, with the sign of that body.
-    #[inline(always)]
-    pub fn both_responses(&self, row: &Row<W>) -> [WideMotion<W>; 2] {
-        let [first, second] = self.response(row).angular;
-        [
-            WideMotion { linear: -row.linear.component_mul(self.each[0]), angular: -first },
-            WideMotion { linear: row.linear.component_mul(self.each[1]), angular: second },
-        ]
-    }
-
     /// `J M⁻¹ Jᵀ` of a row.
     #[inline(always)]
     pub fn effective(&self, row: &Row<W>) -> W {

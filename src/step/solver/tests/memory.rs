@@ -32,13 +32,13 @@ fn step(scene: &mut Scene) {
     scene.prepare();
     for _ in 0..2 {
         scene.begin_substep(-Vector::Y * 10.0);
+        scene.bounce();
         scene.solve();
         for state in &mut scene.states {
             state.advance(SUBSTEP);
         }
         scene.relax();
     }
-    scene.restitute();
 }
 
 #[test]
@@ -98,9 +98,9 @@ fn read_only_bodies_and_the_world_are_not_written() {
             scene.input.impulses[0].0[LANE] = 1.0;
             scene.prepare();
             assert_ne!(scene.velocity(2 - read_only).0, bodies[1 - read_only].linvel);
+            scene.bounce();
             scene.solve();
             scene.relax();
-            scene.restitute();
             let body = bodies[read_only];
             assert_eq!(scene.velocity(read_only + 1), (body.linvel, body.angvel));
         }
@@ -122,9 +122,9 @@ fn displacements_stay() {
         state.advance(0.01);
     }
     let displacements: Vec<_> = scene.states.iter().map(|state| state.displacement()).collect();
+    scene.bounce();
     scene.solve();
     scene.relax();
-    scene.restitute();
     let after: Vec<_> = scene.states.iter().map(|state| state.displacement()).collect();
     assert_eq!(displacements, after);
 }
@@ -332,6 +332,7 @@ fn totals_count_each_substep_once() {
     scene.prepare();
     for _ in 0..3 {
         scene.begin_substep(-Vector::Y * 10.0);
+        scene.bounce();
         scene.solve();
         for is_last_visit in [false, false, true] {
             scene.pass.is_last_visit = is_last_visit;

@@ -2,15 +2,16 @@
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::random::Random;
-use crate::base::wide::{Kernel, LANES, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
+use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock, NormalRows};
 use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
 };
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::Placement;
-use crate::model::params::{ContactPass, Softness};
+use crate::model::params::{ContactPass, ImpactPass, Softness};
+use crate::step::solver::impacts::ImpactBlock;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -233,8 +234,9 @@ impl Scene {
         self.run(Pass::Relax);
     }
 
-    pub fn restitute(&mut self) {
-        self.run(Pass::Restitute);
+    /// A round of an impact of all lanes.
+    pub fn bounce(&mut self) {
+        self.run(Pass::Bounce);
     }
 
     fn run(&mut self, pass: Pass) {
@@ -269,7 +271,7 @@ enum Pass {
     Prepare,
     Solve,
     Relax,
-    Restitute,
+    Bounce,
 }
 
 struct Run<'a> {
@@ -289,13 +291,49 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let around = contact::Surroundings { poses, states: &states, before };
+                    let around = contact::Surroundings { poses, states: &states };
                     contact::prepare::<W>(input, block, coulomb.as_mut(), around, *prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
-                Pass::Restitute => contact::restitute::<W>(block, &states, pass),
+                Pass::Bounce => {
+                    let pass = ImpactPass {
+                        step: SUBSTEP,
+                        substep: SUBSTEP,
+                        inv_substep: 1.0 / SUBSTEP,
+                        threshold: pass.restitution_threshold,
+                        fall: 10.0 * SUBSTEP,
+                    };
+                    bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, before, &pass);
+                }
             }
         }
+    }
+}
+
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+unsafe fn bounce<W: Wide>(
+    block: &mut ContactBlock,
+    coulomb: Option<&mut CoulombBlock>,
+    restitution: Lane,
+    states: &DisjointMut<BodyState>,
+    before: &[BodyState],
+    pass: &ImpactPass,
+) {
+    let mut impact = ImpactBlock::new(0, restitution, [0; LANES]);
+    impact.recall(block);
+    // SAFETY: the caller's promise.
+    unsafe {
+        let mut rows = NormalRows::<W>::gather(states, block);
+        impact.begin(&rows, block, before, pass);
+        impact.mark(&rows, block, pass);
+        impact.visit(&mut rows);
+        let mut delays = vec![BodyState::default(); states.len()];
+        impact.end(&rows, block, &DisjointMut::new(&mut delays));
+        rows.scatter(states);
+        impact.put_aside(block);
+        impact.rub::<W>(block, coulomb, states);
     }
 }

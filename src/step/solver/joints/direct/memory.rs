@@ -3,7 +3,7 @@
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
 use super::super::passes::{Bodies, LookAhead, rates_here, store_couple, yields_of};
-use super::super::rows::{Masses, Row};
+use super::super::rows::Row;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
@@ -17,8 +17,6 @@ use crate::model::params::JointPass;
 pub(in super::super) struct RowMemory {
     /// By axis and body: the row `J`, with the sign of that body.
     pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
-    /// The same of `M⁻¹ Jᵀ`: velocities per unit of impulse.
-    pub responses: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
     /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
@@ -32,7 +30,6 @@ impl RowMemory {
         let zero = Lane::ZERO;
         Self {
             rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
-            responses: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             yields: zero,
@@ -56,7 +53,6 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
 ) {
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
-    let masses = Masses::load(block);
     let (rows, rates) = if AHEAD {
         rows_ahead(block, &bodies, again, pass)
     } else {
@@ -67,15 +63,10 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
         memory.changes[k] = Lane::ZERO;
-        let both = masses.both_responses(&rows[k]);
         for side in 0..2 {
             let linear = if side == 0 { -rows[k].linear } else { rows[k].linear };
             let angular = if side == 0 { -rows[k].angular[0] } else { rows[k].angular[1] };
             store_all(components(linear, angular), &mut memory.rows[k][side]);
-            store_all(
-                components(both[side].linear, both[side].angular),
-                &mut memory.responses[k][side],
-            );
         }
     }
     yields_of::<W, AHEAD>(block).store(&mut memory.yields);

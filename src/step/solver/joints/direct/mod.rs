@@ -23,9 +23,11 @@
 //! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
 
 mod factor;
+mod masses;
 mod memory;
 mod pattern;
 
+pub(super) use masses::InverseMass;
 pub(super) use memory::{RowMemory, finish, write_rows};
 pub(super) use pattern::Member;
 
@@ -81,20 +83,22 @@ impl Direct {
         self.taut.contains(&true)
     }
 
-    /// Solves all components, or only the taut ones: gives the rows their change of impulse, and the bodies what it does to them.
+    /// Solves the components that are `wanted`, by their members and whether they are taut: gives the rows their change
+    /// of impulse, and the bodies what it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
-        taut_only: bool,
+        wanted: impl Fn(&[Member], bool) -> bool + Sync,
         tasks: Tasks,
     ) {
         let count = self.pattern.component_count();
         let (pattern, taut) = (&self.pattern, &self.taut);
+        let is_wanted = |index: &usize| wanted(pattern.component(*index).members, taut[*index]);
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
-            for index in range.filter(|&index| taut[index] || !taut_only) {
+            for index in range.filter(is_wanted) {
                 // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
                 // task.
                 unsafe {
@@ -107,8 +111,8 @@ impl Direct {
                 }
             }
         });
-        for index in (0..count).filter(|&index| taut[index] || !taut_only) {
-            self.factors[index].write_changes(self.pattern.component(index), rows);
+        for index in (0..count).filter(is_wanted) {
+            self.factors[index].write_changes(pattern.component(index), rows);
         }
     }
 }

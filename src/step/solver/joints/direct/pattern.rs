@@ -1,5 +1,6 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
+use super::masses::InverseMass;
 use crate::dim::state::READ_ONLY;
 use core::ops::Range;
 
@@ -20,6 +21,8 @@ pub(in super::super) struct Member {
     pub bodies: [u32; 2],
     /// The locked axes, one bit each.
     pub locked: u8,
+    /// Those of its bodies.
+    pub inverse_masses: [InverseMass; 2],
 }
 
 impl Member {

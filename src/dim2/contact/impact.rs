@@ -1,0 +1,120 @@
+//! What impacts need of a block: the velocities of its points, impulses at them, and friction under these.
+//!
+//! Which points hit, and how they part, is decided in `step/solver/impacts/`.
+
+use super::block::ContactBlock;
+use super::coulomb::CoulombBlock;
+use super::rows::{Frame, NormalImpulse, NormalRow};
+use super::solve::{Bodies, rub_block, values_at};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Lane, Wide};
+use crate::dim2::math::MAX_MANIFOLD_POINTS;
+use crate::dim2::state::{BodyState, gather_velocities};
+use crate::dim2::wide::WideVector;
+
+/// The normal rows of a block with the motion of its bodies.
+pub(crate) struct NormalRows<'a, W> {
+    block: &'a ContactBlock,
+    bodies: Bodies<W>,
+}
+
+impl<'a, W: Wide> NormalRows<'a, W> {
+    /// # Safety
+    /// Nobody may write the states of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &'a ContactBlock) -> Self {
+        // SAFETY: the caller's promise.
+        Self { block, bodies: unsafe { Bodies::gather(states, block) } }
+    }
+
+    /// # Safety
+    /// Nobody else may touch the states of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn scatter(self, states: &DisjointMut<BodyState>) {
+        // SAFETY: the caller's promise.
+        unsafe { self.bodies.scatter(states, self.block) };
+    }
+
+    /// The relative normal velocities at the points.
+    #[inline(always)]
+    pub fn velocities(&self) -> [W; MAX_MANIFOLD_POINTS] {
+        let c = WideVector::load(&self.block.offset);
+        let row = NormalRow::new(&Frame::load(self.block), c, self.bodies.velocities);
+        values_at(self.block, row)
+    }
+
+    /// The separations of the points.
+    #[inline(always)]
+    pub fn separations(&self) -> [W; MAX_MANIFOLD_POINTS] {
+        let c = WideVector::load(&self.block.offset);
+        let row = NormalRow::new(&Frame::load(self.block), c, self.bodies.displacements);
+        let mut separations = values_at(self.block, row);
+        for (separation, point) in separations.iter_mut().zip(&self.block.points) {
+            *separation = *separation + W::load(&point.separation);
+        }
+        separations
+    }
+
+    /// Gauss–Seidel over the points of each lane: `solve` says for each point, at its velocity, which impulse is
+    /// added there.
+    #[inline(always)]
+    pub fn visit(&mut self, mut solve: impl FnMut(usize, W) -> W) {
+        let mut velocities = self.velocities();
+        let mut sum = NormalImpulse::zero();
+        let mut coupling = 0;
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let point = &self.block.points[k];
+            let added = solve(k, velocities[k]);
+            sum.add(added, W::load(&point.x));
+            for velocity in &mut velocities[k + 1..] {
+                *velocity = *velocity + W::load(&self.block.coupling[coupling]) * added;
+                coupling += 1;
+            }
+        }
+        let frame = Frame::load(self.block);
+        self.bodies.velocities = sum.apply(self.block, &frame, self.bodies.velocities);
+    }
+}
+
+/// The relative normal velocities at the points of a block when its bodies moved like this.
+#[inline(always)]
+pub(crate) fn velocities_of<W: Wide>(
+    states: &[BodyState],
+    block: &ContactBlock,
+) -> [W; MAX_MANIFOLD_POINTS] {
+    let velocities = [
+        gather_velocities::<W>(states, &block.bodies[0]),
+        gather_velocities::<W>(states, &block.bodies[1]),
+    ];
+    let c = WideVector::load(&block.offset);
+    values_at(block, NormalRow::new(&Frame::load(block), c, velocities))
+}
+
+/// Solves the friction rows once under these normal impulses alone. What they add is no load that the next substep
+/// could start with: nothing of it is remembered.
+///
+/// # Safety
+/// Nobody else may touch the states of the block's bodies meanwhile.
+#[inline(always)]
+pub(crate) unsafe fn rub<W: Wide>(
+    block: &mut ContactBlock,
+    coulomb: Option<&mut CoulombBlock>,
+    states: &DisjointMut<BodyState>,
+    impulses: [Lane; MAX_MANIFOLD_POINTS],
+) {
+    let (points, friction) = (block.points, block.friction);
+    for (point, impulse) in block.points.iter_mut().zip(impulses) {
+        point.impulse = impulse;
+    }
+    block.friction.impulse = Default::default();
+    let mut fresh = coulomb.map(|rows| rows.clone());
+    if let Some(rows) = &mut fresh {
+        rows.scale_impulses(0.0);
+    }
+    // SAFETY: the caller's promise.
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    rub_block(block, fresh.as_mut(), &mut bodies);
+    // SAFETY: the caller's promise.
+    unsafe { bodies.scatter(states, block) };
+    (block.points, block.friction) = (points, friction);
+}

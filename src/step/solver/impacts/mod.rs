@@ -1,0 +1,368 @@
+//! Impacts: what happens in no time, before forces act.
+//!
+//! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). With several contacts
+//! this says nothing of those that were at rest. Solved as forces are, all at once, the blow on a row of balls spreads
+//! over the whole row; a real row sends off its last ball, because the blow travels.
+//!
+//! So we use the generalised reflections of Smith, Kaufman, Vouga, Tamstorf and Grinspun, "Reflections on
+//! simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
+//!
+//! 1. `S` is the set of contacts that hit now: approach, and would overlap before the substep ends.
+//! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this round.
+//! 3. This makes others approach. Those are the next round's `S`.
+//!
+//! What is hit at the same moment is thrown back together, so a box that lands flat rises flat; what is hit by what was
+//! hit follows. Rounds end when nothing approaches any more, or when [`VISITS`] are used up: the rest of the approach is
+//! stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
+//!
+//! ## Energy
+//! With all impulses `λ` of a round the kinetic energy changes by
+//!
+//! ```text
+//! ΔT = ½ Σ λ_i (Ċ_i' + c_i)                     Ċ': after the round
+//! ```
+//!
+//! whatever the couplings between the contacts are. A solution of 2 has `Ċ_i' = -e_i c_i` wherever `λ_i > 0`: every term
+//! is negative, for any mixture of `e_i ≤ 1`. Sweeps leave errors, so we look: where the sum over an island is above zero, its
+//! round goes only the share `s = a / (a + ΔT)` of its way, with `a = -Σ λ_i c_i`, which is where the energy is back at
+//! what it was. Impacts never add energy.
+//!
+//! ## Joints
+//! Joints transmit blows. Locked axes that are solved exactly take part: after each sweep over `S` the velocities are
+//! projected on what they allow. Their impulses do no work, so that the sum above still holds over contacts alone.
+//!
+//! ## When
+//! A blow falls at a time `τ = C / |c|` within the substep, or before it if a fast body was noticed too late. The
+//! bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv` (`accept_impact`). And the
+//! velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
+//! velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
+//!
+//! ```text
+//! -e (c + b) - b,      b = A (τ/h - ½)
+//! ```
+//!
+//! so a ball that bounces with `e = 1` keeps its height to second order in `h`.
+//!
+//! A body that comes fast but does not arrive before the substep ends is put aside until the next: the passes that let
+//! it come no nearer than to touch would take off its speed before it is there.
+//!
+//! ## Friction
+//! Acts once at the end, under all normal impulses of the impact. What an impact adds to the velocities is added to the
+//! velocities "before any impulse" of the substep too: it is no load that the next one could start with.
+
+mod rows;
+
+use super::bodies::SolverBodies;
+use super::contacts::{Blocks, for_each_color};
+use super::joints::SolverJoints;
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
+use crate::dim::contact::{ContactInput, NormalRows};
+use crate::dim::math::Real;
+use crate::dim::state::BodyState;
+use crate::model::params::{ImpactPass, JointPass};
+use core::ops::Range;
+pub(super) use rows::ImpactBlock;
+
+/// Visits of all contacts that hit, per substep.
+const VISITS: usize = 128;
+/// And per round.
+const ROUND_VISITS: usize = 16;
+
+/// The contacts with restitution.
+#[derive(Default)]
+pub(super) struct Impacts {
+    /// Those of one colour stand together.
+    blocks: Vec<ImpactBlock>,
+    colors: Vec<Range<usize>>,
+    memory: Memory,
+}
+
+/// What is known of bodies, by their index, or of islands.
+#[derive(Default)]
+struct Memory {
+    /// How bodies moved when the last substep ended.
+    last: Vec<BodyState>,
+    /// How they moved when the round began.
+    start: Vec<BodyState>,
+    /// In place of a velocity: the sum of impulses in this round, and of impulse times time.
+    delays: Vec<BodyState>,
+    accounts: Vec<Account>,
+}
+
+/// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
+#[derive(Copy, Clone, Default)]
+struct Account {
+    /// Visits that are left in this substep.
+    visits: usize,
+    is_struck: bool,
+    is_moving: bool,
+    /// Sums over the contacts, see [`ImpactBlock`].
+    stopped: Real,
+    surplus: Real,
+}
+
+impl Account {
+    /// How much of a round an island goes.
+    fn share(&self) -> Real {
+        if self.surplus > 0.0 { self.stopped / (self.stopped - self.surplus) } else { 1.0 }
+    }
+}
+
+/// What acts on bodies beside contacts.
+pub(super) struct Around<'a> {
+    pub joints: &'a mut SolverJoints,
+    pub joint_pass: &'a JointPass,
+    pub simd: Simd,
+    pub tasks: Tasks,
+}
+
+impl Impacts {
+    /// Finds the contacts with restitution among the blocks of each colour.
+    pub fn load(
+        &mut self,
+        inputs: &[ContactInput],
+        colors: &[Range<usize>],
+        bodies: &SolverBodies,
+    ) {
+        self.blocks.clear();
+        self.colors.clear();
+        for color in colors {
+            let start = self.blocks.len();
+            for at in color.clone().filter(|&at| inputs[at].restitution != Lane::ZERO) {
+                let [first, second] = &inputs[at].bodies;
+                let islands = core::array::from_fn(|k| bodies.island_of([first[k], second[k]]));
+                self.blocks.push(ImpactBlock::new(at, inputs[at].restitution, islands));
+            }
+            if start < self.blocks.len() {
+                self.colors.push(start..self.blocks.len());
+            }
+        }
+    }
+
+    /// Notes how the bodies move at the end of a substep, before forces act in the next.
+    pub fn note_velocities(&mut self, velocities: &[BodyState]) {
+        if !self.blocks.is_empty() {
+            self.memory.last.clear();
+            self.memory.last.extend_from_slice(velocities);
+        }
+    }
+
+    /// Lets everything bounce that hits something in this substep.
+    pub fn run(
+        &mut self,
+        contacts: Blocks<'_>,
+        bodies: &mut SolverBodies,
+        mut around: Around<'_>,
+        pass: &ImpactPass,
+    ) {
+        if self.blocks.is_empty() {
+            return;
+        }
+        self.pass(Stage::Begin, contacts, bodies, &around, pass);
+        let hits = self.blocks.iter().any(|block| block.struck != 0);
+        if hits {
+            self.memory.accounts.clear();
+            let account = Account { visits: VISITS, ..Account::default() };
+            self.memory.accounts.resize(bodies.island_bound(), account);
+            while self.find_struck() {
+                self.solve_round(contacts, bodies, &mut around, pass);
+                self.pass(Stage::Mark, contacts, bodies, &around, pass);
+            }
+        }
+        self.pass(Stage::PutAside, contacts, bodies, &around, pass);
+        if hits {
+            self.begin_round(bodies);
+            self.pass(Stage::Rub, contacts, bodies, &around, pass);
+            bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
+            around.joints.forget_places();
+        }
+    }
+
+    /// Finds the islands where something hits, as long as they have visits left. Is there any?
+    fn find_struck(&mut self) -> bool {
+        let accounts = &mut self.memory.accounts;
+        for account in accounts.iter_mut() {
+            (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
+        }
+        let mut any = false;
+        for block in &mut self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut accounts[block.islands[lane] as usize];
+                if account.visits > 0 {
+                    (account.is_struck, any) = (true, true);
+                } else {
+                    block.let_be(lane);
+                    block.struck &= !(1 << lane);
+                }
+            }
+        }
+        any
+    }
+
+    /// Parts the contacts that hit.
+    fn solve_round(
+        &mut self,
+        contacts: Blocks<'_>,
+        bodies: &mut SolverBodies,
+        around: &mut Around<'_>,
+        pass: &ImpactPass,
+    ) {
+        self.begin_round(bodies);
+        for _ in 0..ROUND_VISITS {
+            self.pass(Stage::Visit, contacts, bodies, around, pass);
+            if !self.find_moving() {
+                break;
+            }
+            let accounts = &self.memory.accounts;
+            let islands = &bodies.islands;
+            let account = |body: u32| accounts.get(islands[body as usize] as usize);
+            let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
+            let states = (&mut bodies.states[..], &bodies.before[..]);
+            let Around { joints, joint_pass, simd, tasks } = around;
+            joints.project(states, is_moving, joint_pass, *simd, *tasks);
+        }
+        self.pass(Stage::End, contacts, bodies, around, pass);
+        for block in &self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut self.memory.accounts[block.islands[lane] as usize];
+                account.stopped += block.stopped.0[lane];
+                account.surplus += block.surplus.0[lane];
+            }
+        }
+        let Memory { start, delays, accounts, .. } = &self.memory;
+        bodies.accept_impact(start, delays, |island| {
+            accounts.get(island as usize).map_or(1.0, Account::share)
+        });
+    }
+
+    /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
+    /// Is there any?
+    fn find_moving(&mut self) -> bool {
+        let accounts = &mut self.memory.accounts;
+        for account in accounts.iter_mut() {
+            account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
+            account.is_moving = false;
+        }
+        for block in &self.blocks {
+            let moving = block.struck & block.moving;
+            lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        }
+        let mut any = false;
+        for block in &mut self.blocks {
+            for lane in lanes(block.struck) {
+                let account = &mut accounts[block.islands[lane] as usize];
+                if account.is_moving {
+                    any = true;
+                } else {
+                    account.is_struck = false;
+                    block.let_be(lane);
+                }
+            }
+        }
+        any
+    }
+
+    fn begin_round(&mut self, bodies: &SolverBodies) {
+        let Memory { start, delays, .. } = &mut self.memory;
+        start.clear();
+        start.extend_from_slice(&bodies.states);
+        delays.clear();
+        delays.resize(bodies.states.len(), BodyState::default());
+    }
+
+    fn pass(
+        &mut self,
+        stage: Stage,
+        contacts: Blocks<'_>,
+        bodies: &mut SolverBodies,
+        around: &Around<'_>,
+        pass: &ImpactPass,
+    ) {
+        let (_, states, _) = bodies.shared();
+        let impacts = DisjointMut::new(&mut self.blocks);
+        let delays = DisjointMut::new(&mut self.memory.delays);
+        let last = &self.memory.last;
+        for_each_color(&self.colors, around.tasks, |range| {
+            around.simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
+        });
+    }
+}
+
+/// The lanes whose bits are set.
+fn lanes(bits: u32) -> impl Iterator<Item = usize> {
+    (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
+}
+
+/// What is done with each block.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Stage {
+    Begin,
+    Mark,
+    Visit,
+    End,
+    PutAside,
+    Rub,
+}
+
+/// A stage, for some blocks of one colour.
+struct Run<'a> {
+    stage: Stage,
+    range: Range<usize>,
+    contacts: Blocks<'a>,
+    impacts: DisjointMut<'a, ImpactBlock>,
+    states: DisjointMut<'a, BodyState>,
+    delays: DisjointMut<'a, BodyState>,
+    last: &'a [BodyState],
+    pass: &'a ImpactPass,
+}
+
+impl Kernel for Run<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range.clone() {
+            // SAFETY: each block belongs to one task, the constraints of one colour share no body that is not
+            // read-only, and one colour is done before the next begins.
+            unsafe { self.run_block::<W>(index) };
+        }
+    }
+}
+
+impl Run<'_> {
+    /// # Safety
+    /// Nobody else may touch the block, or the states and delays of its bodies, meanwhile.
+    #[inline(always)]
+    unsafe fn run_block<W: Wide>(&self, index: usize) {
+        let (states, pass) = (&self.states, self.pass);
+        // SAFETY: the caller's promise.
+        unsafe {
+            let impact = self.impacts.get_mut(index);
+            let (block, coulomb) = self.contacts.get(impact.at);
+            match self.stage {
+                Stage::Begin => impact.recall(block),
+                Stage::Visit | Stage::End if impact.struck == 0 => return,
+                Stage::PutAside => return impact.put_aside(block),
+                Stage::Rub if impact.was_struck => return impact.rub::<W>(block, coulomb, states),
+                Stage::Rub => return,
+                _ => {}
+            }
+            let mut rows = NormalRows::<W>::gather(states, block);
+            match self.stage {
+                Stage::Begin => {
+                    impact.begin(&rows, block, self.last, pass);
+                    impact.mark(&rows, block, pass);
+                }
+                Stage::Mark => impact.mark(&rows, block, pass),
+                Stage::Visit => {
+                    impact.visit(&mut rows);
+                    rows.scatter(states);
+                }
+                Stage::End => impact.end(&rows, block, &self.delays),
+                Stage::PutAside | Stage::Rub => {}
+            }
+        }
+    }
+}
