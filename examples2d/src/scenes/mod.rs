@@ -42,11 +42,12 @@ pub mod spinner;
 pub mod compounds;
 pub mod smash;
 pub mod downpour;
+pub mod joint_grid;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 42] = [
+pub const SCENES: [SceneInfo; 43] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -89,4 +90,5 @@ pub const SCENES: [SceneInfo; 42] = [
     compounds::INFO,
     smash::INFO,
     downpour::INFO,
+    joint_grid::INFO,
 ];

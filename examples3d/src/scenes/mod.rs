@@ -44,11 +44,13 @@ pub mod radar;
 pub mod fine_mesh;
 pub mod tiles;
 pub mod cobbles;
+pub mod joint_grid;
+pub mod ragdolls;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 44] = [
+pub const SCENES: [SceneInfo; 46] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -93,4 +95,6 @@ pub const SCENES: [SceneInfo; 44] = [
     fine_mesh::INFO,
     tiles::INFO,
     cobbles::INFO,
+    joint_grid::INFO,
+    ragdolls::INFO,
 ];
