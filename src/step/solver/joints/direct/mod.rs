@@ -46,16 +46,25 @@ pub(super) struct Direct {
 }
 
 impl Direct {
-    /// Finds out which joints are connected, and in which order to eliminate them. Returns the joints that
-    /// are to be solved here.
-    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) -> &[Member] {
+    /// Finds out which joints are connected, which of them are to be solved here, and in which order to eliminate
+    /// these.
+    pub fn build(&mut self, members: &[Member], body_count: usize) {
         self.pattern.build(members, body_count);
         let count = self.pattern.component_count();
         if self.factors.len() < count {
             self.factors.resize_with(count, Factor::default);
         }
         self.forget_matrices();
-        self.pattern.members()
+    }
+
+    /// Is the joint solved here?
+    pub fn contains(&self, slot: u32) -> bool {
+        self.pattern.contains(slot)
+    }
+
+    /// Notes in which lane of which block a joint's rows stand. No if it is not solved here.
+    pub fn place(&mut self, slot: u32, block: usize, lane: usize) -> bool {
+        self.pattern.place(slot, block, lane)
     }
 
     /// Is there nothing to do?

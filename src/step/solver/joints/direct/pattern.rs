@@ -1,6 +1,9 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
+use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::state::READ_ONLY;
+use crate::model::island::NONE;
+use crate::model::joint::GenericJoint;
 use core::ops::Range;
 
 /// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
@@ -9,7 +12,7 @@ const COLUMN_MAX: usize = 24;
 const MEAN_MAX: usize = 6;
 
 /// A joint as the factorisation knows it.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub(in super::super) struct Member {
     /// The joint's slot in its set: the order of members must not depend on other islands.
     pub slot: u32,
@@ -20,9 +23,20 @@ pub(in super::super) struct Member {
     pub bodies: [u32; 2],
     /// The locked axes, one bit each.
     pub locked: u8,
+    /// Does it lock all translations, and nothing else happens on any axis?
+    pub is_pin: bool,
 }
 
 impl Member {
+    /// The joint in a slot between two bodies; where its rows will be is not known yet.
+    pub fn new(slot: u32, bodies: [u32; 2], joint: &GenericJoint) -> Self {
+        let drives = joint.limit_axes | joint.motor_axes;
+        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
+            && drives.is_empty()
+            && joint.softness.is_none();
+        Self { slot, block: 0, lane: 0, bodies, locked: joint.locked_axes.bits(), is_pin }
+    }
+
     /// The bodies that can move, with their sides.
     pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
         self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
@@ -37,6 +51,11 @@ impl Member {
 /// The structure of all components.
 #[derive(Default)]
 pub(super) struct Pattern {
+    /// All joints, as they were when the pattern was built.
+    given: Vec<Member>,
+    sorted: Vec<Member>,
+    /// By slot: the position of a joint that is in a component, [`NONE`] of others.
+    position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
     members: Vec<Member>,
     components: Vec<Range<usize>>,
@@ -70,8 +89,19 @@ impl Pattern {
         self.components.len()
     }
 
-    pub fn members(&self) -> &[Member] {
-        &self.members
+    /// Is the joint in a component?
+    pub fn contains(&self, slot: u32) -> bool {
+        self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
+    }
+
+    /// Notes in which lane of which block a joint's rows stand. No if it is in no component.
+    pub fn place(&mut self, slot: u32, block: usize, lane: usize) -> bool {
+        let contains = self.contains(slot);
+        if contains {
+            let member = &mut self.members[self.position_of_slot[slot as usize] as usize];
+            (member.block, member.lane) = (block as u32, lane as u32);
+        }
+        contains
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
@@ -79,13 +109,31 @@ impl Pattern {
         Component { members: &self.members[range.clone()], columns: &self.columns[range] }
     }
 
-    /// Orders all members that are worth it.
-    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) {
-        members.retain(|member| member.locked != 0);
+    /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
+    pub fn build(&mut self, given: &[Member], body_count: usize) {
+        if self.given == given {
+            return;
+        }
+        self.given.clear();
+        self.given.extend_from_slice(given);
+        let mut members = core::mem::take(&mut self.sorted);
+        members.clear();
+        members.extend(given.iter().filter(|member| member.locked != 0));
         members.sort_unstable_by_key(|member| member.slot);
         self.members.clear();
         self.components.clear();
-        self.search.start(members, body_count);
+        self.search.start(&members, body_count);
+        self.find_components(&members);
+        self.sorted = members;
+        self.position_of_slot.clear();
+        let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
+        self.position_of_slot.resize(slots, NONE);
+        for (position, member) in self.members.iter().enumerate() {
+            self.position_of_slot[member.slot as usize] = position as u32;
+        }
+    }
+
+    fn find_components(&mut self, members: &[Member]) {
         for root in 0..members.len() {
             if self.search.visited[root] {
                 continue;
