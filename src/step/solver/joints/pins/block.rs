@@ -93,8 +93,8 @@ impl<W: Wide> Masses<W> {
     #[inline(always)]
     fn load(block: &PinBlock) -> Self {
         Self {
-            linear: block.inv_mass.each_ref().map(WideVector::load),
-            angular: block.inv_inertia.each_ref().map(load_symmetric),
+            linear: load_both(&block.inv_mass),
+            angular: [load_symmetric(&block.inv_inertia[0]), load_symmetric(&block.inv_inertia[1])],
         }
     }
 
@@ -141,7 +141,7 @@ fn moments_of<W: Wide>(
     levers: &[WideVector<W>; 2],
     impulse: WideVector<W>,
 ) -> [WideAngVector<W>; 2] {
-    levers.map(|lever| torque(lever, impulse))
+    [torque(levers[0], impulse), torque(levers[1], impulse)]
 }
 
 /// Gives the bodies the impulse with which the step starts.
@@ -156,7 +156,7 @@ pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &Disjoint
     };
     let mut velocities = [v1, v2];
     let impulse = WideVector::load(&block.impulse);
-    let moments = moments_of(&block.levers.each_ref().map(WideVector::load), impulse);
+    let moments = moments_of(&load_both(&block.levers), impulse);
     Masses::load(block).push(impulse, &moments, &mut velocities);
     store_moments(moments, block);
     let [v1, v2] = velocities;
@@ -183,10 +183,10 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
     };
     let mut velocities = [v1, v2];
     let masses = Masses::load(block);
-    let old: [WideVector<W>; 2] = block.levers.each_ref().map(WideVector::load);
+    let old = load_both::<W>(&block.levers);
     let levers = [turned_lever(old[0], d1.angular), turned_lever(old[1], d2.angular)];
     let impulse = WideVector::<W>::load(&block.impulse);
-    let mut moments = block.moments.each_ref().map(load_ang::<W>);
+    let mut moments = [load_ang::<W>(&block.moments[0]), load_ang(&block.moments[1])];
     if BIASED {
         // The bodies have the last substep's impulse already; its levers have turned since.
         let now = moments_of(&levers, impulse);
@@ -232,7 +232,17 @@ pub(super) unsafe fn turn_back<W: Wide>(block: &mut PinBlock, states: &DisjointM
     let [_, moved] = unsafe { gather_states::<W>(states, &block.bodies[0]) };
     let impulse = WideVector::<W>::load(&block.impulse);
     let axes = axes(turned_frame(WideRotation::load(&block.frame), moved.angular));
-    from_numbers(axes.map(|axis| axis.dot(impulse))).store(&mut block.impulse);
+    let mut along = [W::zero(); DIM];
+    for (along, axis) in along.iter_mut().zip(&axes) {
+        *along = axis.dot(impulse);
+    }
+    from_numbers(along).store(&mut block.impulse);
+}
+
+#[inline(always)]
+fn load_both<W: Wide>(both: &[WideVector<Lane>; 2]) -> [WideVector<W>; 2] {
+    // Without closures, which would not be compiled for the kernel's instructions.
+    [WideVector::load(&both[0]), WideVector::load(&both[1])]
 }
 
 #[inline(always)]
