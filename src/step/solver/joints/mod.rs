@@ -158,7 +158,10 @@ impl SolverJoints {
                 if bodies.has_one_of(slots) && !multibodies.claims(slots) {
                     let ends = slots.map(|slot| bodies.index_of(slot));
                     let joint = joints.get(link.handle);
-                    self.members.extend(joint.map(|joint| Member::new(slot, ends, &joint.data)));
+                    let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
+                    self.members.extend(
+                        joint.map(|joint| Member::new(slot, ends, inv_masses, &joint.data)),
+                    );
                 }
             }
             self.colors.push((color, self.members.len() - start));
@@ -195,6 +198,8 @@ impl SolverJoints {
             load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
             if self.direct.place(slot, self.blocks.len(), lane) {
                 block.solve_exactly(lane, pass.softness.yields());
+            } else {
+                block.has_swept = true;
             }
             for side in 0..2 {
                 let body = block.bodies[side][lane];

@@ -20,11 +20,16 @@
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
 //! held already gets no impulse.
 //!
+//! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
+//! of even masses. A ragdoll bears no load for long.
+//!
 //! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
 
 mod factor;
 mod memory;
 mod pattern;
+#[cfg(test)]
+mod tests;
 
 pub(super) use memory::{RowMemory, finish, write_rows};
 pub(super) use pattern::Member;

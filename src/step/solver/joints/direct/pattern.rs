@@ -1,15 +1,22 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
 use crate::dim::joint_axes::JointAxesMask;
+use crate::dim::math::Real;
 use crate::dim::state::READ_ONLY;
 use crate::model::island::NONE;
 use crate::model::joint::GenericJoint;
-use core::ops::Range;
+use core::ops::{Range, RangeInclusive};
 
 /// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
 /// cheaper.
 const COLUMN_MAX: usize = 24;
 const MEAN_MAX: usize = 6;
+
+/// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
+/// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
+/// Fewer joints cost little, and keep the energy of what turns about itself.
+const LOOSE: RangeInclusive<usize> = 6..=24;
+const EVEN: Real = 32.0;
 
 /// A joint as the factorisation knows it.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -23,18 +30,21 @@ pub(in super::super) struct Member {
     pub bodies: [u32; 2],
     /// The locked axes, one bit each.
     pub locked: u8,
+    /// Of its bodies; none of those that cannot move.
+    pub inv_masses: [Real; 2],
     /// Does it lock all translations, and nothing else happens on any axis?
     pub is_pin: bool,
 }
 
 impl Member {
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
-    pub fn new(slot: u32, bodies: [u32; 2], joint: &GenericJoint) -> Self {
+    pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
         let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
             && joint.softness.is_none();
-        Self { slot, block: 0, lane: 0, bodies, locked: joint.locked_axes.bits(), is_pin }
+        let locked = joint.locked_axes.bits();
+        Self { slot, block: 0, lane: 0, bodies, locked, inv_masses, is_pin }
     }
 
     /// The bodies that can move, with their sides.
@@ -139,7 +149,9 @@ impl Pattern {
                 continue;
             }
             self.search.collect(root, members);
-            self.add_component(members);
+            if !self.search.is_easy(members) {
+                self.add_component(members);
+            }
         }
     }
 
@@ -200,6 +212,17 @@ impl Search {
     fn joints_of(&self, body: u32) -> &[u32] {
         let body = body as usize;
         &self.of_body[self.first[body] as usize..self.first[body + 1] as usize]
+    }
+
+    /// Is the component that was collected as well off in the sweeps?
+    fn is_easy(&self, members: &[Member]) -> bool {
+        let component = self.order.iter().map(|&index| &members[index as usize]);
+        let is_loose = component.clone().all(|member| member.movable().count() == 2);
+        let masses = component.flat_map(|member| member.inv_masses);
+        let [least, most] = masses.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
+            [inv_mass.min(least), inv_mass.max(most)]
+        });
+        LOOSE.contains(&self.order.len()) && is_loose && most <= EVEN * least
     }
 
     /// Breadth first from a member: all that are connected to it.

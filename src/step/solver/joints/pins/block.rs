@@ -1,6 +1,6 @@
 //! The memory of pins, and the passes over it.
 
-use super::super::rows::solve_symmetric;
+use super::super::rows::Factored;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::joint::{axes, from_numbers, numbers, point_response, turned_frame, turned_lever};
@@ -131,7 +131,7 @@ impl<W: Wide> Masses<W> {
             }
             k[i][i] = k[i][i] + sum[i];
         }
-        from_numbers(solve_symmetric(k, numbers(b)))
+        from_numbers(Factored::new(k).solve(numbers(b)))
     }
 }
 
