@@ -1,7 +1,7 @@
 //! Nets, which are solved in sweeps, come to rest and do not stretch.
 
 use super::stage::{bob, post};
-use crate::dim::{hinge, vec};
+use crate::dim::vec;
 use crate::suite::physics::stage::{G, RATES, run, world};
 use rapier::prelude::*;
 
@@ -18,15 +18,20 @@ fn net(world: &mut PhysicsWorld) {
             let above =
                 if row > 0 { knots[knots.len() - SIDE] } else { post(world, at + vec(0.0, 0.5)) };
             let (up, left) = (vec(0.0, 0.25), vec(-0.25, 0.0));
-            world.insert_impulse_joint(above, knot, hinge().local_anchor1(-up).local_anchor2(up));
+            world.insert_impulse_joint(above, knot, pin(-up, up));
             if column > 0 {
                 let beside = knots[knots.len() - 1];
-                let joint = hinge().local_anchor1(-left).local_anchor2(left);
-                world.insert_impulse_joint(beside, knot, joint);
+                world.insert_impulse_joint(beside, knot, pin(-left, left));
             }
             knots.push(knot);
         }
     }
+}
+
+/// Holds two points together.
+fn pin(anchor1: Vector, anchor2: Vector) -> GenericJointBuilder {
+    let pin = GenericJointBuilder::new(JointAxesMask::LIN_AXES);
+    pin.local_anchor1(anchor1).local_anchor2(anchor2)
 }
 
 #[test]

@@ -39,9 +39,9 @@
 //! which loses `ω² h`.)
 //!
 //! ## Exactly or in sweeps
-//! The locked axes of connected joints are solved together (`direct/`), those of nets with too many loops in
-//! sweeps over the colours, with some yield; the plain ones among these have passes of their own (`pins/`). Motors
-//! and limits are always swept.
+//! The locked axes of connected joints are solved together (`direct/`); those of nets with too many loops, and of
+//! loose components like ragdolls, in sweeps over the colours, with some yield. The plain ones among these have
+//! passes of their own (`pins/`). Motors and limits are always swept.
 //!
 //! ## Order
 //! All joints are solved before all contacts, colour by colour. Whoever is solved last is obeyed best, and
