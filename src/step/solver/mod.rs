@@ -91,7 +91,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        joints.load(islands, set, bodies, states, multibodies, &pass, Tasks::current());
+        joints.load((islands, set), bodies, states, multibodies, &pass, Tasks::current());
         contacts.load(&islands.graph, narrow_phase, states, multibodies);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);

@@ -118,8 +118,7 @@ impl SolverJoints {
     /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
     pub fn load(
         &mut self,
-        islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         set: &RigidBodySet,
         bodies: &SolverBodies,
         multibodies: &SolverMultibodies,
