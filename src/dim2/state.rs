@@ -107,6 +107,11 @@ impl BodyPose {
         let (q, x, m) = (rotation, center_of_mass, inv_mass);
         Self([q.re, q.im, x.x, x.y, m.x, m.y, *inv_inertia, 0.0])
     }
+
+    /// Inverse mass per axis.
+    pub fn inv_mass(&self) -> Vector {
+        Vector::new(self.0[4], self.0[5])
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

@@ -107,6 +107,11 @@ impl BodyPose {
             i.m33,
         ])
     }
+
+    /// Inverse mass per axis.
+    pub fn inv_mass(&self) -> Vector {
+        Vector::new(self.0[7], self.0[8], self.0[9])
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

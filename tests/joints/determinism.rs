@@ -35,6 +35,26 @@ fn contraption(world: &mut PhysicsWorld, at: Vector) {
         };
         last = body;
     }
+    loose(world, at + vec(8.0, 0.0));
+}
+
+/// Something that nothing holds and that has too many joints to be solved exactly.
+fn loose(world: &mut PhysicsWorld, at: Vector) {
+    let mut last = None;
+    for k in 0..12_u8 {
+        let place = at + vec(0.5 * Real::from(k), 0.1 * Real::from(k % 3));
+        let (body, _) =
+            world.insert(RigidBodyBuilder::dynamic().translation(place), cuboid(0.2, 0.1));
+        if let Some(last) = last {
+            let pin = GenericJointBuilder::new(JointAxesMask::LIN_AXES);
+            let pin = pin.local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
+            let hinge = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
+            let limited = hinge.limits([-0.4, 0.4]);
+            let joint: GenericJoint = if k % 3 == 0 { limited.into() } else { pin.build() };
+            world.insert_impulse_joint(last, body, joint);
+        }
+        last = Some(body);
+    }
 }
 
 fn world() -> PhysicsWorld {
@@ -53,7 +73,7 @@ fn run(mut world: PhysicsWorld) -> Vec<u64> {
         world.step();
     }
     let mut bits = Vec::new();
-    for (_, body) in world.bodies.iter().take(32) {
+    for (_, body) in world.bodies.iter().take(44) {
         let (at, velocity) = (body.translation(), body.linvel());
         bits.extend((0..DIM).map(|k| f64::from(at[k]).to_bits()));
         bits.extend((0..DIM).map(|k| f64::from(velocity[k]).to_bits()));

@@ -12,6 +12,7 @@ mod edits;
 mod limits;
 mod momentum;
 mod motors;
+mod nets;
 mod nonsense;
 pub mod pendulum;
 mod sliding;

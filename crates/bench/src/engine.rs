@@ -91,6 +91,8 @@ pub struct Stats {
     /// How deep the worst of all pairs overlaps (length units), measured from shapes and poses in the
     /// same way for all engines.
     pub overlap: f64,
+    /// How far the worst of all joints has come apart (length units), measured likewise; `None` without joints.
+    pub separation: Option<f64>,
     /// Kinetic energy of all dynamic bodies.
     pub kinetic_energy: f64,
 }

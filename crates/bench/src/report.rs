@@ -8,7 +8,7 @@ use gallery::{Table, grouped};
 use std::io::{self, Write};
 use std::path::Path;
 
-const HEADINGS: [&str; 12] = [
+const HEADINGS: [&str; 13] = [
     "scene",
     "threads",
     "engine",
@@ -19,6 +19,7 @@ const HEADINGS: [&str; 12] = [
     "pairs",
     "points",
     "overlap",
+    "apart",
     "kinetic J",
     "bytes/body",
 ];
@@ -33,6 +34,7 @@ fastest round. With one thread it is time on the processor, with more it is time
 ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
 overlap: deepest overlap of any pair at the end, measured in the same way for all.
+apart: largest distance between the two anchors of any joint at the end, measured likewise.
 kinetic: energy of all dynamic bodies at the end.
 bytes/body: memory of the world at the end per dynamic body, contacts and all.";
 
@@ -108,6 +110,7 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
         grouped(stats.pairs),
         grouped(stats.points),
         format!("{:.4}", stats.overlap),
+        stats.separation.map_or_else(String::new, |gap| format!("{gap:.4}")),
         format!("{:.3}", stats.kinetic_energy),
         grouped(score.bytes / contest.dynamic_bodies.max(1)),
     ]
@@ -168,7 +171,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[0][4].as_str(), rows[0][6].as_str()), ("", ""));
         assert_eq!((rows[1][4].as_str(), rows[1][6].as_str()), ("2.00", "2.00"));
-        assert_eq!(rows[1][11], "100");
+        assert_eq!(rows[1][12], "100");
     }
 
     #[test]

@@ -50,11 +50,12 @@ pub mod spinner;
 pub mod compounds;
 pub mod smash;
 pub mod downpour;
+pub mod joint_grid;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 50] = [
+pub const SCENES: [SceneInfo; 51] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -105,4 +106,5 @@ pub const SCENES: [SceneInfo; 50] = [
     compounds::INFO,
     smash::INFO,
     downpour::INFO,
+    joint_grid::INFO,
 ];

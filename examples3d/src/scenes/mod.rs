@@ -53,11 +53,13 @@ pub mod fine_mesh;
 pub mod tiles;
 pub mod cobbles;
 pub mod glide;
+pub mod joint_grid;
+pub mod ragdolls;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 54] = [
+pub const SCENES: [SceneInfo; 56] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -112,4 +114,6 @@ pub const SCENES: [SceneInfo; 54] = [
     cobbles::INFO,
     glide::ON_MESH,
     glide::ON_BOX,
+    joint_grid::INFO,
+    ragdolls::INFO,
 ];

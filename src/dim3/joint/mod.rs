@@ -30,6 +30,7 @@
 mod angle;
 mod frame;
 mod inertia;
+mod point;
 
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
 pub(crate) use frame::{
@@ -37,3 +38,4 @@ pub(crate) use frame::{
     locked_rotations, turned_frame, turned_lever,
 };
 pub(crate) use inertia::inertia_about;
+pub(crate) use point::{from_numbers, numbers, point_response};

@@ -202,6 +202,12 @@ impl SolverBodies {
         if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
     }
 
+    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
+    /// it.
+    pub fn inv_mass_of(&self, index: u32) -> Real {
+        self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
+    }
+
     /// Is this a body of a pile that creeps, or what a pile stands on ([`Placement`])?
     pub fn creeps(&self, index: u32) -> bool {
         let at = (index & !READ_ONLY) as usize;

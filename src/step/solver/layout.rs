@@ -50,12 +50,15 @@ impl<T> Layout<T> {
         self.starts.len()
     }
 
-    /// The constraints of each block, a lane for each.
+    /// The constraints of one block, a lane for each.
+    pub fn block(&self, index: usize) -> &[T] {
+        let end = self.starts.get(index + 1).copied().unwrap_or(self.members.len());
+        &self.members[self.starts[index]..end]
+    }
+
+    /// The constraints of each block.
     pub fn blocks(&self) -> impl Iterator<Item = &[T]> {
-        self.starts.iter().enumerate().map(|(block, &start)| {
-            let end = self.starts.get(block + 1).copied().unwrap_or(self.members.len());
-            &self.members[start..end]
-        })
+        (0..self.block_count()).map(|index| self.block(index))
     }
 
     /// The blocks of each colour in solving order.

@@ -93,7 +93,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        joints.load(islands, set, bodies, states, multibodies, &pass);
+        joints.load((islands, set), bodies, states, multibodies, &pass, Tasks::current());
         contacts.load(&islands.graph, narrow_phase, states, multibodies);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
@@ -104,7 +104,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
         contacts.store(narrow_phase);
-        joints.store(islands, set, params.inv_dt(), broken);
+        joints.store(states, simd, (islands, set), params.inv_dt(), broken);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         multibodies.store(trees, islands, bodies);
         counters.velocity_writeback_time.pause();

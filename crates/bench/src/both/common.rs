@@ -2,6 +2,7 @@
 //! which calls its engine `engine`.
 
 use super::super::overlap::deepest_overlap;
+use super::super::separation::largest_separation;
 use super::super::template::Template;
 use super::super::vector_of;
 use super::engine::parry::query::ShapeCastOptions;
@@ -36,4 +37,5 @@ pub fn note_bodies(template: &Template, bodies: &[&RigidBody], stats: &mut Stats
     stats.kinetic_energy = moving.map(|body| f64::from(body.kinetic_energy())).sum();
     let poses: Vec<Pose> = bodies.iter().map(|body| *body.position()).collect();
     stats.overlap = deepest_overlap(template, &poses);
+    stats.separation = largest_separation(template, &poses);
 }

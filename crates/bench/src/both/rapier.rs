@@ -40,6 +40,10 @@ impl<'t> Rapier<'t> {
         for collider in template.loose_colliders() {
             world.insert_collider(transcribe_collider(collider), None);
         }
+        for (ends, joint) in &template.joints {
+            let [body1, body2] = ends.map(|body| bodies[body]);
+            world.impulse_joints.insert(body1, body2, transcribe_joint(joint), true);
+        }
         Self { template, world, bodies }
     }
 }
@@ -104,6 +108,24 @@ fn transcribe_collider(collider: &ours::Collider) -> Collider {
         .contact_skin(collider.contact_skin())
         .enabled(collider.is_enabled())
         .build()
+}
+
+/// Without motors and springs, which no scene here has.
+fn transcribe_joint(joint: &ours::GenericJoint) -> GenericJoint {
+    let mask = |axes: ours::JointAxesMask| JointAxesMask::from_bits_truncate(axes.bits());
+    let mut transcribed = GenericJoint {
+        local_frame1: joint.local_frame1,
+        local_frame2: joint.local_frame2,
+        locked_axes: mask(joint.locked_axes),
+        limit_axes: mask(joint.limit_axes),
+        coupled_axes: mask(joint.coupled_axes),
+        contacts_enabled: joint.contacts_enabled,
+        ..GenericJoint::default()
+    };
+    for (limits, from) in transcribed.limits.iter_mut().zip(&joint.limits) {
+        (limits.min, limits.max) = (from.min, from.max);
+    }
+    transcribed
 }
 
 fn transcribe_rule(rule: ours::CoefficientCombineRule) -> CoefficientCombineRule {

@@ -7,6 +7,7 @@ use super::this::This;
 use super::{BOX_FEATURE, start_box, three};
 use crate::catalog::Scene;
 use crate::engine::{Engine, Kind, Unsupported};
+use std::collections::HashMap;
 
 /// Length of a step for all engines (s).
 pub const DT: f32 = 1.0 / 60.0;
@@ -21,14 +22,22 @@ pub struct Template {
     pub world: PhysicsWorld,
     /// Its bodies, in the order in which other engines get them.
     pub bodies: Vec<RigidBodyHandle>,
+    /// Its joints, each with the positions of its bodies in that order.
+    pub joints: Vec<([usize; 2], GenericJoint)>,
 }
 
 impl Template {
     /// Builds the scene.
     pub fn new(build: fn() -> examples::Scene) -> Self {
         let world = build().world;
-        let bodies = world.bodies.iter().map(|(handle, _)| handle).collect();
-        Self { build, world, bodies }
+        let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
+        let positions: HashMap<_, _> = bodies.iter().copied().zip(0..).collect();
+        let joints = world.impulse_joints();
+        let joints = joints.map(|(_, joint)| {
+            ([joint.body1(), joint.body2()].map(|body| positions[&body]), joint.data)
+        });
+        let joints = joints.collect();
+        Self { build, world, bodies, joints }
     }
 
     /// The scene once more, with the rules that hold for all engines.

@@ -6,6 +6,7 @@
 
 use super::ours::prelude::*;
 use super::overlap::deepest_overlap;
+use super::separation::largest_separation;
 use super::template::{DT, SUBSTEPS, Template};
 use crate::engine::{Engine, Stats, Unsupported};
 use boxdd_sys::ffi::*;
@@ -53,6 +54,9 @@ impl<'t> Box2d<'t> {
         for collider in template.loose_colliders() {
             create_shape(ground, collider, collider.position())?;
         }
+        for (ends, joint) in &template.joints {
+            create_joint(&world, ends.map(|body| bodies[body]), joint)?;
+        }
         Ok(Self { template, world, bodies })
     }
 }
@@ -77,6 +81,7 @@ impl Engine for Box2d<'_> {
             poses.push(Pose::from_parts(Vector::new(p.x, p.y), rotation));
         }
         stats.overlap = deepest_overlap(self.template, &poses);
+        stats.separation = largest_separation(self.template, &poses);
         stats
     }
 
@@ -201,6 +206,36 @@ fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {
     definition.filter.maskBits = groups.filter.bits().into();
     definition.isSensor = collider.is_sensor();
     Ok(definition)
+}
+
+/// A hinge: no scene here has other joints, motors or springs.
+fn create_joint(
+    world: &World,
+    bodies: [b2BodyId; 2],
+    joint: &GenericJoint,
+) -> Result<(), Unsupported> {
+    if joint.locked_axes != JointAxesMask::LOCKED_REVOLUTE_AXES
+        || !joint.motor_axes.is_empty()
+        || joint.softness.is_some()
+    {
+        return Err(Unsupported::because("a joint is not transcribed"));
+    }
+    let frame =
+        |pose: &Pose| b2Transform { p: vector(pose.translation), q: rotation(&pose.rotation) };
+    // SAFETY: plain values in, plain values out; the definition outlives the call, world and bodies are live.
+    unsafe {
+        let mut definition = b2DefaultRevoluteJointDef();
+        [definition.base.bodyIdA, definition.base.bodyIdB] = bodies;
+        definition.base.localFrameA = frame(&joint.local_frame1);
+        definition.base.localFrameB = frame(&joint.local_frame2);
+        definition.base.collideConnected = joint.contacts_enabled;
+        if let Some(limits) = joint.limits(JointAxis::AngX) {
+            definition.enableLimit = true;
+            (definition.lowerAngle, definition.upperAngle) = (limits.min, limits.max);
+        }
+        b2CreateRevoluteJoint(world.0, &definition);
+    }
+    Ok(())
 }
 
 /// The touching pairs in which the body is the first, and their points.

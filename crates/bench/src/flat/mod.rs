@@ -10,6 +10,8 @@ mod box2d;
 mod overlap;
 #[path = "../both/rapier.rs"]
 mod rapier;
+#[path = "../both/separation.rs"]
+mod separation;
 #[path = "../both/template.rs"]
 mod template;
 #[path = "../both/this.rs"]
@@ -49,7 +51,7 @@ fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsu
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
-const SCENES: [(&str, bool); 12] = [
+const SCENES: [(&str, bool); 13] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
     ("smash", false),
@@ -62,6 +64,7 @@ const SCENES: [(&str, bool); 12] = [
     ("card_house", false),
     ("heavy_on_light", false),
     ("heightfield", false),
+    ("joint_grid", false),
 ];
 
 /// The scenes in 2D.

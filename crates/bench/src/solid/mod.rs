@@ -10,6 +10,8 @@ mod box3d;
 mod overlap;
 #[path = "../both/rapier.rs"]
 mod rapier;
+#[path = "../both/separation.rs"]
+mod separation;
 #[path = "../both/template.rs"]
 mod template;
 #[path = "../both/this.rs"]
@@ -49,7 +51,7 @@ fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsu
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
-const SCENES: [(&str, bool); 15] = [
+const SCENES: [(&str, bool); 19] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
     ("convex_pile", true),
@@ -67,6 +69,8 @@ const SCENES: [(&str, bool); 15] = [
     ("cobbles", false),
     ("glide_mesh", false),
     ("glide_box", false),
+    ("joint_grid", false),
+    ("ragdolls", false),
 ];
 
 /// The scenes in 3D.

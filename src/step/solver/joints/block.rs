@@ -57,8 +57,9 @@ pub(super) struct JointBlock {
     /// Where the block's rows of free axes stand.
     pub first_row: usize,
     pub row_count: usize,
-    /// Is any lane solved exactly?
+    /// Is any lane solved exactly, and any in sweeps?
     pub has_exact: bool,
+    pub has_swept: bool,
 }
 
 impl JointBlock {
@@ -87,6 +88,7 @@ impl JointBlock {
             first_row: 0,
             row_count: 0,
             has_exact: false,
+            has_swept: false,
         }
     };
 

@@ -39,8 +39,9 @@
 //! which loses `ω² h`.)
 //!
 //! ## Exactly or in sweeps
-//! The locked axes of connected joints are solved together (`direct/`), those of nets with too many loops in
-//! sweeps over the colours, with some yield. Motors and limits are always swept.
+//! The locked axes of connected joints are solved together (`direct/`); those of nets with too many loops, and of
+//! loose components like ragdolls, in sweeps over the colours, with some yield. The plain ones among these have
+//! passes of their own (`pins/`). Motors and limits are always swept.
 //!
 //! ## Order
 //! All joints are solved before all contacts, colour by colour. Whoever is solved last is obeyed best, and
@@ -55,6 +56,7 @@ mod drive;
 mod geometry;
 mod load;
 mod passes;
+mod pins;
 mod rows;
 mod store;
 mod taut;
@@ -67,7 +69,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
-use crate::dim::state::BodyState;
+use crate::dim::state::{BodyState, READ_ONLY};
 use crate::dim::wide::symmetric_lane;
 use crate::model::body::RigidBodySet;
 use crate::model::event::JointBreakEvent;
@@ -77,6 +79,7 @@ use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
 use direct::{Direct, InverseMass, Member, RowMemory};
+use pins::Pins;
 pub(super) use store::break_if_overloaded;
 use taut::Tautness;
 
@@ -92,7 +95,11 @@ pub(super) struct SolverJoints {
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
     memory: Vec<RowMemory>,
+    /// Those that only hold two points together, and are not.
+    pins: Pins,
+    /// All joints in the order of their colours, and how many of them each colour has.
     members: Vec<Member>,
+    colors: Vec<(u32, usize)>,
     tautness: Tautness,
 }
 
@@ -106,42 +113,71 @@ const TAUT_ROUNDS: usize = 4;
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.layout.len()
+        self.layout.len() + self.pins.len()
     }
 
     /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
     pub fn load(
         &mut self,
-        islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         set: &RigidBodySet,
         bodies: &SolverBodies,
         multibodies: &SolverMultibodies,
         pass: &JointPass,
+        tasks: Tasks,
     ) {
-        self.layout.clear();
+        self.sort_out(islands, joints, bodies, multibodies);
         self.rows.clear();
         self.blocks.clear();
-        self.members.clear();
         self.tautness.clear(bodies.states.len());
-        for (color, list) in islands.joint_graph.in_solving_order() {
-            let is_member = |slot: &u32| {
-                let slots = islands.joints.get(*slot).map(|link| link.body_slots());
-                slots.is_some_and(|slots| bodies.has_one_of(slots) && !multibodies.claims(slots))
-            };
-            self.layout.add(color, list.iter().copied().filter(is_member));
-        }
         let layout = core::mem::take(&mut self.layout);
         for chunk in layout.blocks() {
             self.add_block(chunk, islands, joints, set, bodies, pass);
         }
         self.layout = layout;
-        let yields = pass.softness.yields();
-        for member in self.direct.build(&mut self.members, bodies.states.len()) {
-            self.blocks[member.block as usize].solve_exactly(member.lane as usize, yields);
-        }
+        self.pins.load(islands, joints, set, bodies, tasks);
         let rows = if self.direct.is_empty() { 0 } else { self.blocks.len() };
         self.memory.resize(rows, RowMemory::EMPTY);
+    }
+
+    /// Finds out which joints take part, and how each is solved.
+    fn sort_out(
+        &mut self,
+        islands: &IslandManager,
+        joints: &ImpulseJointSet,
+        bodies: &SolverBodies,
+        multibodies: &SolverMultibodies,
+    ) {
+        self.members.clear();
+        self.colors.clear();
+        for (color, list) in islands.joint_graph.in_solving_order() {
+            let start = self.members.len();
+            for &slot in list {
+                let Some(link) = islands.joints.get(slot) else { continue };
+                let slots = link.body_slots();
+                if bodies.has_one_of(slots) && !multibodies.claims(slots) {
+                    let ends = slots.map(|slot| bodies.index_of(slot));
+                    let joint = joints.get(link.handle);
+                    let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
+                    self.members.extend(
+                        joint.map(|joint| Member::new(slot, ends, inv_masses, &joint.data)),
+                    );
+                }
+            }
+            self.colors.push((color, self.members.len() - start));
+        }
+        self.direct.build(&self.members, bodies.states.len());
+        self.layout.clear();
+        self.pins.clear();
+        let mut rest = self.members.as_slice();
+        for &(color, count) in &self.colors {
+            let (members, others) = rest.split_at(count);
+            let is_pin = |member: &&Member| member.is_pin && !self.direct.contains(member.slot);
+            let slots = |member: &Member| member.slot;
+            self.pins.add(color, members.iter().filter(is_pin).map(slots));
+            self.layout.add(color, members.iter().filter(|member| !is_pin(member)).map(slots));
+            rest = others;
+        }
     }
 
     /// Makes a block of some joints.
@@ -160,21 +196,23 @@ impl SolverJoints {
             let Some(link) = islands.joints.get(slot) else { continue };
             let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
             load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
-            let member = Member {
-                slot,
-                block: self.blocks.len() as u32,
-                lane: lane as u32,
-                bodies: [block.bodies[0][lane], block.bodies[1][lane]],
-                locked: joint.data.locked_axes.bits(),
-                inverse_masses: [0, 1].map(|side| {
-                    let inv_inertia = symmetric_lane(&block.inv_inertia[side], lane);
-                    InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia)
-                }),
+            let inv_inertia = [0, 1].map(|side| symmetric_lane(&block.inv_inertia[side], lane));
+            let inverse_masses = || {
+                [0, 1].map(|side| {
+                    InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia[side])
+                })
             };
-            for (side, body) in member.movable() {
-                self.tautness.note(body, &symmetric_lane(&block.inv_inertia[side], lane));
+            if self.direct.place(slot, [self.blocks.len(), lane], inverse_masses) {
+                block.solve_exactly(lane, pass.softness.yields());
+            } else {
+                block.has_swept = true;
             }
-            self.members.push(member);
+            for side in 0..2 {
+                let body = block.bodies[side][lane];
+                if body & READ_ONLY == 0 {
+                    self.tautness.note(body, &inv_inertia[side]);
+                }
+            }
         }
         block.row_count = self.rows.len() - block.first_row;
         self.blocks.push(block);
@@ -187,6 +225,7 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(WarmStart { range, parts, states, before });
         });
+        self.pins.warm_start(states, simd, tasks);
     }
 
     /// Lets a substep start with this share of the last one's impulses, as the bodies do.
@@ -194,6 +233,7 @@ impl SolverJoints {
         if factor != 1.0 {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
             self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
+            self.pins.scale_impulses(factor);
         }
     }
 
@@ -234,6 +274,7 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
         });
+        self.pins.visit::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
             self.direct.forget_matrices();
         }
@@ -305,12 +346,15 @@ impl SolverJoints {
 
     /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
     pub fn store(
-        &self,
-        islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
+        &mut self,
+        bodies: &mut SolverBodies,
+        simd: Simd,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         inv_dt: Real,
         broken: &mut Vec<JointBreakEvent>,
     ) {
+        let (_, states, _) = bodies.shared();
+        self.pins.store(states, simd, (islands, joints), inv_dt, broken);
         for (chunk, block) in self.layout.blocks().zip(&self.blocks) {
             let rows = &self.rows[block.first_row..block.first_row + block.row_count];
             for (lane, &slot) in chunk.iter().enumerate() {

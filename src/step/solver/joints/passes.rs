@@ -3,7 +3,7 @@
 use super::block::{AxisRow, JointBlock, Wrench};
 use super::drive::{FreeAxis, solve_limits, solve_motor};
 use super::geometry::Geometry;
-use super::rows::{Masses, Row, solve_symmetric};
+use super::rows::{Factored, Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
@@ -68,14 +68,25 @@ impl<W: Wide> Locked<W> {
         Self { rows: geometry.rows(), locked }
     }
 
+    /// `K_ll`, the matrix of the locked axes.
+    #[inline(always)]
+    fn matrix(&self, masses: &Masses<W>) -> Factored<W, SPATIAL_DIM> {
+        Factored::new(masses.coupling(&self.rows, &self.locked))
+    }
+
     /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
     #[inline(always)]
-    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>) -> [W; SPATIAL_DIM] {
+    fn shares_of(
+        &self,
+        row: &Row<W>,
+        masses: &Masses<W>,
+        matrix: &Factored<W, SPATIAL_DIM>,
+    ) -> [W; SPATIAL_DIM] {
         let mut coupled = masses.couplings(&self.rows, row);
         for k in 0..SPATIAL_DIM {
             coupled[k] = coupled[k] * self.locked[k];
         }
-        solve_symmetric(masses.coupling(&self.rows, &self.locked), coupled)
+        matrix.solve(coupled)
     }
 
     /// The wrench of all impulses as the rows stand now.
@@ -193,16 +204,22 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
         bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
         wrench = turned;
     }
-    for index in block.first_row..block.first_row + block.row_count {
-        // SAFETY: the caller's promise.
-        let row = unsafe { rows.get_mut(index) };
-        let added = solve_free::<W, AHEAD>(row, block, &geometry, &masses, &locked, &bodies, pass);
+    if block.row_count > 0 {
+        let joint =
+            JointNow { matrix: locked.matrix(&masses), geometry: &geometry, masses: &masses };
+        for index in block.first_row..block.first_row + block.row_count {
+            // SAFETY: the caller's promise.
+            let row = unsafe { rows.get_mut(index) };
+            let added = solve_free::<W, AHEAD>(row, block, &joint, &locked, &bodies, pass);
+            bodies.velocities = masses.push(&added, bodies.velocities);
+            wrench = wrench.plus(&added);
+        }
+    }
+    if block.has_swept {
+        let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies);
         bodies.velocities = masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
-    let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies);
-    bodies.velocities = masses.push(&added, bodies.velocities);
-    wrench = wrench.plus(&added);
 
     wrench.store(&mut block.applied);
     if !AHEAD && pass.is_last_visit {
@@ -211,6 +228,14 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     }
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
+}
+
+/// What the free axes of a block share at the moment when they are solved.
+struct JointNow<'a, W> {
+    geometry: &'a Geometry<W>,
+    masses: &'a Masses<W>,
+    /// See [`Locked::matrix`].
+    matrix: Factored<W, SPATIAL_DIM>,
 }
 
 /// Solves motor and limits of a free axis; returns what they add.
@@ -222,18 +247,17 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 fn solve_free<W: Wide, const AHEAD: bool>(
     row: &mut AxisRow,
     block: &mut JointBlock,
-    geometry: &Geometry<W>,
-    masses: &Masses<W>,
+    joint: &JointNow<'_, W>,
     locked: &Locked<W>,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
-    let (mut along, position) = geometry.free_row(row);
-    let shares = locked.shares_of(&along, masses);
+    let (mut along, position) = joint.geometry.free_row(row);
+    let shares = locked.shares_of(&along, joint.masses, &joint.matrix);
     for (locked, share) in locked.rows.iter().zip(shares) {
         along = along.minus(locked, share);
     }
-    let effective = masses.effective(&along);
+    let effective = joint.masses.effective(&along);
     let (zero, one) = (W::zero(), W::splat(1.0));
     let movable = zero.lt(effective);
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
@@ -277,7 +301,7 @@ fn solve_locked<W: Wide, const AHEAD: bool>(
         coupling[k][k] = coupling[k][k] + soft;
         wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
     }
-    let change = solve_symmetric(coupling, wanted);
+    let change = Factored::new(coupling).solve(wanted);
     let mut wrench = Wrench::zero();
     for k in 0..SPATIAL_DIM {
         let added = -change[k];

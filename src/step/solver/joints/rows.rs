@@ -189,44 +189,54 @@ impl<W: Wide> Wrench<W> {
     }
 }
 
-/// Solves `K x = b` for a symmetric `K` of which the lower half is given, by `K = L D Lᵀ` (Golub and Van
-/// Loan, "Matrix Computations", section 4.1). Rows that nothing can move get 0.
-#[inline(always)]
-pub(super) fn solve_symmetric<W: Wide>(
-    mut k: [[W; SPATIAL_DIM]; SPATIAL_DIM],
-    mut b: [W; SPATIAL_DIM],
-) -> [W; SPATIAL_DIM] {
-    let mut inverses = [W::zero(); SPATIAL_DIM];
-    for j in 0..SPATIAL_DIM {
-        let diagonal = k[j][j];
-        let mut pivot = diagonal;
-        let mut scaled = [W::zero(); SPATIAL_DIM];
-        for m in 0..j {
-            scaled[m] = k[j][m] * k[m][m];
-            pivot = pivot - k[j][m] * scaled[m];
-        }
-        let usable = (diagonal * W::splat(PIVOT_MIN)).lt(pivot);
-        let one = W::splat(1.0);
-        inverses[j] = W::select(usable, one / W::select(usable, pivot, one), W::zero());
-        k[j][j] = W::select(usable, pivot, W::zero());
-        for i in j + 1..SPATIAL_DIM {
-            let mut sum = k[i][j];
+/// A symmetric matrix of which the lower half is given, factorised `L D Lᵀ` (Golub and Van Loan, "Matrix
+/// Computations", section 4.1).
+pub(super) struct Factored<W, const N: usize> {
+    l: [[W; N]; N],
+    inverses: [W; N],
+}
+
+impl<W: Wide, const N: usize> Factored<W, N> {
+    #[inline(always)]
+    pub fn new(mut k: [[W; N]; N]) -> Self {
+        let mut inverses = [W::zero(); N];
+        for j in 0..N {
+            let diagonal = k[j][j];
+            let mut pivot = diagonal;
+            let mut scaled = [W::zero(); N];
             for m in 0..j {
-                sum = sum - k[i][m] * scaled[m];
+                scaled[m] = k[j][m] * k[m][m];
+                pivot = pivot - k[j][m] * scaled[m];
             }
-            k[i][j] = sum * inverses[j];
+            let usable = (diagonal * W::splat(PIVOT_MIN)).lt(pivot);
+            let one = W::splat(1.0);
+            inverses[j] = W::select(usable, one / W::select(usable, pivot, one), W::zero());
+            k[j][j] = W::select(usable, pivot, W::zero());
+            for i in j + 1..N {
+                let mut sum = k[i][j];
+                for m in 0..j {
+                    sum = sum - k[i][m] * scaled[m];
+                }
+                k[i][j] = sum * inverses[j];
+            }
         }
+        Self { l: k, inverses }
     }
-    for i in 0..SPATIAL_DIM {
-        for m in 0..i {
-            b[i] = b[i] - k[i][m] * b[m];
+
+    /// Solves `K x = b`. Rows that nothing can move get 0.
+    #[inline(always)]
+    pub fn solve(&self, mut b: [W; N]) -> [W; N] {
+        for i in 0..N {
+            for m in 0..i {
+                b[i] = b[i] - self.l[i][m] * b[m];
+            }
         }
-    }
-    for i in (0..SPATIAL_DIM).rev() {
-        b[i] = b[i] * inverses[i];
-        for m in i + 1..SPATIAL_DIM {
-            b[i] = b[i] - k[m][i] * b[m];
+        for i in (0..N).rev() {
+            b[i] = b[i] * self.inverses[i];
+            for m in i + 1..N {
+                b[i] = b[i] - self.l[m][i] * b[m];
+            }
         }
+        b
     }
-    b
 }

@@ -2,7 +2,6 @@
 
 use super::block::{AxisRow, JointBlock};
 use crate::dim::joint::set_couple;
-use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real, ang_length_squared};
 use crate::dim::wide::ang_lane;
 use crate::model::event::JointBreakEvent;
@@ -20,8 +19,7 @@ pub(super) fn store_lane(
         *impulse = lanes.0[lane];
     }
     set_couple(&mut joint.impulses, ang_lane(&block.couple, lane));
-    let driven: Vec<JointAxis> = joint.data.driven_axes().collect();
-    for (axis, row) in driven.into_iter().zip(rows) {
+    for (axis, row) in joint.data.driven_axes().zip(rows) {
         let k = axis as usize;
         joint.data.limits[k].impulse = row.lower.0[lane] - row.upper.0[lane];
         joint.data.motors[k].impulse = row.motor.impulse.0[lane];

@@ -20,12 +20,17 @@
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
 //! held already gets no impulse.
 //!
+//! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
+//! of even masses. A ragdoll bears no load for long.
+//!
 //! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
 
 mod factor;
 mod masses;
 mod memory;
 mod pattern;
+#[cfg(test)]
+mod tests;
 
 pub(super) use masses::InverseMass;
 pub(super) use memory::{RowMemory, finish, write_rows};
@@ -48,16 +53,31 @@ pub(super) struct Direct {
 }
 
 impl Direct {
-    /// Finds out which joints are connected, and in which order to eliminate them. Returns the joints that
-    /// are to be solved here.
-    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) -> &[Member] {
+    /// Finds out which joints are connected, which of them are to be solved here, and in which order to eliminate
+    /// these.
+    pub fn build(&mut self, members: &[Member], body_count: usize) {
         self.pattern.build(members, body_count);
         let count = self.pattern.component_count();
         if self.factors.len() < count {
             self.factors.resize_with(count, Factor::default);
         }
         self.forget_matrices();
-        self.pattern.members()
+    }
+
+    /// Is the joint solved here?
+    pub fn contains(&self, slot: u32) -> bool {
+        self.pattern.contains(slot)
+    }
+
+    /// Notes in which lane of which block a joint's rows stand, and the masses of its bodies. No if it is not solved
+    /// here.
+    pub fn place(
+        &mut self,
+        slot: u32,
+        at: [usize; 2],
+        inverse_masses: impl FnOnce() -> [InverseMass; 2],
+    ) -> bool {
+        self.pattern.place(slot, at, inverse_masses)
     }
 
     /// Is there nothing to do?

@@ -1,16 +1,26 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
 use super::masses::InverseMass;
+use crate::dim::joint_axes::JointAxesMask;
+use crate::dim::math::Real;
 use crate::dim::state::READ_ONLY;
-use core::ops::Range;
+use crate::model::island::NONE;
+use crate::model::joint::GenericJoint;
+use core::ops::{Range, RangeInclusive};
 
 /// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
 /// cheaper.
 const COLUMN_MAX: usize = 32;
 const MEAN_MAX: usize = 12;
 
+/// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
+/// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
+/// Fewer joints cost little, and keep the energy of what turns about itself.
+const LOOSE: RangeInclusive<usize> = 6..=24;
+const EVEN: Real = 32.0;
+
 /// A joint as the factorisation knows it.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub(in super::super) struct Member {
     /// The joint's slot in its set: the order of members must not depend on other islands.
     pub slot: u32,
@@ -21,11 +31,26 @@ pub(in super::super) struct Member {
     pub bodies: [u32; 2],
     /// The locked axes, one bit each.
     pub locked: u8,
-    /// Those of its bodies.
+    /// Of its bodies; none of those that cannot move.
+    pub inv_masses: [Real; 2],
+    /// The same with their inertia as they stand now, once that is known.
     pub inverse_masses: [InverseMass; 2],
+    /// Does it lock all translations, and nothing else happens on any axis?
+    pub is_pin: bool,
 }
 
 impl Member {
+    /// The joint in a slot between two bodies; where its rows will be is not known yet.
+    pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], joint: &GenericJoint) -> Self {
+        let drives = joint.limit_axes | joint.motor_axes;
+        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
+            && drives.is_empty()
+            && joint.softness.is_none();
+        let locked = joint.locked_axes.bits();
+        let inverse_masses = [InverseMass::NONE; 2];
+        Self { slot, block: 0, lane: 0, bodies, locked, inv_masses, inverse_masses, is_pin }
+    }
+
     /// The bodies that can move, with their sides.
     pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
         self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
@@ -40,6 +65,11 @@ impl Member {
 /// The structure of all components.
 #[derive(Default)]
 pub(super) struct Pattern {
+    /// All joints, as they were when the pattern was built.
+    given: Vec<Member>,
+    sorted: Vec<Member>,
+    /// By slot: the position of a joint that is in a component, [`NONE`] of others.
+    position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
     members: Vec<Member>,
     components: Vec<Range<usize>>,
@@ -73,8 +103,26 @@ impl Pattern {
         self.components.len()
     }
 
-    pub fn members(&self) -> &[Member] {
-        &self.members
+    /// Is the joint in a component?
+    pub fn contains(&self, slot: u32) -> bool {
+        self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
+    }
+
+    /// Notes in which lane of which block a joint's rows stand, and the masses of its bodies. No if it is in no
+    /// component.
+    pub fn place(
+        &mut self,
+        slot: u32,
+        [block, lane]: [usize; 2],
+        inverse_masses: impl FnOnce() -> [InverseMass; 2],
+    ) -> bool {
+        let contains = self.contains(slot);
+        if contains {
+            let member = &mut self.members[self.position_of_slot[slot as usize] as usize];
+            (member.block, member.lane) = (block as u32, lane as u32);
+            member.inverse_masses = inverse_masses();
+        }
+        contains
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
@@ -82,19 +130,39 @@ impl Pattern {
         Component { members: &self.members[range.clone()], columns: &self.columns[range] }
     }
 
-    /// Orders all members that are worth it.
-    pub fn build(&mut self, members: &mut Vec<Member>, body_count: usize) {
-        members.retain(|member| member.locked != 0);
+    /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
+    pub fn build(&mut self, given: &[Member], body_count: usize) {
+        if self.given == given {
+            return;
+        }
+        self.given.clear();
+        self.given.extend_from_slice(given);
+        let mut members = core::mem::take(&mut self.sorted);
+        members.clear();
+        members.extend(given.iter().filter(|member| member.locked != 0));
         members.sort_unstable_by_key(|member| member.slot);
         self.members.clear();
         self.components.clear();
-        self.search.start(members, body_count);
+        self.search.start(&members, body_count);
+        self.find_components(&members);
+        self.sorted = members;
+        self.position_of_slot.clear();
+        let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
+        self.position_of_slot.resize(slots, NONE);
+        for (position, member) in self.members.iter().enumerate() {
+            self.position_of_slot[member.slot as usize] = position as u32;
+        }
+    }
+
+    fn find_components(&mut self, members: &[Member]) {
         for root in 0..members.len() {
             if self.search.visited[root] {
                 continue;
             }
             self.search.collect(root, members);
-            self.add_component(members);
+            if !self.search.is_easy(members) {
+                self.add_component(members);
+            }
         }
     }
 
@@ -155,6 +223,17 @@ impl Search {
     fn joints_of(&self, body: u32) -> &[u32] {
         let body = body as usize;
         &self.of_body[self.first[body] as usize..self.first[body + 1] as usize]
+    }
+
+    /// Is the component that was collected as well off in the sweeps?
+    fn is_easy(&self, members: &[Member]) -> bool {
+        let component = self.order.iter().map(|&index| &members[index as usize]);
+        let is_loose = component.clone().all(|member| member.movable().count() == 2);
+        let masses = component.flat_map(|member| member.inv_masses);
+        let [least, most] = masses.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
+            [inv_mass.min(least), inv_mass.max(most)]
+        });
+        LOOSE.contains(&self.order.len()) && is_loose && most <= EVEN * least
     }
 
     /// Breadth first from a member: all that are connected to it.

@@ -4,8 +4,11 @@
 //! height fields, the benchmark does not transcribe. Left to itself it mixes
 //! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
 
+mod joints;
+
 use super::ours::prelude::*;
 use super::overlap::deepest_overlap;
+use super::separation::largest_separation;
 use super::template::{DT, SUBSTEPS, Template};
 use super::vector_of;
 use crate::engine::{Engine, Probes, Stats, Unsupported};
@@ -67,6 +70,9 @@ impl<'t> Box3d<'t> {
         for collider in template.loose_colliders() {
             create_shape(ground, collider, collider.position(), &mut meshes)?;
         }
+        for (ends, joint) in &template.joints {
+            joints::create(world.0, ends.map(|body| bodies[body]), joint)?;
+        }
         Ok(Self { template, world, bodies, _meshes: meshes })
     }
 }
@@ -91,6 +97,7 @@ impl Engine for Box3d<'_> {
             poses.push(Pose::from_parts(Vector::new(p.x, p.y, p.z), rotation));
         }
         stats.overlap = deepest_overlap(self.template, &poses);
+        stats.separation = largest_separation(self.template, &poses);
         stats
     }
 

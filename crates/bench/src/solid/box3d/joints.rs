@@ -1,0 +1,78 @@
+//! Joints in Box3D.
+//!
+//! Its joints turn about the Z axis of their frames, where those of this engine and of Rapier turn about X, and have
+//! the cone of a socket about it.
+
+use super::super::ours::prelude::*;
+use super::{Unsupported, quaternion, vector};
+use box3d_sys::*;
+use std::f32::consts::FRAC_PI_2;
+
+/// Hinges and sockets, with their limits: no scene here has other joints, motors or springs.
+pub(super) fn create(
+    world: b3WorldId,
+    bodies: [b3BodyId; 2],
+    joint: &GenericJoint,
+) -> Result<(), Unsupported> {
+    let unknown = Err(Unsupported::because("a joint is not transcribed"));
+    if !joint.motor_axes.is_empty() || joint.softness.is_some() {
+        return unknown;
+    }
+    match joint.locked_axes {
+        JointAxesMask::LOCKED_REVOLUTE_AXES => create_hinge(world, bodies, joint),
+        JointAxesMask::LOCKED_SPHERICAL_AXES if has_cone_or_nothing(joint) => {
+            create_socket(world, bodies, joint);
+        }
+        _ => return unknown,
+    }
+    Ok(())
+}
+
+/// Is the swing of a socket bound by one cone, or not at all?
+fn has_cone_or_nothing(joint: &GenericJoint) -> bool {
+    let swings = JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
+    joint.coupled_axes == swings || !joint.limit_axes.intersects(swings)
+}
+
+fn create_hinge(world: b3WorldId, bodies: [b3BodyId; 2], joint: &GenericJoint) {
+    // SAFETY: plain values in, plain values out; the definition outlives the call, world and bodies are live.
+    unsafe {
+        let mut definition = b3DefaultRevoluteJointDef();
+        fill_base(&mut definition.base, bodies, joint);
+        if let Some(limits) = joint.limits(JointAxis::AngX) {
+            definition.enableLimit = true;
+            (definition.lowerAngle, definition.upperAngle) = (limits.min, limits.max);
+        }
+        b3CreateRevoluteJoint(world, &definition);
+    }
+}
+
+fn create_socket(world: b3WorldId, bodies: [b3BodyId; 2], joint: &GenericJoint) {
+    // SAFETY: as above.
+    unsafe {
+        let mut definition = b3DefaultSphericalJointDef();
+        fill_base(&mut definition.base, bodies, joint);
+        if let Some(limits) = joint.limits(JointAxis::AngY) {
+            definition.enableConeLimit = true;
+            definition.coneAngle = limits.max;
+        }
+        if let Some(limits) = joint.limits(JointAxis::AngX) {
+            definition.enableTwistLimit = true;
+            (definition.lowerTwistAngle, definition.upperTwistAngle) = (limits.min, limits.max);
+        }
+        b3CreateSphericalJoint(world, &definition);
+    }
+}
+
+fn fill_base(base: &mut b3JointDef, bodies: [b3BodyId; 2], joint: &GenericJoint) {
+    [base.bodyIdA, base.bodyIdB] = bodies;
+    base.localFrameA = frame(&joint.local_frame1);
+    base.localFrameB = frame(&joint.local_frame2);
+    base.collideConnected = joint.contacts_enabled;
+}
+
+/// The frame whose Z axis is this one's X axis.
+fn frame(pose: &Pose) -> b3Transform {
+    let turned = pose.rotation * Rotation::from_rotation_y(FRAC_PI_2);
+    b3Transform { p: vector(pose.translation), q: quaternion(&turned) }
+}

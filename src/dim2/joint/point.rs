@@ -1,0 +1,28 @@
+//! A point of a body, and what an impulse there does to it.
+
+use crate::base::wide::Wide;
+use crate::dim2::math::DIM;
+use crate::dim2::wide::{WideSymmetric, WideVector};
+
+/// How a point at the lever `r` moves because its body turns, per unit of impulse at that point: the lower half of
+/// the matrix.
+#[inline(always)]
+pub(crate) fn point_response<W: Wide>(
+    inv_inertia: WideSymmetric<W>,
+    r: WideVector<W>,
+) -> [[W; DIM]; DIM] {
+    let turn = r * inv_inertia;
+    [[turn.y * r.y, W::zero()], [-(turn.x * r.y), turn.x * r.x]]
+}
+
+/// A vector as numbers.
+#[inline(always)]
+pub(crate) fn numbers<W: Wide>(v: WideVector<W>) -> [W; DIM] {
+    [v.x, v.y]
+}
+
+/// Undoes [`numbers`].
+#[inline(always)]
+pub(crate) fn from_numbers<W: Wide>([x, y]: [W; DIM]) -> WideVector<W> {
+    WideVector { x, y }
+}

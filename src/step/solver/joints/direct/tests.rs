@@ -1,0 +1,202 @@
+//! The sparse solution in its dense equations, and what is solved sparsely.
+
+use super::factor::Factor;
+use super::masses::InverseMass;
+use super::memory::RowMemory;
+use super::pattern::{Member, Pattern};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{LANES, Lane};
+use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::spatial::join;
+use crate::dim::state::{BodyState, READ_ONLY};
+
+const ALL: u8 = (1 << SPATIAL_DIM) - 1;
+const FIXED: u32 = READ_ONLY;
+
+/// Numbers between -1 and 1 that look random.
+struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> Real {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (f64::from(self.0 >> 8) / f64::from(1_u32 << 23) - 1.0) as Real
+    }
+}
+
+/// Joints of bodies whose mass and moments of inertia are 1, so that `M⁻¹ Jᵀ` is `Jᵀ`.
+struct Net {
+    members: Vec<Member>,
+    memory: Vec<RowMemory>,
+    body_count: usize,
+}
+
+impl Net {
+    /// With joints between these bodies that lock these axes. Their rows are those of a joint without levers, bent
+    /// by random numbers.
+    fn new(joints: &[[u32; 2]], locked: impl Fn(usize) -> u8) -> Self {
+        let mut numbers = Numbers(7);
+        let place = |slot: usize| (slot as u32, (slot % LANES) as u32);
+        let members = joints.iter().enumerate().map(|(slot, &bodies)| {
+            let (block, lane) = place(slot);
+            let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
+            let (slot, locked) = (slot as u32, locked(slot));
+            let inverse_masses = [InverseMass::ONE; 2];
+            let is_pin = false;
+            Member { slot, block, lane, bodies, locked, inv_masses, inverse_masses, is_pin }
+        });
+        let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
+        let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
+        let body_count = bodies.max().unwrap_or(0);
+        Self { members: members.collect(), memory: memory.collect(), body_count }
+    }
+
+    fn pattern(&self) -> Pattern {
+        let mut pattern = Pattern::default();
+        pattern.build(&self.members, self.body_count);
+        for member in &self.members {
+            let at = [member.block, member.lane].map(|number| number as usize);
+            pattern.place(member.slot, at, || member.inverse_masses);
+        }
+        pattern
+    }
+
+    /// Solves the one component that the joints are. Returns how far the worst row is from its equation
+    /// `J v + Γ Δλ = -rate`, with the velocities `v` that bodies at rest have got.
+    fn solve(&mut self) -> f64 {
+        let pattern = self.pattern();
+        assert_eq!(pattern.component_count(), 1);
+        let mut states = vec![BodyState::default(); self.body_count];
+        let mut factor = Factor::default();
+        // SAFETY: nobody else knows the states.
+        unsafe {
+            let shared = DisjointMut::new(&mut states);
+            factor.solve(pattern.component(0), &self.memory, &shared);
+        }
+        factor.write_changes(pattern.component(0), &mut self.memory);
+        let errors = self.members.iter().map(|member| self.worst_error(member, &states));
+        errors.fold(0.0, f64::max)
+    }
+
+    fn worst_error(&self, member: &Member, states: &[BodyState]) -> f64 {
+        let (memory, lane) = (&self.memory[member.block as usize], member.lane as usize);
+        let number = |from: &Lane| f64::from(from.0[lane]);
+        let mut worst: f64 = 0.0;
+        for axis in (0..SPATIAL_DIM).filter(|axis| member.locked >> axis & 1 == 1) {
+            let softened = number(&memory.yields) * number(&memory.changes[axis]);
+            let mut error = number(&memory.rates[axis]);
+            for (side, body) in member.movable() {
+                let (linear, angular) = states[body as usize].velocity();
+                for (j, velocity) in memory.rows[axis][side].iter().zip(join(linear, angular)) {
+                    error += number(j) * (f64::from(velocity) + softened * number(j));
+                }
+            }
+            assert!(error.is_finite());
+            worst = worst.max(error.abs());
+        }
+        worst
+    }
+}
+
+fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
+    let mut memory = RowMemory::EMPTY;
+    for axis in 0..SPATIAL_DIM {
+        for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
+            for k in 0..SPATIAL_DIM {
+                let straight = if axis == k { sign } else { 0.0 };
+                let number = straight + 0.2 * numbers.next();
+                memory.rows[axis][side][k].0[lane] = number;
+            }
+        }
+        memory.rates[axis].0[lane] = numbers.next();
+    }
+    memory
+}
+
+/// Rounding of the velocities, a few units in size, times the numbers of a row.
+const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
+
+/// A chain that hangs on a fixed body and forks in its middle.
+const TREE: [[u32; 2]; 9] =
+    [[FIXED, 1], [1, 2], [2, 3], [3, 4], [4, 5], [3, 6], [6, 7], [7, 8], [2, 9]];
+
+#[test]
+fn trees_are_solved() {
+    assert!(Net::new(&TREE, |_| ALL).solve() < ROUNDING);
+    // Joints that lock different axes, and not the same number of them.
+    let found = Net::new(&TREE, |slot| if slot % 2 == 0 { ALL } else { ALL - 2 }).solve();
+    assert!(found < ROUNDING, "{found}");
+}
+
+#[test]
+fn loops_are_solved() {
+    let ladder =
+        [[FIXED, 1], [1, 2], [2, 3], [3, 4], [5, 6], [6, 7], [7, 8], [1, 5], [2, 6], [4, 8]];
+    // Eight bodies have twice as many axes as these joints lock.
+    let found = Net::new(&ladder, |slot| if slot % 2 == 0 { 1 } else { 2 }).solve();
+    assert!(found < ROUNDING, "{found}");
+}
+
+#[test]
+fn softened_joints_yield() {
+    let mut net = Net::new(&TREE, |_| ALL);
+    for (slot, memory) in net.memory.iter_mut().enumerate() {
+        memory.yields.0[slot % LANES] = 0.25;
+    }
+    let found = net.solve();
+    assert!(found < ROUNDING, "{found}");
+}
+
+#[test]
+fn what_is_held_twice_is_held_once() {
+    let mut net = Net::new(&[[FIXED, 1], [1, 2], [1, 2], [2, 3]], |_| ALL);
+    // The third joint is the second once more, in another lane.
+    for axis in 0..SPATIAL_DIM {
+        let (from, to) = (net.memory[1].clone(), &mut net.memory[2]);
+        to.rates[axis].0[2 % LANES] = from.rates[axis].0[1];
+        for (side, k) in (0..2).flat_map(|side| (0..SPATIAL_DIM).map(move |k| (side, k))) {
+            to.rows[axis][side][k].0[2 % LANES] = from.rows[axis][side][k].0[1];
+        }
+    }
+    let found = net.solve();
+    assert!(found < ROUNDING, "{found}");
+}
+
+#[test]
+fn contradictions_leave_numbers_behind() {
+    // Asserts that they are finite.
+    let error = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL).solve();
+    assert!(error < 100.0, "{error}");
+}
+
+#[test]
+fn trees_get_no_blocks_but_their_own() {
+    let pattern = Net::new(&TREE, |_| ALL).pattern();
+    let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
+    // Joints at one body have a block for each two of them: at bodies 1 to 8.
+    assert_eq!(blocks, 1 + 3 + 3 + 1 + 1 + 1);
+}
+
+#[test]
+fn nets_are_left_to_the_sweeps() {
+    let at = |row: u32, column: u32| 1 + 30 * row + column;
+    let mut joints = vec![[FIXED, at(0, 0)]];
+    for (row, column) in (0..30).flat_map(|row| (1..30).map(move |column| (row, column))) {
+        joints.push([at(row, column - 1), at(row, column)]);
+        joints.push([at(column - 1, row), at(column, row)]);
+    }
+    let pattern = Net::new(&joints, |_| ALL).pattern();
+    assert_eq!(pattern.component_count(), 0);
+}
+
+#[test]
+fn only_what_hangs_free_with_even_masses_is_left_to_the_sweeps() {
+    let body = [[1, 2], [2, 3], [2, 4], [4, 5], [2, 6], [6, 7], [1, 8], [8, 9], [1, 10], [10, 11]];
+    let free = Net::new(&body, |_| ALL);
+    assert_eq!(free.pattern().component_count(), 0);
+    let mut weighted = Net::new(&body, |_| ALL);
+    weighted.members[9].inv_masses[1] = 0.01;
+    assert_eq!(weighted.pattern().component_count(), 1);
+    let held: Vec<_> = body.into_iter().chain([[FIXED, 1]]).collect();
+    assert_eq!(Net::new(&held, |_| ALL).pattern().component_count(), 1);
+    assert_eq!(Net::new(&body[..3], |_| ALL).pattern().component_count(), 1, "few are no work");
+}
