@@ -302,6 +302,12 @@ impl ImpulseJointSet {
         let _ = self.get_mut(handle);
     }
 
+    /// Begins to bring the joint in a slot near to the processor, for who will ask for it soon.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, slot: u32) {
+        self.joints.prefetch(slot);
+    }
+
     /// A joint for the step's own use: leaves no note.
     pub(crate) fn get_unnoted_mut(
         &mut self,

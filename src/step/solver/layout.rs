@@ -56,6 +56,11 @@ impl<T> Layout<T> {
         &self.members[self.starts[index]..end]
     }
 
+    /// The same; none if there is no such block.
+    pub fn block_or_none(&self, index: usize) -> &[T] {
+        if index < self.block_count() { self.block(index) } else { &[] }
+    }
+
     /// The constraints of each block.
     pub fn blocks(&self) -> impl Iterator<Item = &[T]> {
         (0..self.block_count()).map(|index| self.block(index))

@@ -105,6 +105,8 @@ pub(super) struct SolverJoints {
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
+/// How many turns before it is needed a joint's record is asked for: they are spread over memory.
+const TURNS_AHEAD: usize = 4;
 /// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
 /// taut components, which are projected from afar, take four.
 const ROUNDS: usize = 2;
@@ -152,7 +154,10 @@ impl SolverJoints {
         self.colors.clear();
         for (color, list) in islands.joint_graph.in_solving_order() {
             let start = self.members.len();
-            for &slot in list {
+            for (turn, &slot) in list.iter().enumerate() {
+                if let Some(&later) = list.get(turn + TURNS_AHEAD) {
+                    joints.prefetch(later);
+                }
                 let Some(link) = islands.joints.get(slot) else { continue };
                 let slots = link.body_slots();
                 if bodies.has_one_of(slots) && !multibodies.claims(slots) {

@@ -75,6 +75,12 @@ impl Pins {
         self.blocks.resize(layout.block_count(), PinBlock::EMPTY);
         tasks.par_fill(&mut self.blocks, FILLED_PER_TASK, |index| {
             let mut block = PinBlock::EMPTY;
+            for &slot in layout.block_or_none(index + 1) {
+                joints.prefetch(slot);
+                if let Some(link) = islands.joints.get(slot) {
+                    link.body_slots().into_iter().for_each(|body| set.prefetch(body));
+                }
+            }
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
@@ -124,7 +130,8 @@ impl Pins {
     ) {
         let (range, blocks) = (0..self.blocks.len(), DisjointMut::new(&mut self.blocks));
         simd.run(TurnBack { range, blocks, states });
-        for (chunk, block) in self.layout.blocks().zip(&self.blocks) {
+        for (index, (chunk, block)) in self.layout.blocks().zip(&self.blocks).enumerate() {
+            self.layout.block_or_none(index + 1).iter().for_each(|slot| joints.prefetch(*slot));
             for (lane, &slot) in chunk.iter().enumerate() {
                 let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
                     continue;
