@@ -151,6 +151,27 @@ fn no_contact_is_where_no_piece_is() {
     }
 }
 
+/// What has left a floor over a long edge stands on it no more, though its share of the length is more than the body.
+#[test]
+fn nothing_stands_beyond_a_long_edge() {
+    let half = 0.05;
+    let (ground, rotation, out) = samples::long_edge(1000.0);
+    let body = samples::cuboid(Vector::splat(half));
+    let up = rotation * Vector::Y * (half - 1.0e-3);
+    let mut found = Manifolds::new();
+    for step in 0..40 {
+        let beyond = 0.005 * step as Real - 0.1;
+        let pose = Pose::from_parts(out * beyond + up, rotation);
+        found = contacts(&ground, &body, &pose, &found, None, Vector::ZERO);
+        // The diagonal of the box, what is near enough to be a contact, and rounding.
+        if beyond > 1.5 * half + PREDICTION + 1.0e-3 {
+            assert!(found.is_empty(), "{beyond}: {found:?}");
+        } else if beyond < -1.5 * half {
+            assert!(!found.is_empty(), "{beyond}");
+        }
+    }
+}
+
 /// What is kept of a mesh from step to step changes no bit, on rough ground or on level.
 #[test]
 fn what_is_kept_changes_nothing() {
