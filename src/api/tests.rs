@@ -5,6 +5,7 @@ use super::pipeline::{
     ActiveEvents, ActiveHooks, ChannelEventCollector, ContactModificationContext,
     PairFilterContext, PhysicsHooks, PhysicsWorld,
 };
+use crate::dim::collide::samples;
 use crate::model::body::{RigidBodyBuilder, RigidBodyHandle};
 use crate::model::collider::{ColliderBuilder, ColliderHandle};
 
@@ -223,4 +224,31 @@ fn events_tell_of_begin_end_and_force() {
     assert_eq!(ended.len(), 1);
     assert!(ended[0].stopped() && ended[0].removed());
     assert!([ended[0].collider1(), ended[0].collider2()].contains(&ground));
+}
+
+/// What was kept of a mesh goes with its shape: a body sinks to the new floor, though the boxes of old and new overlap.
+#[test]
+fn a_new_floor_is_felt_at_once() {
+    fn high(at: Vector) -> Real {
+        if at.x.abs() > 2.5 { 1.0 } else { 0.0 }
+    }
+    fn low(at: Vector) -> Real {
+        if at.x.abs() > 2.5 { 1.0 } else { -0.5 }
+    }
+    let ground = |height| ColliderBuilder::new(samples::carpet(20, 0.3, height, |_| true));
+    let mut world = PhysicsWorld::new();
+    let floor = world.insert_collider(ground(high), None);
+    let body = RigidBodyBuilder::dynamic().translation(Vector::Y * 0.5).linvel(Vector::X * 0.2);
+    let collider = ColliderBuilder::new(samples::cuboid(Vector::splat(0.5)));
+    let (body, _) = world.insert(body, collider);
+    for _ in 0..20 {
+        world.step();
+    }
+    assert!((height(&world, body) - 0.5).abs() < 0.01);
+    world.colliders[floor].set_shape(ground(low).shape);
+    for _ in 0..90 {
+        world.step();
+    }
+    // Contacts are soft: a box of this weight sinks in by some millimetres.
+    assert!(height(&world, body).abs() < 0.01, "{}", height(&world, body));
 }

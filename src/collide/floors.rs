@@ -116,13 +116,15 @@ impl Search<'_> {
     /// them, is not near, or is so deep that it may have come from the side.
     fn stand(&self, sifting: &Sifting<'_>, plane: &Plane, pieces: &[u32]) -> Option<Stand> {
         let pose = &sifting.poses[0];
-        let footing = Footing::of(sifting.body.shape, pose.rotation.inverse() * -plane.normal)?;
+        let down = pose.rotation.inverse() * -plane.normal;
+        let footing = Footing::of(sifting.body.shape, down, self.pair.flush)?;
         let places: ArrayVec<Vector, MAX_FEET> =
             footing.feet.iter().map(|foot| *pose * foot.point).collect();
         let mut found = [None; MAX_FEET];
         let blocks = sifting.nearby.blocks();
         let (normal, places, found) = (plane.normal, &places[..], &mut found[..places.len()]);
-        self.pair.simd.run(Over { normal, blocks, pieces, places, found });
+        let tolerance = self.pair.flush;
+        self.pair.simd.run(Over { normal, tolerance, blocks, pieces, places, found });
         let mut stand = Stand { dist: Real::INFINITY, ..Stand::default() };
         for ((foot, place), found) in footing.feet.iter().zip(places).zip(found) {
             let (block, lane) = (*found)?;
@@ -207,6 +209,8 @@ impl Kernel for InPlane<'_> {
 /// Over which piece of a floor is each of some places?
 struct Over<'a> {
     normal: Vector,
+    /// How far beyond the edge of a piece is still over it, at most.
+    tolerance: Real,
     blocks: &'a [FlatBlock],
     pieces: &'a [u32],
     places: &'a [Vector],
@@ -219,12 +223,12 @@ impl Kernel for Over<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        let Self { normal, blocks, pieces, places, found } = self;
+        let Self { normal, tolerance, blocks, pieces, places, found } = self;
         for block in 0..blocks.len() {
             if pieces[block] == 0 {
                 continue;
             }
-            let rims = Rims::<W>::of(&blocks[block], normal);
+            let rims = Rims::<W>::of(&blocks[block], normal, tolerance);
             for (place, found) in places.iter().zip(&mut *found) {
                 if found.is_some() {
                     continue;

@@ -9,9 +9,6 @@ use parry::shape::{PackedFeatureId, PolygonalFeature, Shape};
 
 /// Most corners of a footing. Faces have no more that are looked at.
 pub(super) const MAX_FEET: usize = 32;
-/// The lowest point may be lower than the corners by this share of the shape's thickness.
-const LOWER: Real = 0.01;
-
 /// A point of the shape, in its frame.
 #[derive(Copy, Clone)]
 pub(super) struct Foot {
@@ -28,8 +25,8 @@ pub(super) struct Footing {
 
 impl Footing {
     /// The footing of a shape, `down` being the unit vector from it to the plane. `None` if it is not known, or
-    /// if the shape stands on something else.
-    pub fn of(shape: &dyn Shape, down: Vector) -> Option<Self> {
+    /// if another point is lower than the corners by more than `tolerance` (length units).
+    pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
         let mut feet = ArrayVec::new();
         let mut add = |point, feature| {
             // No face has more than there is room for.
@@ -52,7 +49,7 @@ impl Footing {
         let lowest = support.local_support_point(down).dot(down);
         let thickness = lowest - support.local_support_point(-down).dot(down);
         let depths = feet.iter().map(|foot: &Foot| foot.point.dot(down));
-        let is_lowest = depths.fold(Real::NEG_INFINITY, Real::max) >= lowest - LOWER * thickness;
+        let is_lowest = depths.fold(Real::NEG_INFINITY, Real::max) >= lowest - tolerance;
         is_lowest.then_some(Self { feet, thickness })
     }
 }

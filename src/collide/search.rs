@@ -149,7 +149,10 @@ impl Search<'_> {
             0 => (pair.pos12.rotation.inverse() * patch.normal, pair.pos12.inverse()),
             _ => (-patch.normal, pair.pos12),
         };
-        let obstacle = Obstacle::floor(patches.pieces(index), pose)
+        // From the other side it is the body that is the obstacle.
+        let floor = Obstacle::floor(patches.pieces(index), pose);
+        let obstacle = floor
+            .filter(|_| side == self.sifted.side)
             .unwrap_or_else(|| Obstacle::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
         let body = (self.parts[1 - side], patch.parts[1 - side]);

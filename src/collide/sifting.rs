@@ -28,6 +28,8 @@ pub(super) type Bits = SmallVec<[u32; 16]>;
 /// What became of flat parts.
 #[derive(Default)]
 pub(super) struct Sifted {
+    /// Which of the shapes is the surface.
+    pub side: usize,
     /// Those that are still to be looked at.
     pub left: Bits,
     /// The pieces of floors, with the number of the floor's patch.
@@ -59,18 +61,21 @@ impl<'a> Sifting<'a> {
 impl Search<'_> {
     /// Visits the parts of the surface on a side that are near the other shape.
     ///
-    /// Returns false if it is no surface or the other shape is without limits. Then nothing was done.
+    /// Returns false if it is no surface, or the other shape is one too or without limits. Then nothing was done.
     pub(super) fn visit_surface(&mut self, side: usize) -> bool {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
         let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
         let near = Near::of(body.shape(), &poses[0], prediction);
-        let Some(bounds) = near.bounds().filter(|_| surface.is_surface()) else { return false };
+        // The many pieces of another surface find what is near them sooner in the tree than among all that is kept.
+        let is_sifted = surface.is_surface() && !body.is_surface();
+        let Some(bounds) = near.bounds().filter(|_| is_sifted) else { return false };
         let mut passing = core::mem::take(&mut *self.passing);
         let kept = self.kept.take();
-        let nearby = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
-        look_up(&surface, &bounds, self.pair.motion_of(1 - side), nearby);
-        let nearby = &*nearby;
+        let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
+        look_up(&surface, &bounds, self.pair.motion_of(1 - side), place);
+        let nearby = &*place;
+        self.sifted.side = side;
         self.sifted.floors.clear();
         if let Parts::Convex(shape) = body {
             self.visit_over(&Sifting { side, nearby, body: Part::whole(shape), poses });
@@ -85,6 +90,7 @@ impl Search<'_> {
         if self.may_have_seams(side) {
             self.lay_floors(nearby);
         }
+        place.shrink();
         passing.clear();
         *self.passing = passing;
         true
@@ -185,7 +191,8 @@ fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, nearby: &mut Near
     let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
     let region = bounds.merged(&later).loosened(MARGIN * size);
     // What is as fast as numbers go is looked up for the moment.
-    let region = if region.extents().is_finite() { region } else { *bounds };
+    let is_wide = region.extents().is_finite() && !nearby.is_crowded();
+    let region = if is_wide { region } else { *bounds };
     surface.for_each_flat(&region, |id, flat| nearby.add(id, flat));
     nearby.keep(region);
 }

@@ -145,9 +145,30 @@ fn no_contact_is_where_no_piece_is() {
         let found = resting(&ground, &body, &pose);
         for contact in found.iter().flat_map(ContactManifold::contacts) {
             let x = contact.local_p1.x;
-            assert!(!(0.2011..0.8989).contains(&x), "{x} in {found:?}");
+            assert!(!(0.2011..=0.8989).contains(&x), "{x} in {found:?}");
         }
         assert!(found.iter().all(|manifold| manifold.local_n1.y > 0.999), "{found:?}");
+    }
+}
+
+/// What has left a floor over a long edge stands on it no more, though its share of the length is more than the body.
+#[test]
+fn nothing_stands_beyond_a_long_edge() {
+    let half = 0.05;
+    let (ground, rotation, out) = samples::long_edge(1000.0);
+    let body = samples::cuboid(Vector::splat(half));
+    let up = rotation * Vector::Y * (half - 1.0e-3);
+    let mut found = Manifolds::new();
+    for step in 0..40 {
+        let beyond = 0.005 * step as Real - 0.1;
+        let pose = Pose::from_parts(out * beyond + up, rotation);
+        found = contacts(&ground, &body, &pose, &found, None, Vector::ZERO);
+        // The diagonal of the box, what is near enough to be a contact, and rounding.
+        if beyond > 1.5 * half + PREDICTION + 1.0e-3 {
+            assert!(found.is_empty(), "{beyond}: {found:?}");
+        } else if beyond < -1.5 * half {
+            assert!(!found.is_empty(), "{beyond}");
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::clip::RIM;
 use super::flat::FlatBlock;
 use crate::base::wide::Wide;
-use crate::dim::math::Vector;
+use crate::dim::math::{Real, Vector};
 use crate::dim::wide::WideVector;
 
 /// The lines through the ends of segments, at right angles to a line that all of them lie in.
@@ -18,13 +18,15 @@ pub struct Rims<W> {
 }
 
 impl<W: Wide> Rims<W> {
-    /// Those of the segments of a block.
+    /// Those of the segments of a block. No rim is wider than `tolerance`: a share of a long segment could be more
+    /// than the size of the body.
     #[inline(always)]
-    pub fn of(block: &FlatBlock, _normal: Vector) -> Self {
+    pub fn of(block: &FlatBlock, _normal: Vector, tolerance: Real) -> Self {
         let (start, end) = (WideVector::load(&block[0]), WideVector::load(&block[1]));
         let along = end - start;
         let length = along.dot(along);
-        Self { start, along, length, rim: length * W::splat(RIM) }
+        let rim = (W::splat(RIM) * length).min(W::splat(tolerance) * length.sqrt());
+        Self { start, along, length, rim }
     }
 
     /// Is a point over the segment? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.

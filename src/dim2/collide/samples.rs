@@ -96,6 +96,14 @@ pub fn surface(hull: &dyn Shape) -> Vec<Segment> {
     points.iter().zip(next).map(|(start, end)| Segment::new(*start, *end)).collect()
 }
 
+/// A line, twice over, that is long and slants; how a box stands on it, and the way out over its end, which is the
+/// origin.
+pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
+    let points = vec![Vector::splat(-length), Vector::ZERO];
+    let line = SharedShape::polyline(points, Some(vec![[0, 1], [1, 0]]));
+    (line, planar_rotation(Real::atan(1.0)), Vector::ONE.normalize())
+}
+
 /// A flat line of segments of the given size along the first axis: `count` in a row. Only those whose middle is to
 /// be kept.
 pub fn carpet(

@@ -3,7 +3,7 @@
 use super::clip::RIM;
 use super::flat::FlatBlock;
 use crate::base::wide::Wide;
-use crate::dim::math::Vector;
+use crate::dim::math::{Real, Vector};
 use crate::dim::wide::{WideVector, cross};
 
 /// The planes through the edges of triangles, at right angles to a plane that all of them lie in.
@@ -16,9 +16,9 @@ pub struct Rims<W> {
 }
 
 impl<W: Wide> Rims<W> {
-    /// Those of the triangles of a block.
+    /// Those of the triangles of a block. No rim is wider than `tolerance`.
     #[inline(always)]
-    pub fn of(block: &FlatBlock, normal: Vector) -> Self {
+    pub fn of(block: &FlatBlock, normal: Vector, tolerance: Real) -> Self {
         let corners =
             [WideVector::load(&block[0]), WideVector::load(&block[1]), WideVector::load(&block[2])];
         let [a, b, c] = corners;
@@ -28,12 +28,8 @@ impl<W: Wide> Rims<W> {
         let is_clockwise = W::zero().lt(outward[0].dot(c - a));
         let sign = W::select(is_clockwise, W::splat(-1.0), W::splat(1.0));
         let outward = [outward[0] * sign, outward[1] * sign, outward[2] * sign];
-        let rim = W::splat(RIM);
-        let limits = [
-            rim * outward[0].dot(outward[0]),
-            rim * outward[1].dot(outward[1]),
-            rim * outward[2].dot(outward[2]),
-        ];
+        let limits =
+            [rim(outward[0], tolerance), rim(outward[1], tolerance), rim(outward[2], tolerance)];
         Self { corners, outward, limits }
     }
 
@@ -47,4 +43,12 @@ impl<W: Wide> Rims<W> {
     fn is_inside(&self, edge: usize, point: WideVector<W>) -> W::Mask {
         self.outward[edge].dot(point - self.corners[edge]).le(self.limits[edge])
     }
+}
+
+/// How far beyond an edge is still inside, times the length of the edge. A share of a long edge could be more than
+/// the size of the body, which nothing else would keep from standing there.
+#[inline(always)]
+fn rim<W: Wide>(outward: WideVector<W>, tolerance: Real) -> W {
+    let squared = outward.dot(outward);
+    (W::splat(RIM) * squared).min(W::splat(tolerance) * squared.sqrt())
 }

@@ -125,6 +125,16 @@ pub fn carpet(
     SharedShape::trimesh(points, triangles.collect()).expect("these indices are in range")
 }
 
+/// A surface, twice over, one of whose edges is long and slants; how a box stands on it, and the way out over the
+/// edge, on which the origin lies.
+pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
+    let [a, b] = [Vector::new(length, 0.0, -length), Vector::new(-length, 0.0, length)];
+    let points = vec![a, b, Vector::new(-length, 0.0, -length)];
+    let mesh = SharedShape::trimesh(points, vec![[0, 1, 2], [0, 2, 1]]);
+    let out = Vector::new(1.0, 0.0, 1.0).normalize();
+    (mesh.expect("these indices are in range"), Rotation::IDENTITY, out)
+}
+
 /// The triangles that a hull is made of.
 pub fn surface(hull: &dyn Shape) -> Vec<Triangle> {
     let (points, triangles) = hull.as_convex_polyhedron().expect("is a hull").to_trimesh();

@@ -10,7 +10,7 @@ use crate::base::wide::{LANES, prefetch};
 use crate::dim::collide::{FlatBlock, FlatShape, flat_lane, set_flat_lane};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// More pieces than this are not worth the memory.
+/// More pieces than this are not worth the memory: a large thing on a fine mesh looks them up in each step.
 const MAX_KEPT: usize = 1024;
 
 /// Flat pieces of a shape, in blocks of as many as a register has lanes.
@@ -21,11 +21,14 @@ pub(crate) struct Nearby {
     /// Their numbers, block after block.
     ids: Vec<u32>,
     blocks: Vec<FlatBlock>,
+    /// Were there too many to keep?
+    is_crowded: bool,
 }
 
 impl Default for Nearby {
     fn default() -> Self {
-        Self { region: Aabb::new_invalid(), ids: Vec::new(), blocks: Vec::new() }
+        let region = Aabb::new_invalid();
+        Self { region, ids: Vec::new(), blocks: Vec::new(), is_crowded: false }
     }
 }
 
@@ -57,8 +60,19 @@ impl Nearby {
 
     /// Says that all pieces that reach into a box have been added.
     pub fn keep(&mut self, region: Aabb) {
-        if self.ids.len() <= MAX_KEPT {
-            self.region = region;
+        self.region = region;
+        self.is_crowded = self.ids.len() > MAX_KEPT;
+    }
+
+    /// Were there so many last time that it is not worth while to look further than needed?
+    pub fn is_crowded(&self) -> bool {
+        self.is_crowded
+    }
+
+    /// Gives the memory back if there are too many pieces to keep.
+    pub fn shrink(&mut self) {
+        if self.is_crowded {
+            *self = Self { is_crowded: true, ..Self::default() };
         }
     }
 

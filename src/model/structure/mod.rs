@@ -270,6 +270,7 @@ impl Structure<'_> {
                 self.update_colors(id);
                 // A pair that stays awake never hears of this body's last motion.
                 self.narrow_phase.contacts.invalidate(id);
+                // Nor is it worth the memory to keep what is around a sleeper.
                 self.narrow_phase.contacts[id].nearby = None;
                 self.rest_contact(id);
             }
@@ -350,6 +351,8 @@ impl Structure<'_> {
             self.update_colors(id);
             self.narrow_phase.contacts.wake(id);
             self.narrow_phase.contacts.invalidate(id);
+            // The shape may be another one.
+            self.narrow_phase.contacts[id].nearby = None;
             if bodies.iter().any(|&body| self.is_awake(body)) {
                 self.wake_kinematic_of(bodies);
             }
