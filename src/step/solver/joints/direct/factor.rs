@@ -95,7 +95,8 @@ impl Factor {
     fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
-        for (member, rows) in component.members.iter().zip(&mut self.rows) {
+        let members = component.members.iter().zip(component.masses);
+        for ((member, masses), rows) in members.zip(&mut self.rows) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (side, _) in member.movable() {
                 for (row, axis) in locked_axes(member).enumerate() {
@@ -103,7 +104,7 @@ impl Factor {
                     for (column, number) in rows.jacobians[side].iter_mut().zip(jacobian) {
                         column[row] = number;
                     }
-                    rows.responses[side][row] = member.inverse_masses[side].response(&jacobian);
+                    rows.responses[side][row] = masses[side].response(&jacobian);
                 }
             }
         }

@@ -33,8 +33,6 @@ pub(in super::super) struct Member {
     pub locked: u8,
     /// Of its bodies; none of those that cannot move.
     pub inv_masses: [Real; 2],
-    /// The same with their inertia as they stand now, once that is known.
-    pub inverse_masses: [InverseMass; 2],
     /// Does it lock all translations, and nothing else happens on any axis?
     pub is_pin: bool,
 }
@@ -47,8 +45,7 @@ impl Member {
             && drives.is_empty()
             && joint.softness.is_none();
         let locked = joint.locked_axes.bits();
-        let inverse_masses = [InverseMass::NONE; 2];
-        Self { slot, block: 0, lane: 0, bodies, locked, inv_masses, inverse_masses, is_pin }
+        Self { slot, block: 0, lane: 0, bodies, locked, inv_masses, is_pin }
     }
 
     /// The bodies that can move, with their sides.
@@ -72,6 +69,8 @@ pub(super) struct Pattern {
     position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
     members: Vec<Member>,
+    /// By member: what impulses do to its bodies as they stand now.
+    masses: Vec<[InverseMass; 2]>,
     components: Vec<Range<usize>>,
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
@@ -82,6 +81,7 @@ pub(super) struct Pattern {
 #[derive(Copy, Clone)]
 pub(super) struct Component<'a> {
     pub members: &'a [Member],
+    pub masses: &'a [[InverseMass; 2]],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
 }
@@ -118,16 +118,21 @@ impl Pattern {
     ) -> bool {
         let contains = self.contains(slot);
         if contains {
-            let member = &mut self.members[self.position_of_slot[slot as usize] as usize];
+            let position = self.position_of_slot[slot as usize] as usize;
+            let member = &mut self.members[position];
             (member.block, member.lane) = (block as u32, lane as u32);
-            member.inverse_masses = inverse_masses();
+            self.masses[position] = inverse_masses();
         }
         contains
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
         let range = self.components[index].clone();
-        Component { members: &self.members[range.clone()], columns: &self.columns[range] }
+        Component {
+            members: &self.members[range.clone()],
+            masses: &self.masses[range.clone()],
+            columns: &self.columns[range],
+        }
     }
 
     /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
@@ -149,6 +154,7 @@ impl Pattern {
         self.position_of_slot.clear();
         let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
         self.position_of_slot.resize(slots, NONE);
+        self.masses.resize(self.members.len(), [InverseMass::NONE; 2]);
         for (position, member) in self.members.iter().enumerate() {
             self.position_of_slot[member.slot as usize] = position as u32;
         }

@@ -40,9 +40,7 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            let inverse_masses = [InverseMass::ONE; 2];
-            let is_pin = false;
-            Member { slot, block, lane, bodies, locked, inv_masses, inverse_masses, is_pin }
+            Member { slot, block, lane, bodies, locked, inv_masses, is_pin: false }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
@@ -55,7 +53,7 @@ impl Net {
         pattern.build(&self.members, self.body_count);
         for member in &self.members {
             let at = [member.block, member.lane].map(|number| number as usize);
-            pattern.place(member.slot, at, || member.inverse_masses);
+            pattern.place(member.slot, at, || [InverseMass::ONE; 2]);
         }
         pattern
     }
