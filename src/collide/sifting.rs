@@ -66,10 +66,12 @@ impl Search<'_> {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
         let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
-        let near = Near::of(body.shape(), &poses[0], prediction);
         // The many pieces of another surface find what is near them sooner in the tree than among all that is kept.
-        let is_sifted = surface.is_surface() && !body.is_surface();
-        let Some(bounds) = near.bounds().filter(|_| is_sifted) else { return false };
+        if !surface.is_surface() || body.is_surface() {
+            return false;
+        }
+        let near = Near::of(body.shape(), &poses[0], prediction);
+        let Some(bounds) = near.bounds() else { return false };
         let mut passing = core::mem::take(&mut *self.passing);
         let kept = self.kept.take();
         let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
@@ -78,13 +80,16 @@ impl Search<'_> {
         self.sifted.side = side;
         self.sifted.floors.clear();
         if let Parts::Convex(shape) = body {
-            self.visit_over(&Sifting { side, nearby, body: Part::whole(shape), poses });
+            let body = Part::whole(shape);
+            self.visit_over(&Sifting { side, nearby, body, poses }, &bounds);
         } else {
             let around = Near::of(surface.shape(), &poses[1], prediction);
             body.for_each_part(&around, &mut |body| {
                 let in_shape = body.pose();
                 let poses = [poses[0] * in_shape, in_shape.inverse() * poses[1]];
-                self.visit_over(&Sifting { side, nearby, body, poses });
+                if let Some(bounds) = Near::of(body.shape, &poses[0], prediction).bounds() {
+                    self.visit_over(&Sifting { side, nearby, body, poses }, &bounds);
+                }
             });
         }
         if self.may_have_seams(side) {
@@ -96,12 +101,10 @@ impl Search<'_> {
         true
     }
 
-    /// Visits the parts of a surface that are near a body: what is a [floor](super::floors) is taken as one, and
-    /// the others go through the sieve.
-    fn visit_over(&mut self, sifting: &Sifting<'_>) {
-        let near = Near::of(sifting.body.shape, &sifting.poses[0], self.pair.prediction);
-        let Some(bounds) = near.bounds() else { return };
-        self.list_left(sifting.nearby, &bounds);
+    /// Visits the parts of a surface that are near a body, `bounds` being where that can touch: what is a
+    /// [floor](super::floors) is taken as one, and the others go through the sieve.
+    fn visit_over(&mut self, sifting: &Sifting<'_>, bounds: &Aabb) {
+        self.list_left(sifting.nearby, bounds);
         if as_flat(sifting.body.shape).is_none() {
             self.take_floors(sifting);
         }
