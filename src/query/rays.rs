@@ -98,12 +98,13 @@ impl<'a> QueryView<'a> {
         let (trees, dispatcher, colliders) = (self.trees(), self.dispatcher, self.colliders);
         let QueryFilter { flags, groups, exclude_collider, exclude_rigid_body, .. } = self.filter;
         let mut answers = vec![None; rays.len()];
-        Tasks::current().par_fill(&mut answers, RAYS_PER_TASK, |index| {
+        let answer = |index: usize| {
             let predicate = None;
             let filter =
                 QueryFilter { flags, groups, exclude_collider, exclude_rigid_body, predicate };
             cast(&QueryView::new(trees, dispatcher, colliders, filter), &rays[index])
-        });
+        };
+        Tasks::open(|tasks| tasks.par_fill(&mut answers, RAYS_PER_TASK, answer));
         answers
     }
 }

@@ -15,6 +15,7 @@ mod solver;
 mod advance;
 mod events;
 
+use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
@@ -59,8 +60,18 @@ pub(crate) struct StepScratch {
     sleep: islands::SleepScratch,
 }
 
-/// One step of the world. The parameters must be valid.
+/// One step of the world, on the threads of the caller's pool. The parameters must be valid.
 pub(crate) fn step(
+    parts: StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
+    Tasks::open(|tasks| step_with(tasks, parts, joints, multibodies, scratch));
+}
+
+fn step_with(
+    tasks: Tasks<'_>,
     mut parts: StepParts<'_>,
     joints: &mut ImpulseJointSet,
     multibodies: &mut MultibodyJointSet,
@@ -72,10 +83,10 @@ pub(crate) fn step(
     let edits = multibodies.settle(parts.bodies);
     take_in_user_changes(&mut parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
-    find_contacts(&mut parts, scratch);
+    find_contacts(tasks, &mut parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {
-        move_bodies(&mut parts, joints, multibodies, scratch);
+        move_bodies(tasks, &mut parts, joints, multibodies, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
     } else {
@@ -105,7 +116,7 @@ pub(crate) fn detect_collisions(
         let multibodies = MultibodyEdits::default();
         Digest { structure, tree, joints, multibodies, params, events }.run_removals();
     }
-    find_contacts(&mut parts, scratch);
+    Tasks::open(|tasks| find_contacts(tasks, &mut parts, scratch));
     parts.bodies.renew_places();
     parts.islands.forget_motion();
     parts.narrow_phase.forget_step_impulses();
@@ -127,7 +138,7 @@ fn take_in_user_changes(
     parts.counters.stages.user_changes.pause();
 }
 
-fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     let StepScratch { notes, pairs, narrow_phase, simd, .. } = scratch;
     parts.counters.stages.collision_detection_time.resume();
     parts.counters.cd.broad_phase_time.resume();
@@ -149,7 +160,7 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
         hooks: parts.hooks,
         simd: *simd,
     };
-    narrow_phase::update(around, parts.narrow_phase, narrow_phase, notes);
+    narrow_phase::update(tasks, around, parts.narrow_phase, narrow_phase, notes);
     parts.counters.cd.narrow_phase_time.pause();
     parts.counters.cd.ncontact_pairs = parts.narrow_phase.contacts.len();
     parts.counters.stages.collision_detection_time.pause();
@@ -161,6 +172,7 @@ fn find_contacts(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
 }
 
 fn move_bodies(
+    tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
     joints: &mut ImpulseJointSet,
     multibodies: &mut MultibodyJointSet,
@@ -171,6 +183,7 @@ fn move_bodies(
         gravity: parts.gravity,
         params: parts.params,
         simd: scratch.simd,
+        tasks,
         bodies: parts.bodies,
         narrow_phase: parts.narrow_phase,
         joints,

@@ -7,7 +7,7 @@ use crate::source::Source;
 const ALLOWED: [(&str, &str); 14] = [
     ("src/base/arena.rs", "two elements of one slice at a time"),
     ("src/base/disjoint.rs", "many workers write one slice, each its own elements"),
-    ("src/base/tasks.rs", "hands elements of one slice out to workers"),
+    ("src/base/tasks/", "hands elements of one slice out to workers"),
     ("src/base/wide/", "intrinsics of the processor"),
     ("src/dim2/state.rs", "gathers bodies by index into lanes"),
     ("src/dim3/state.rs", "gathers bodies by index into lanes"),

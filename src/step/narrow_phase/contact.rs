@@ -5,6 +5,7 @@ use super::seams::{self, SeamScratch, obstacle_side};
 use super::update::{Outcome, Surroundings, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
 use crate::collide::{Neighbor, ShapePair, compute_manifolds, inherit_impulses};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBody;
@@ -42,13 +43,14 @@ impl Update for ContactPair {
     }
 
     fn look_again(
+        tasks: Tasks<'_>,
         around: Surroundings<'_>,
         store: &mut PairStore<Self>,
         computed: seams::Computed<'_>,
         scratch: &mut SeamScratch,
         workers: &Pool<Worker>,
     ) {
-        seams::look_again(around, store, computed, scratch, workers);
+        seams::look_again(tasks, around, store, computed, scratch, workers);
     }
 }
 

@@ -55,6 +55,7 @@ pub(super) fn obstacle_side(view: &PairView<'_>) -> Option<usize> {
 
 /// Computes pairs again that have contacts which are only seams between obstacles.
 pub(super) fn look_again(
+    tasks: Tasks<'_>,
     around: Surroundings<'_>,
     store: &mut PairStore<ContactPair>,
     computed: Computed<'_>,
@@ -67,7 +68,7 @@ pub(super) fn look_again(
     let StoreParts { awake, of_collider, entries } = store.split();
     let (entries, outcomes) = (DisjointMut::new(entries), DisjointMut::new(outcomes));
     let pair_of = |index: u32| awake[due[index as usize] as usize].id;
-    Tasks::current().par_for(groups.len(), BODIES_PER_TASK, |range| {
+    tasks.par_for(groups.len(), BODIES_PER_TASK, |range| {
         let mut worker = workers.take();
         for group in &groups[range] {
             let members = &touching[group.clone()];

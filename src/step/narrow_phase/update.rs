@@ -79,13 +79,14 @@ impl Outcome {
 
 /// Brings all awake pairs up to date.
 pub(crate) fn update(
+    tasks: Tasks<'_>,
     around: Surroundings<'_>,
     narrow_phase: &mut NarrowPhase,
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) {
-    update_store(around, &mut narrow_phase.contacts, scratch, &mut notes.contacts);
-    update_store(around, &mut narrow_phase.intersections, scratch, &mut notes.intersections);
+    update_store(tasks, around, &mut narrow_phase.contacts, scratch, &mut notes.contacts);
+    update_store(tasks, around, &mut narrow_phase.intersections, scratch, &mut notes.intersections);
 }
 
 /// A kind of pair, and how it is computed.
@@ -94,6 +95,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
 
     /// Goes over the pairs that were computed once all of them are known.
     fn look_again(
+        _tasks: Tasks<'_>,
         _around: Surroundings<'_>,
         _store: &mut PairStore<Self>,
         _computed: Computed<'_>,
@@ -104,6 +106,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
 }
 
 fn update_store<P: Update>(
+    tasks: Tasks<'_>,
     around: Surroundings<'_>,
     store: &mut PairStore<P>,
     scratch: &mut NarrowPhaseScratch,
@@ -113,8 +116,8 @@ fn update_store<P: Update>(
     list_due(around, store, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
-    look_at_all(around, store, due, outcomes, workers);
-    P::look_again(around, store, Computed { due, outcomes }, seams, workers);
+    look_at_all(tasks, around, store, due, outcomes, workers);
+    P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
     for (&position, outcome) in due.iter().zip(outcomes.iter()) {
         let pair = &mut store.awake_mut()[position as usize];
         pair.slack = outcome.slack;
@@ -142,6 +145,7 @@ fn list_due<P: Pair>(around: Surroundings<'_>, store: &mut PairStore<P>, due: &m
 
 /// Looks at each due pair by itself.
 fn look_at_all<P: Update>(
+    tasks: Tasks<'_>,
     around: Surroundings<'_>,
     store: &mut PairStore<P>,
     due: &[u32],
@@ -150,7 +154,7 @@ fn look_at_all<P: Update>(
 ) {
     let StoreParts { awake, entries, .. } = store.split();
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(entries));
-    Tasks::current().par_for(due.len(), PAIRS_PER_TASK, |range| {
+    tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
         let ahead = Ahead { around, awake, due: &due[range.clone()], pairs };
         for (turn, index) in range.enumerate() {

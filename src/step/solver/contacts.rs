@@ -75,7 +75,7 @@ impl SolverContacts {
         bodies: &mut SolverBodies,
         params: &IntegrationParameters,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let rows = if per_point { self.blocks.len() } else { 0 };
@@ -103,7 +103,7 @@ impl SolverContacts {
         bodies: &mut SolverBodies,
         pass: &ContactPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -118,7 +118,7 @@ impl SolverContacts {
         bodies: &mut SolverBodies,
         pass: &ContactPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -259,7 +259,7 @@ fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count:
 /// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
-    tasks: Tasks,
+    tasks: Tasks<'_>,
     work: impl Fn(Range<usize>) + Sync,
 ) {
     for color in colors {

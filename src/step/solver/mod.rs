@@ -66,6 +66,7 @@ pub(crate) struct Scene<'a> {
     pub params: &'a IntegrationParameters,
     /// The instructions that kernels run on.
     pub simd: Simd,
+    pub tasks: Tasks<'a>,
     pub bodies: &'a mut RigidBodySet,
     pub narrow_phase: &'a mut NarrowPhase,
     pub joints: &'a mut ImpulseJointSet,
@@ -77,7 +78,7 @@ pub(crate) struct Scene<'a> {
 
 /// Solves one step for all awake bodies.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, simd, bodies, narrow_phase, islands, .. } = scene;
+    let Scene { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
     let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
@@ -93,13 +94,14 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        joints.load((islands, set), bodies, states, multibodies, &pass, Tasks::current());
+        joints.load((islands, set), bodies, states, multibodies, &pass, tasks);
         contacts.load(&islands.graph, narrow_phase, states, multibodies);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, (gravity, params, bodies), states, constraints, simd, counters);
+        let conditions = Conditions { gravity, params, world: bodies, simd, tasks };
+        solve_group(group.substeps, &conditions, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
@@ -116,17 +118,25 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     counters.velocity_writeback_time.pause();
 }
 
+/// What is the same for all bodies that are solved.
+struct Conditions<'a> {
+    gravity: Vector,
+    params: &'a IntegrationParameters,
+    world: &'a RigidBodySet,
+    simd: Simd,
+    tasks: Tasks<'a>,
+}
+
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    (gravity, params, bodies): (Vector, &IntegrationParameters, &RigidBodySet),
+    conditions: &Conditions<'_>,
     states: &mut SolverBodies,
     constraints: &mut Constraints,
-    simd: Simd,
     counters: &mut SolverCounters,
 ) {
     let Constraints { joints, contacts, multibodies } = constraints;
-    let tasks = Tasks::current();
+    let &Conditions { gravity, params, world, simd, tasks } = conditions;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
@@ -144,7 +154,7 @@ fn solve_group(
         contacts.note_velocities(if substep == 0 { &states.before } else { &states.states });
         states.integrate_velocities(h, params, substep == 0);
         if substep > 0 {
-            multibodies.follow_loops(bodies, states);
+            multibodies.follow_loops(world, states);
         }
         multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
         joints.tighten(&joint_pass);

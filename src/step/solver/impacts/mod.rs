@@ -115,7 +115,7 @@ pub(super) struct Around<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
     pub simd: Simd,
-    pub tasks: Tasks,
+    pub tasks: Tasks<'a>,
 }
 
 impl Impacts {
@@ -283,9 +283,9 @@ impl Impacts {
         let (_, states, _) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
-        let last = &self.memory.last;
+        let (last, simd) = (&self.memory.last, around.simd);
         for_each_color(&self.colors, around.tasks, |range| {
-            around.simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
+            simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
         });
     }
 }

@@ -126,7 +126,7 @@ impl SolverJoints {
         bodies: &SolverBodies,
         multibodies: &SolverMultibodies,
         pass: &JointPass,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         self.sort_out(islands, joints, bodies, multibodies);
         self.rows.clear();
@@ -224,7 +224,7 @@ impl SolverJoints {
     }
 
     /// Gives the bodies the impulses with which the step starts.
-    pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks) {
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
         let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, |range| {
@@ -258,12 +258,24 @@ impl SolverJoints {
     }
 
     /// Solves all joints once, looking ahead.
-    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+    pub fn solve(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks<'_>,
+    ) {
         self.visit::<true>(bodies, pass, simd, tasks);
     }
 
     /// Solves all joints once, where the bodies are.
-    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &JointPass, simd: Simd, tasks: Tasks) {
+    pub fn relax(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks<'_>,
+    ) {
         self.visit::<false>(bodies, pass, simd, tasks);
     }
 
@@ -272,7 +284,7 @@ impl SolverJoints {
         bodies: &mut SolverBodies,
         pass: &JointPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let (_, states, before) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
@@ -303,7 +315,7 @@ impl SolverJoints {
         wanted: impl Fn(u32) -> bool + Sync,
         pass: &JointPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         if self.direct.is_empty() {
             return;
@@ -332,7 +344,7 @@ impl SolverJoints {
         round: usize,
         pass: &JointPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let (_, states, before) = bodies.shared();
         let (count, again) = (self.blocks.len(), round > 0);

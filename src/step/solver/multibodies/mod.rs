@@ -226,7 +226,7 @@ impl SolverMultibodies {
     }
 
     /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
-    pub fn integrate_velocities(&mut self, h: Real, warmth: Real, tasks: Tasks) {
+    pub fn integrate_velocities(&mut self, h: Real, warmth: Real, tasks: Tasks<'_>) {
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
@@ -245,7 +245,7 @@ impl SolverMultibodies {
     }
 
     /// Moves all links by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks) {
+    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks<'_>) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h));
     }
 
@@ -315,7 +315,7 @@ impl Moving {
 }
 
 /// Works on the multibodies, several at once. None of them knows of another.
-fn for_each(moving: &mut [Moving], tasks: Tasks, work: impl Fn(&mut Moving) + Sync) {
+fn for_each(moving: &mut [Moving], tasks: Tasks<'_>, work: impl Fn(&mut Moving) + Sync) {
     let count = moving.len();
     let moving = DisjointMut::new(moving);
     tasks.par_for(count, MULTIBODIES_PER_TASK, |range| {

@@ -110,7 +110,7 @@ impl Direct {
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
         wanted: impl Fn(&[Member], bool) -> bool + Sync,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
         let (pattern, taut) = (&self.pattern, &self.taut);

@@ -69,7 +69,7 @@ impl Pins {
         joints: &ImpulseJointSet,
         set: &RigidBodySet,
         bodies: &SolverBodies,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let layout = &self.layout;
         self.blocks.resize(layout.block_count(), PinBlock::EMPTY);
@@ -92,7 +92,7 @@ impl Pins {
     }
 
     /// Gives the bodies the impulses with which the step starts.
-    pub fn warm_start(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks) {
+    pub fn warm_start(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
         let blocks = DisjointMut::new(&mut self.blocks);
         for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(WarmStart { range, blocks, states });
@@ -110,7 +110,7 @@ impl Pins {
         states: DisjointMut<'_, BodyState>,
         pass: &JointPass,
         simd: Simd,
-        tasks: Tasks,
+        tasks: Tasks<'_>,
     ) {
         let pass = PinPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);

@@ -1,0 +1,233 @@
+//! Spreading work over threads. The only folder that knows the feature `parallel`.
+//!
+//! With the feature, work runs in the rayon pool of the thread that steps the simulation: wrap the
+//! step in `ThreadPool::install` to choose the pool. Without it, or in a pool of one thread, all is a
+//! plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
+//! item is worked on once, by itself, and results go to a place that depends on the item alone.
+
+#[cfg(feature = "parallel")]
+mod crew;
+
+use super::disjoint::DisjointMut;
+use core::marker::PhantomData;
+use core::ops::Range;
+
+/// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
+#[cfg(feature = "parallel")]
+const PIECES_PER_THREAD: usize = 4;
+
+/// The threads that a step may use. Only the thread that opened them can hand out work.
+#[derive(Copy, Clone)]
+pub struct Tasks<'a> {
+    /// None for a single thread.
+    #[cfg(feature = "parallel")]
+    crew: Option<(&'a crew::Crew, &'a dyn Fn(usize))>,
+    /// Neither sent to nor shared with another thread.
+    unshared: PhantomData<(&'a (), *const ())>,
+}
+
+impl Tasks<'_> {
+    /// The calling thread alone.
+    pub const SERIAL: Self = Self {
+        #[cfg(feature = "parallel")]
+        crew: None,
+        unshared: PhantomData,
+    };
+
+    /// Calls `work` with the threads of the pool in which the caller runs.
+    #[cfg(feature = "parallel")]
+    pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
+        let threads = rayon::current_num_threads();
+        if threads <= 1 {
+            return work(Tasks::SERIAL);
+        }
+        let crew = crew::Crew::new(threads);
+        let crew = &crew;
+        rayon::in_place_scope(|scope| {
+            let hire = |number| scope.spawn(move |_| crew.help(number));
+            let _owner = crew.own();
+            work(Tasks { crew: Some((crew, &hire)), unshared: PhantomData })
+        })
+    }
+
+    /// Calls `work` with the calling thread alone: there are others with the feature `parallel`.
+    #[cfg(not(feature = "parallel"))]
+    pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
+        work(Tasks::SERIAL)
+    }
+
+    /// Calls `work` with ranges that together are `0..count`, each item in one of them.
+    ///
+    /// `grain` is the smallest number of items that is worth the handing over to another thread
+    /// (some microseconds of work). Ranges begin at multiples of the grain. With one thread, or no
+    /// more than one grain of work, there is one call with the whole range.
+    pub fn par_for(&self, count: usize, grain: usize, work: impl Fn(Range<usize>) + Sync) {
+        if count == 0 {
+            return;
+        }
+        #[cfg(feature = "parallel")]
+        if let Some((crew, hire)) = self.crew.filter(|_| count > grain) {
+            let pieces = crew.threads() * PIECES_PER_THREAD;
+            let piece = count.div_ceil(pieces).next_multiple_of(grain.max(1));
+            // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not hold one.
+            return unsafe { crew.run(count, piece, &work, hire) };
+        }
+        let _ = grain; // of no use to one thread
+        work(0..count);
+    }
+
+    /// Gives each place what `make` makes of its index. `grain` as for [`Self::par_for`].
+    pub fn par_fill<T: Send + Sync>(
+        &self,
+        places: &mut [T],
+        grain: usize,
+        make: impl Fn(usize) -> T + Sync,
+    ) {
+        let (count, places) = (places.len(), DisjointMut::new(places));
+        self.par_for(count, grain, |range| {
+            for index in range {
+                // SAFETY: each index is handed out once.
+                unsafe { *places.get_mut(index) = make(index) };
+            }
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tasks;
+    use std::sync::Mutex;
+
+    /// The ranges that `par_for` hands out, in order of their start.
+    fn ranges(tasks: Tasks<'_>, count: usize, grain: usize) -> Vec<(usize, usize)> {
+        let ranges = Mutex::new(Vec::new());
+        tasks.par_for(count, grain, |range| ranges.lock().unwrap().push((range.start, range.end)));
+        let mut ranges = ranges.into_inner().unwrap();
+        ranges.sort_unstable();
+        ranges
+    }
+
+    fn check_cover(tasks: Tasks<'_>) {
+        for count in [0, 1, 2, 63, 64, 65, 1000, 4099] {
+            for grain in [0, 1, 7, 64, 5000] {
+                let ranges = ranges(tasks, count, grain);
+                let mut next = 0;
+                for &(start, end) in &ranges {
+                    assert_eq!(start, next, "a gap or an overlap in {ranges:?}");
+                    assert_eq!(start % grain.max(1), 0, "{start} is not a multiple of {grain}");
+                    assert!(end > start, "an empty range in {ranges:?}");
+                    next = end;
+                }
+                assert_eq!(next, count, "{ranges:?} does not reach {count}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_thread_makes_one_call() {
+        assert_eq!(ranges(Tasks::SERIAL, 1000, 1), [(0, 1000)]);
+        check_cover(Tasks::SERIAL);
+    }
+
+    #[test]
+    fn every_item_is_worked_on_once() {
+        Tasks::open(check_cover);
+    }
+
+    #[test]
+    fn each_place_gets_what_is_made_for_it() {
+        let mut places = vec![0; 1000];
+        Tasks::open(|tasks| tasks.par_fill(&mut places, 3, |index| index * index));
+        assert!(places.iter().enumerate().all(|(index, &place)| place == index * index));
+    }
+
+    #[cfg(feature = "parallel")]
+    mod pools {
+        use super::*;
+        use std::panic::{AssertUnwindSafe, catch_unwind};
+        use std::sync::atomic::{AtomicUsize, Ordering};
+
+        fn pool(threads: usize) -> rayon::ThreadPool {
+            rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
+        }
+
+        #[test]
+        fn work_runs_in_the_pool_of_the_caller() {
+            for threads in [1, 2, 3, 70] {
+                pool(threads).install(|| {
+                    Tasks::open(|tasks| {
+                        check_cover(tasks);
+                        assert_eq!(ranges(tasks, 1000, 1).len() > 1, threads > 1);
+                        tasks.par_for(1000, 1, |_| {
+                            assert_eq!(rayon::current_num_threads(), threads);
+                        });
+                    });
+                });
+            }
+        }
+
+        /// Serial stretches between loops, longer than helpers wait and shorter.
+        #[test]
+        fn loops_follow_each_other() {
+            let mut sums = vec![0_usize; 500];
+            pool(4).install(|| {
+                Tasks::open(|tasks| {
+                    for turn in 0..2000 {
+                        let old = sums.clone();
+                        tasks.par_fill(&mut sums, 8, |index| old[index] + index * turn);
+                        if turn % 500 == 0 {
+                            std::thread::sleep(core::time::Duration::from_millis(2));
+                        }
+                    }
+                });
+            });
+            let turns: usize = (0..2000).sum();
+            assert!(sums.iter().enumerate().all(|(index, &sum)| sum == index * turns));
+        }
+
+        #[test]
+        fn a_panic_comes_back_when_the_others_are_done() {
+            pool(3).install(|| {
+                Tasks::open(|tasks| {
+                    let visits = AtomicUsize::new(0);
+                    let panic = catch_unwind(AssertUnwindSafe(|| {
+                        tasks.par_for(64, 1, |range| {
+                            visits.fetch_add(range.len(), Ordering::Relaxed);
+                            assert!(!range.contains(&40), "found 40");
+                        });
+                    }));
+                    assert!(panic.unwrap_err().downcast_ref::<&str>() == Some(&"found 40"));
+                    assert_eq!(visits.into_inner(), 64);
+                    check_cover(tasks);
+                });
+            });
+        }
+
+        /// A user's hook may use the pool in which the step runs.
+        #[test]
+        fn work_may_use_the_pool() {
+            pool(3).install(|| {
+                Tasks::open(|tasks| {
+                    for _ in 0..100 {
+                        tasks.par_for(30, 1, |range| {
+                            let sum = rayon::join(|| range.start, || range.len());
+                            assert_eq!(sum.0 + sum.1, range.end);
+                        });
+                    }
+                });
+            });
+        }
+
+        /// Several worlds in one pool, each stepped by a thread of it.
+        #[test]
+        fn steps_share_a_pool() {
+            pool(3).install(|| {
+                rayon::scope(|scope| {
+                    for _ in 0..20 {
+                        scope.spawn(|_| Tasks::open(check_cover));
+                    }
+                });
+            });
+        }
+    }
+}
