@@ -4,6 +4,7 @@
 //! what stood there before no longer finds anything. Iteration is in slot order: it depends on the
 //! order of insertions and removals alone, never on addresses.
 
+use super::disjoint::DisjointMut;
 use super::wide::prefetch;
 
 /// Where an element of an arena stands, and which of the slot's successive tenants it is.
@@ -200,6 +201,11 @@ impl<T> Arena<T> {
         }
     }
 
+    /// Hands out elements for writing, to several threads.
+    pub fn share(&mut self) -> SharedArena<'_, T> {
+        SharedArena { slots: DisjointMut::new(&mut self.slots) }
+    }
+
     /// Begins to bring what stands in a slot near to the processor.
     #[inline(always)]
     pub fn prefetch(&self, slot: u32) {
@@ -226,5 +232,34 @@ impl<T> Arena<T> {
             }
             Slot::Free { .. } => None,
         })
+    }
+}
+
+/// An arena whose elements can be borrowed one by one, by several threads.
+pub struct SharedArena<'a, T> {
+    slots: DisjointMut<'a, Slot<T>>,
+}
+
+impl<'a, T> SharedArena<'a, T> {
+    /// The element at an index, for writing; `None` if the index is stale or foreign.
+    ///
+    /// # Safety
+    /// Nobody else may have a reference to what stands in the slot while this one lives.
+    #[inline]
+    pub unsafe fn get_mut(&self, index: Index) -> Option<&'a mut T> {
+        if index.slot() >= self.slots.len() {
+            return None;
+        }
+        // SAFETY: in range, and the caller promises that the slot is his alone.
+        match unsafe { self.slots.get_mut(index.slot()) } {
+            Slot::Taken { generation, value } if *generation == index.generation => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Begins to bring what stands in a slot near to the processor.
+    #[inline(always)]
+    pub fn prefetch(&self, slot: u32) {
+        self.slots.prefetch(slot as usize);
     }
 }

@@ -5,6 +5,7 @@
 //! the type in which it says so. What the compiler cannot check is the caller's promise, written down
 //! as the safety contract of each function.
 
+use super::wide::prefetch;
 use core::cell::UnsafeCell;
 
 /// A mutable slice whose elements can be borrowed one by one, by several threads.
@@ -39,6 +40,14 @@ impl<'a, T> DisjointMut<'a, T> {
     /// How many elements there are.
     pub fn len(&self) -> usize {
         self.elements.len()
+    }
+
+    /// Begins to bring an element near to the processor.
+    #[inline(always)]
+    pub fn prefetch(&self, index: usize) {
+        if let Some(cell) = self.elements.get(index) {
+            prefetch(cell);
+        }
     }
 
     /// The cell of an element; the index is checked in debug builds.

@@ -32,6 +32,9 @@ pub(crate) struct BodyState([Real; STATE_LEN]);
 const _: () = assert!(size_of::<BodyState>() == 8 * size_of::<Real>());
 
 impl BodyState {
+    /// A body that neither moves nor has moved.
+    pub const AT_REST: Self = Self([0.0; STATE_LEN]);
+
     /// A body with these velocities that has not moved yet.
     pub fn new(linvel: Vector, angvel: AngVector) -> Self {
         let mut state = Self::default();

@@ -1,7 +1,7 @@
 //! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
-use crate::base::arena::Arena;
+use crate::base::arena::{Arena, SharedArena};
 use crate::base::hash::FastHashMap;
 use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
 use crate::model::island::BodyLink;
@@ -247,6 +247,12 @@ impl RigidBodySet {
     #[inline]
     pub(crate) fn get_unnoted_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         self.bodies.get_mut(handle.0)
+    }
+
+    /// Bodies for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
+    /// indices in their handles.
+    pub(crate) fn share(&mut self) -> SharedArena<'_, RigidBody> {
+        self.bodies.share()
     }
 
     /// Whatever body stands in a slot, with its handle.

@@ -2,7 +2,7 @@
 
 use super::journal::{Bookmark, Journal};
 use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
-use crate::base::arena::Arena;
+use crate::base::arena::{Arena, SharedArena};
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::island::IslandManager;
@@ -315,6 +315,12 @@ impl ColliderSet {
     #[inline]
     pub(crate) fn get_unnoted_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
         self.colliders.get_mut(handle.0)
+    }
+
+    /// Colliders for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
+    /// indices in their handles.
+    pub(crate) fn share(&mut self) -> SharedArena<'_, Collider> {
+        self.colliders.share()
     }
 
     /// Whatever collider stands in a slot.

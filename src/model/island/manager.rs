@@ -128,6 +128,12 @@ impl IslandManager {
         }
     }
 
+    /// By body slot, for at least so many: how far any point of the body moved.
+    pub(crate) fn motions_mut(&mut self, slot_count: usize) -> &mut [Real] {
+        self.motion.resize(slot_count.max(self.motion.len()), 0.0);
+        &mut self.motion
+    }
+
     /// Notes how far any point of the body in a slot moved.
     pub(crate) fn set_motion(&mut self, body_slot: u32, bound: Real) {
         let slot = body_slot as usize;

@@ -3,13 +3,13 @@
 use super::{
     GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled, JointLinks,
 };
-use crate::base::arena::Arena;
+use crate::base::arena::{Arena, SharedArena};
 use crate::model::body::RigidBodyHandle;
 
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-struct Entry {
-    joint: ImpulseJoint,
+pub(crate) struct Entry {
+    pub joint: ImpulseJoint,
     note: Note,
     /// The bodies under which the joint is filed.
     filed: [RigidBodyHandle; 2],
@@ -314,6 +314,12 @@ impl ImpulseJointSet {
         handle: ImpulseJointHandle,
     ) -> Option<&mut ImpulseJoint> {
         self.joints.get_mut(handle.0).map(|entry| &mut entry.joint)
+    }
+
+    /// Joints for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
+    /// indices in their handles.
+    pub(crate) fn share(&mut self) -> SharedArena<'_, Entry> {
+        self.joints.share()
     }
 
     /// Files a joint under the bodies that it says it joins.

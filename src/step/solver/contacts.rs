@@ -11,12 +11,15 @@ use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef};
-use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::model::contact::{ContactManifold, NarrowPhase, PairStore, Placement};
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (some ten microseconds).
 const BLOCKS_PER_TASK: usize = 32;
+/// Blocks that are worth being filled by another thread: their manifolds are spread over memory.
+const FILLED_PER_TASK: usize = 8;
 
 /// All contact constraints of a step.
 #[derive(Default)]
@@ -50,6 +53,7 @@ impl SolverContacts {
         narrow_phase: &NarrowPhase,
         bodies: &SolverBodies,
         multibodies: &mut SolverMultibodies,
+        tasks: Tasks<'_>,
     ) {
         self.layout.clear();
         let are_all = bodies.are_one_group() && multibodies.move_nobody();
@@ -63,10 +67,28 @@ impl SolverContacts {
         let count = self.layout.block_count();
         self.inputs.resize_with(count, || ContactInput::EMPTY);
         self.blocks.resize_with(count, || ContactBlock::EMPTY);
-        let filled = self.inputs.iter_mut().zip(self.layout.blocks());
-        let points = filled.map(|(input, chunk)| fill(input, chunk, narrow_phase, bodies));
-        self.point_count = points.sum();
+        self.point_count = self.fill_inputs(narrow_phase, bodies, tasks);
         self.impacts.load(&self.inputs, self.layout.colors(), bodies);
+    }
+
+    /// Returns the number of points.
+    fn fill_inputs(
+        &mut self,
+        narrow_phase: &NarrowPhase,
+        bodies: &SolverBodies,
+        tasks: Tasks<'_>,
+    ) -> usize {
+        let (layout, inputs) = (&self.layout, DisjointMut::new(&mut self.inputs));
+        let point_count = AtomicUsize::new(0);
+        tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
+            let fill_one = |index: usize| {
+                // SAFETY: each block has an input, and belongs to one task.
+                let input = unsafe { inputs.get_mut(index) };
+                fill(input, layout.block(index), narrow_phase, bodies)
+            };
+            point_count.fetch_add(range.map(fill_one).sum(), Ordering::Relaxed);
+        });
+        point_count.into_inner()
     }
 
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
@@ -139,21 +161,27 @@ impl SolverContacts {
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(&self, narrow_phase: &mut NarrowPhase) {
-        for (index, chunk) in self.layout.blocks().enumerate() {
-            let (block, input) = (&self.blocks[index], &self.inputs[index]);
-            for (lane, at) in chunk.iter().enumerate() {
-                let pair = &mut narrow_phase.contacts[at.pair];
-                let manifold = &mut pair.manifolds[at.manifold as usize];
-                store_lane(block, input, lane, manifold);
-                if let Some(coulomb) = self.coulomb.get(index) {
-                    for (k, point) in manifold.data.points.iter_mut().enumerate() {
-                        let impulse = coulomb.impulse(k, lane);
-                        let sound = impulse.iter().all(|value| value.is_finite());
-                        point.warmstart_tangent_impulse = if sound { impulse } else { [0.0; _] };
-                    }
+    pub fn store(&self, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
+        let pairs = DisjointMut::new(narrow_phase.contacts.split().entries);
+        for_each_color(self.layout.colors(), tasks, |range| {
+            for index in range {
+                for (lane, at) in self.layout.block(index).iter().enumerate() {
+                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
+                    let entry = unsafe { pairs.get_mut(at.pair as usize) };
+                    let Some(pair) = PairStore::pair_mut(entry) else { continue };
+                    self.store_lane(index, lane, &mut pair.manifolds[at.manifold as usize]);
                 }
             }
+        });
+    }
+
+    fn store_lane(&self, index: usize, lane: usize, manifold: &mut ContactManifold) {
+        store_lane(&self.blocks[index], &self.inputs[index], lane, manifold);
+        let Some(coulomb) = self.coulomb.get(index) else { return };
+        for (k, point) in manifold.data.points.iter_mut().enumerate() {
+            let impulse = coulomb.impulse(k, lane);
+            let sound = impulse.iter().all(|value| value.is_finite());
+            point.warmstart_tangent_impulse = if sound { impulse } else { [0.0; _] };
         }
     }
 }

@@ -84,7 +84,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
     constraints.multibodies.claim(trees, bodies);
-    states.load(groups, bodies, &constraints.multibodies, gravity, params);
+    states.load(groups, bodies, &constraints.multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
     (counters.nconstraints, counters.ncontacts) = (0, 0);
     for group in groups.iter() {
@@ -95,7 +95,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
         joints.load((islands, set), bodies, states, multibodies, &pass, tasks);
-        contacts.load(&islands.graph, narrow_phase, states, multibodies);
+        contacts.load(&islands.graph, narrow_phase, states, multibodies, tasks);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
@@ -105,7 +105,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
-        contacts.store(narrow_phase);
+        contacts.store(narrow_phase, tasks);
         joints.store(states, simd, (islands, set), params.inv_dt(), broken);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         multibodies.store(trees, islands, bodies);
@@ -114,7 +114,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
-    states.store(groups, islands, bodies, &constraints.multibodies, params);
+    states.store(groups, islands, bodies, &constraints.multibodies, params, tasks);
     counters.velocity_writeback_time.pause();
 }
 
@@ -152,7 +152,7 @@ fn solve_group(
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
         contacts.note_velocities(if substep == 0 { &states.before } else { &states.states });
-        states.integrate_velocities(h, params, substep == 0);
+        states.integrate_velocities(h, params, substep == 0, tasks);
         if substep > 0 {
             multibodies.follow_loops(world, states);
         }
@@ -167,7 +167,7 @@ fn solve_group(
             contacts.solve(states, &pass, simd, tasks);
             multibodies.solve(states, &pass, params);
         }
-        states.integrate_positions(h);
+        states.integrate_positions(h, tasks);
         multibodies.integrate_positions(h, tasks);
         for _ in 0..params.num_additional_friction_iterations {
             joints.relax(states, &early_joint_pass, simd, tasks);

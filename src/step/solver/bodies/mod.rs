@@ -1,0 +1,196 @@
+//! Awake bodies as the solver sees them: dense, and group after group.
+
+mod load;
+mod motion;
+mod store;
+
+use super::groups::{Group, Groups};
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::dim::math::{Real, ang_length_squared};
+use crate::dim::spatial::join;
+use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
+use crate::model::contact::Placement;
+use crate::model::island::NONE;
+use crate::model::params::IntegrationParameters;
+use core::ops::Range;
+use load::Places;
+use motion::Motion;
+
+/// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th in the order of the groups.
+#[derive(Default)]
+pub(super) struct SolverBodies {
+    pub poses: Vec<BodyPose>,
+    pub states: Vec<BodyState>,
+    /// Velocities before any impulse of the current substep.
+    pub before: Vec<BodyState>,
+    motions: Vec<Motion>,
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body. The
+    /// world's for bodies that are not awake.
+    indices: Vec<u32>,
+    /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
+    listed: Vec<u32>,
+    /// By index: with what share of its last impulses a substep begins.
+    shares: Vec<Real>,
+    /// By index: the island, or [`NONE`].
+    pub islands: Vec<u32>,
+    /// The indices of those that move: the spectators, and the members of the group that is solved.
+    moving: [Range<usize>; 2],
+}
+
+const WORLD: u32 = BodyPose::WORLD_INDEX;
+
+/// Bodies that are worth handing over to another thread together.
+const BODIES_PER_TASK: usize = 64;
+/// How many turns before it is needed a body's record is asked for: they are spread over memory.
+const TURNS_AHEAD: usize = 3;
+
+impl SolverBodies {
+    /// From now on this group is solved; the others stand still.
+    pub fn enter(&mut self, group: &Group, groups: &Groups) {
+        let spectators = 1..1 + groups.spectators();
+        for index in spectators.clone() {
+            let (v, w) = self.states[index].velocity();
+            self.states[index] = BodyState::new(v, w);
+        }
+        self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
+    }
+
+    /// Does the group that is solved have all bodies?
+    pub fn are_one_group(&self) -> bool {
+        self.moving[1] == (1..self.states.len())
+    }
+
+    /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
+    pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
+        let [_, members] = &self.moving;
+        slots.into_iter().any(|slot| {
+            let index = self.index_of(slot);
+            index & READ_ONLY == 0 && members.contains(&(index as usize))
+        })
+    }
+
+    /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
+    /// impulses of a force are. If they have become longer it stays 1: the springs of soft contacts are then
+    /// pressed too far for shorter substeps, push out with more than the weight that they carry, and that must not
+    /// be multiplied.
+    pub fn share(&self, indices: [u32; 2]) -> Real {
+        let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
+        moved.map_or(1.0, |index| self.shares[index as usize])
+    }
+
+    /// The island of two bodies that touch.
+    pub fn island_of(&self, indices: [u32; 2]) -> u32 {
+        let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
+        moved.map_or(NONE, |index| self.islands[index as usize])
+    }
+
+    /// No island of a body has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let ids = self.islands.iter().filter(|&&island| island != NONE);
+        ids.max().map_or(0, |&island| island as usize + 1)
+    }
+
+    /// The solver's index of the body in a slot ([`NONE`]: no body).
+    pub fn index_of(&self, slot: u32) -> u32 {
+        if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
+    }
+
+    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
+    /// it.
+    pub fn inv_mass_of(&self, index: u32) -> Real {
+        self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
+    }
+
+    /// Is this a body of a pile that creeps, or what a pile stands on ([`Placement`])?
+    pub fn creeps(&self, index: u32) -> bool {
+        let at = (index & !READ_ONLY) as usize;
+        let (_, angvel) = self.states[at].velocity();
+        self.motions[at].bears_weight
+            && Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
+    }
+
+    /// The states, to be shared among constraints of one colour.
+    pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>, &[BodyState]) {
+        (&self.poses, DisjointMut::new(&mut self.states), &self.before)
+    }
+
+    /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
+    ///
+    /// At the `first` substep the states hold the impulses of the last step already, which must not be
+    /// damped with the velocity.
+    pub fn integrate_velocities(
+        &mut self,
+        h: Real,
+        params: &IntegrationParameters,
+        first: bool,
+        tasks: Tasks<'_>,
+    ) {
+        let warmth = params.warmstart_coefficient;
+        let speed_max = params.max_linear_velocity();
+        self.for_each_moving(tasks, |state, before, motion| {
+            let (old_v, old_w) = before.velocity();
+            let (v, w) = state.velocity();
+            let (impulse_v, impulse_w) = ((v - old_v) * warmth, (w - old_w) * warmth);
+            let (v, w) = if first { (old_v, old_w) } else { (v, w) };
+            let (v, w) = motion.accelerated(v, w, h, speed_max);
+            before.set_velocity(v, w);
+            state.set_velocity(v + impulse_v, w + impulse_w);
+        });
+    }
+
+    /// Takes over what an impact did to the velocities since the `start`, or as much of it as `share` says for an
+    /// island: as if it had happened at the mean time of the blows that a body got, and was no impulse. `delays` are
+    /// the sum of these and of each times its time, in place of two components of a velocity.
+    pub fn accept_impact(
+        &mut self,
+        start: &[BodyState],
+        delays: &[BodyState],
+        share: impl Fn(u32) -> Real,
+    ) {
+        for index in self.moving.clone().into_iter().flatten() {
+            let ((old_v, old_w), (v, w)) = (start[index].velocity(), self.states[index].velocity());
+            if (v, w) == (old_v, old_w) {
+                continue;
+            }
+            let share = share(self.islands[index]);
+            let (added_v, added_w) = ((v - old_v) * share, (w - old_w) * share);
+            self.states[index].set_velocity(old_v + added_v, old_w + added_w);
+            let before = &mut self.before[index];
+            before.add_velocity(join(added_v, added_w));
+            let (blows, _) = delays[index].velocity();
+            if blows.x > 0.0 {
+                let delay = -blows.y / blows.x;
+                self.states[index].add_displacement(join(added_v * delay, added_w * delay));
+                self.motions[index].turn(added_w * delay);
+            }
+        }
+    }
+
+    /// Moves all bodies by their velocities.
+    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks<'_>) {
+        self.for_each_moving(tasks, |state, before, motion| {
+            state.advance(h);
+            motion.tumble(state, before, h);
+        });
+    }
+
+    fn for_each_moving(
+        &mut self,
+        tasks: Tasks<'_>,
+        work: impl Fn(&mut BodyState, &mut BodyState, &mut Motion) + Sync,
+    ) {
+        let all = self.moving.clone();
+        let Places { states, before, motions, .. } = self.places();
+        for members in all {
+            tasks.par_for(members.len(), BODIES_PER_TASK, |range| {
+                for index in members.start + range.start..members.start + range.end {
+                    // SAFETY: groups have places, and each index belongs to one task.
+                    unsafe {
+                        work(states.get_mut(index), before.get_mut(index), motions.get_mut(index));
+                    }
+                }
+            });
+        }
+    }
+}
