@@ -7,6 +7,7 @@
 
 use super::wide::prefetch;
 use core::cell::UnsafeCell;
+use core::ops::Range;
 
 /// A mutable slice whose elements can be borrowed one by one, by several threads.
 pub struct DisjointMut<'a, T> {
@@ -79,6 +80,20 @@ impl<'a, T> DisjointMut<'a, T> {
     pub unsafe fn get_mut(&self, index: usize) -> &'a mut T {
         // SAFETY: the caller promises the range, and that there is no other reference to the element.
         unsafe { &mut *self.cell(index).get() }
+    }
+
+    /// Some elements, for writing. The range is checked in debug builds only.
+    ///
+    /// # Safety
+    /// The range must be one of this slice, and nobody else may have a reference to one of its elements while this
+    /// one lives.
+    #[inline(always)]
+    pub unsafe fn range_mut(&self, range: Range<usize>) -> &'a mut [T] {
+        debug_assert!(range.start <= range.end && range.end <= self.len(), "{range:?}");
+        let first = self.elements.as_ptr().wrapping_add(range.start);
+        // SAFETY: the caller promises the range, and that its elements are his alone; cells have the layout of what
+        // is in them.
+        unsafe { core::slice::from_raw_parts_mut(UnsafeCell::raw_get(first), range.len()) }
     }
 }
 

@@ -16,6 +16,11 @@ impl<T: Default> Pool<T> {
         idle.pop().unwrap_or_default()
     }
 
+    /// Visits the idle things.
+    pub fn for_each(&mut self, visit: impl FnMut(&mut T)) {
+        self.idle.get_mut().unwrap_or_else(PoisonError::into_inner).iter_mut().for_each(visit);
+    }
+
     /// Gives a thing back.
     pub fn put(&self, thing: T) {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(thing);

@@ -53,10 +53,12 @@ pub(crate) struct StepParts<'a> {
 #[derive(Default)]
 pub(crate) struct StepScratch {
     notes: StepNotes,
+    broad_phase: broad_phase::BroadPhaseScratch,
     pairs: Vec<(ColliderHandle, ColliderHandle)>,
     narrow_phase: NarrowPhaseScratch,
     simd: Simd,
     solver: SolverScratch,
+    advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
 }
 
@@ -139,12 +141,13 @@ fn take_in_user_changes(
 }
 
 fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
-    let StepScratch { notes, pairs, narrow_phase, simd, .. } = scratch;
+    let StepScratch { notes, broad_phase, pairs, narrow_phase, simd, .. } = scratch;
     parts.counters.stages.collision_detection_time.resume();
     parts.counters.cd.broad_phase_time.resume();
     let known = &*parts.narrow_phase;
     let is_known = |slot1, slot2| known.knows(slot1, slot2);
-    broad_phase::find_pairs(parts.broad_phase, parts.colliders, is_known, pairs);
+    let (tree, colliders) = (&mut *parts.broad_phase, parts.colliders as &ColliderSet);
+    broad_phase::find_pairs(tasks, tree, colliders, is_known, broad_phase, pairs);
     let (mut structure, _) = parts.structure();
     for &(collider1, collider2) in pairs.iter() {
         structure.add_pair(collider1, collider2);
@@ -195,7 +198,9 @@ fn move_bodies(
     parts.counters.stages.solver_time.pause();
 
     parts.counters.stages.update_time.resume();
-    advance::advance(parts.bodies, parts.colliders, parts.islands, parts.broad_phase, parts.params);
+    let StepParts { bodies, colliders, islands, broad_phase, params, .. } = parts;
+    let scratch = &mut scratch.advance;
+    advance::advance(tasks, bodies, colliders, islands, broad_phase, params, scratch);
     parts.counters.stages.update_time.pause();
 }
 

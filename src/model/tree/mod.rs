@@ -13,13 +13,13 @@ mod shape_box;
 mod tests;
 
 pub(crate) use enlarge::BoxMargin;
+pub(crate) use placement::stays;
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 
 use crate::base::bvh::{BoxProbe, BoxTree};
-use crate::dim::math::{Real, Vector};
 use crate::model::collider::ColliderHandle;
-use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
 const REBUILD_MIN: usize = 64;
@@ -68,14 +68,13 @@ impl BroadPhaseBvh {
             return self.remove(slot, proxy);
         };
         proxy.is_refused = false;
-        if proxy.tree == Some(kind) && proxy.fat_aabb.contains(&needed) {
-            proxy.clearance = clearance(&needed, &proxy.fat_aabb);
+        if proxy.keeps(kind, &needed) {
             return false;
         }
         // A stale entry may stand at the slot if its former tenant was removed: look in the other tree, too.
         self.tree_mut(kind.other()).boxes.remove(slot);
         proxy.fat_aabb = margin.enlarged(&needed, kind);
-        proxy.clearance = clearance(&needed, &proxy.fat_aabb);
+        proxy.clearance = proxy::clearance(&needed, &proxy.fat_aabb);
         proxy.tree = Some(kind);
         self.tree_mut(kind).insert(proxy.fat_aabb, slot);
         self.mark_moved(slot);
@@ -182,10 +181,4 @@ impl Tree {
             self.built = count;
         }
     }
-}
-
-/// How far a box may grow on all sides before it leaves another that contains it.
-fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
-    let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
-    gaps.min_element().max(0.0)
 }

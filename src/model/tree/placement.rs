@@ -19,19 +19,45 @@ impl BroadPhaseBvh {
         if !collider.is_enabled() {
             return self.remove(handle.into_raw_parts().0, &mut collider.proxy);
         }
-        let movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
-        let kind = if movable { TreeKind::Movable } else { TreeKind::Fixed };
+        let kind = kind_of(body);
         if kind == TreeKind::Fixed {
             let types = collider.active_collision_types();
             self.fixed_meet |= types.intersects(ActiveCollisionTypes::FIXED_FIXED);
         }
-        let soft_ccd = body.map_or(0.0, |body| body.soft_ccd_prediction);
-        let margin = BoxMargin {
-            reach: reach(params, collider.contact_skin, soft_ccd),
-            travel: body.map_or(Vector::ZERO, |body| body.linvel * params.dt),
-        };
+        let margin = margin_of(collider, body, params);
         let tight = shape_box(collider.shape(), &collider.pose);
         self.place(handle, &mut collider.proxy, kind, &tight, &margin)
+    }
+}
+
+/// Is a collider where the trees have it, wherever it was carried? If not, it must follow.
+pub(crate) fn stays(
+    collider: &mut Collider,
+    body: Option<&RigidBody>,
+    params: &IntegrationParameters,
+) -> bool {
+    if !collider.is_enabled() {
+        return collider.proxy.tree.is_none();
+    }
+    let tight = shape_box(collider.shape(), &collider.pose);
+    let needed = margin_of(collider, body, params).needed(&tight);
+    needed.is_some_and(|needed| collider.proxy.keeps(kind_of(body), &needed))
+}
+
+fn kind_of(body: Option<&RigidBody>) -> TreeKind {
+    let is_movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
+    if is_movable { TreeKind::Movable } else { TreeKind::Fixed }
+}
+
+fn margin_of(
+    collider: &Collider,
+    body: Option<&RigidBody>,
+    params: &IntegrationParameters,
+) -> BoxMargin {
+    let soft_ccd = body.map_or(0.0, |body| body.soft_ccd_prediction);
+    BoxMargin {
+        reach: reach(params, collider.contact_skin, soft_ccd),
+        travel: body.map_or(Vector::ZERO, |body| body.linvel * params.dt),
     }
 }
 

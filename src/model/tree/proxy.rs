@@ -1,7 +1,7 @@
 //! What a collider knows of its place in the trees.
 
-use crate::dim::math::Real;
-use parry::bounding_volume::Aabb;
+use crate::dim::math::{Real, Vector};
+use parry::bounding_volume::{Aabb, BoundingVolume};
 
 /// Which tree a collider stands in.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -43,4 +43,22 @@ impl Default for ColliderProxy {
     fn default() -> Self {
         Self { fat_aabb: Aabb::new_invalid(), tree: None, clearance: 0.0, is_refused: false }
     }
+}
+
+impl ColliderProxy {
+    /// Is this still the place of a collider of this kind that needs this box? Then it knows how far from its walls it
+    /// is.
+    pub fn keeps(&mut self, kind: TreeKind, needed: &Aabb) -> bool {
+        let keeps = self.tree == Some(kind) && self.fat_aabb.contains(needed);
+        if keeps {
+            self.clearance = clearance(needed, &self.fat_aabb);
+        }
+        keeps
+    }
+}
+
+/// How far a box may grow on all sides before it leaves another that contains it.
+pub(super) fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
+    let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
+    gaps.min_element().max(0.0)
 }

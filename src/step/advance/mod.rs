@@ -2,47 +2,94 @@
 //!
 //! Reads:   poses of awake bodies, bounds of how far they moved
 //! Writes:  poses and boxes of their colliders, sleep timers
-//! Runs:    serial, in the order of the awake list
+//! Runs:    parallel over awake bodies; what leaves its box is put into the trees in their order
 //! Never:   changes a velocity or the structure
 
+use crate::base::arena::SharedArena;
+use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RigidBody, RigidBodySet};
-use crate::model::collider::ColliderSet;
+use crate::model::collider::{Collider, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::BroadPhaseBvh;
+use crate::model::tree::{self, BroadPhaseBvh};
+
+/// Bodies that are worth handing over to another thread together.
+const BODIES_PER_TASK: usize = 64;
+/// How many turns before it is needed a body's record is asked for: they are spread over memory.
+const TURNS_AHEAD: usize = 3;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(crate) struct AdvanceScratch {
+    /// By awake body: has one of its colliders left its box?
+    leavers: Vec<bool>,
+}
 
 /// Lets colliders, boxes and sleep timers follow the awake bodies.
 pub(crate) fn advance(
+    tasks: Tasks<'_>,
     bodies: &mut RigidBodySet,
     colliders: &mut ColliderSet,
     islands: &IslandManager,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
+    AdvanceScratch { leavers }: &mut AdvanceScratch,
 ) {
-    for &handle in &islands.awake {
-        let motion = islands.motion_of(handle.into_raw_parts().0);
-        let Some(body) = bodies.get_unnoted_mut(handle) else { continue };
-        update_sleep_timer(body, params);
-        if motion > 0.0 {
-            carry_colliders(body, motion, colliders, tree, params);
+    let awake = islands.awake.as_slice();
+    leavers.resize(awake.len(), false);
+    let (all_bodies, all_colliders) = (bodies.share(), colliders.share());
+    tasks.par_fill(leavers, BODIES_PER_TASK, |position| {
+        if let Some(later) = awake.get(position + TURNS_AHEAD) {
+            all_bodies.prefetch(later.into_raw_parts().0);
         }
+        let handle = awake[position];
+        // SAFETY: the list names each body once.
+        let Some(body) = (unsafe { all_bodies.get_mut(handle.0) }) else { return false };
+        update_sleep_timer(body, params);
+        let motion = islands.motion_of(handle.into_raw_parts().0);
+        // SAFETY: each collider has one body.
+        motion > 0.0 && unsafe { carry_colliders(body, motion, &all_colliders, params) }
+    });
+    let left = awake.iter().zip(leavers).filter(|(_, leaves)| **leaves);
+    for body in left.filter_map(|(&handle, _)| bodies.get(handle)) {
+        follow(body, colliders, tree, params);
     }
 }
 
-fn carry_colliders(
+/// Puts a body's colliders where they are now. Returns whether one of them has left its box.
+///
+/// # Safety
+/// Nobody else may use the colliders of the body meanwhile.
+unsafe fn carry_colliders(
     body: &RigidBody,
     motion: Real,
+    colliders: &SharedArena<'_, Collider>,
+    params: &IntegrationParameters,
+) -> bool {
+    let mut leaves = false;
+    for handle in &body.colliders {
+        // SAFETY: the caller's promise.
+        let Some(collider) = (unsafe { colliders.get_mut(handle.0) }) else { continue };
+        let Some(parent) = collider.parent else { continue };
+        collider.pose = body.pose * parent.pos_wrt_parent;
+        collider.proxy.clearance -= motion;
+        leaves |= collider.proxy.clearance < 0.0 && !tree::stays(collider, Some(body), params);
+    }
+    leaves
+}
+
+/// Gives new boxes to those of a body's colliders that have left theirs.
+fn follow(
+    body: &RigidBody,
     colliders: &mut ColliderSet,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {
     for &handle in &body.colliders {
         let Some(collider) = colliders.get_unnoted_mut(handle) else { continue };
-        let Some(parent) = collider.parent else { continue };
-        collider.pose = body.pose * parent.pos_wrt_parent;
-        collider.proxy.clearance -= motion;
-        if collider.proxy.clearance < 0.0 && tree.follow(handle, collider, Some(body), params) {
+        let leaves = collider.parent.is_some() && collider.proxy.clearance < 0.0;
+        if leaves && tree.follow(handle, collider, Some(body), params) {
             colliders.note_box(handle);
         }
     }

@@ -2,14 +2,26 @@
 //!
 //! Reads:   enlarged boxes, collider flags, the pairs already known
 //! Writes:  the list of new pairs; the trees' notes of who moved
-//! Runs:    serial; the list is sorted by slots
+//! Runs:    parallel over colliders that moved; the list is sorted by slots
 //! Never:   touches a collider that stayed in its enlarged box
 
 #[cfg(test)]
 mod tests;
 
+use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
+
+/// Colliders that are worth handing over to another thread together.
+const COLLIDERS_PER_TASK: usize = 16;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(crate) struct BroadPhaseScratch {
+    /// One for each task that runs at the same time.
+    found: Pool<Vec<(ColliderHandle, ColliderHandle)>>,
+}
 
 /// Finds the pairs of colliders that began to overlap with their enlarged boxes.
 ///
@@ -18,19 +30,27 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 /// are those that cannot interact: of the same body, of groups or kinds of bodies that do not meet.
 /// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
 pub(crate) fn find_pairs(
+    tasks: Tasks<'_>,
     tree: &mut BroadPhaseBvh,
     colliders: &ColliderSet,
-    is_known: impl Fn(u32, u32) -> bool,
+    is_known: impl Fn(u32, u32) -> bool + Sync,
+    BroadPhaseScratch { found }: &mut BroadPhaseScratch,
     out: &mut Vec<(ColliderHandle, ColliderHandle)>,
 ) {
     out.clear();
     tree.tidy();
-    for &slot in tree.moved() {
-        // The collider may be gone since it moved, or disabled.
-        if let Some((handle, collider)) = colliders.at_slot(slot) {
-            find_neighbours(tree, colliders, (handle, collider), &is_known, out);
+    let (trees, moved) = (&*tree, tree.moved());
+    tasks.par_for(moved.len(), COLLIDERS_PER_TASK, |range| {
+        let mut pairs = found.take();
+        for &slot in &moved[range] {
+            // The collider may be gone since it moved, or disabled.
+            if let Some((handle, collider)) = colliders.at_slot(slot) {
+                find_neighbours(trees, colliders, (handle, collider), &is_known, &mut pairs);
+            }
         }
-    }
+        found.put(pairs);
+    });
+    found.for_each(|pairs| out.append(pairs));
     out.sort_unstable();
     tree.clear_moved();
 }

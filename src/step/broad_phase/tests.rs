@@ -1,7 +1,8 @@
 //! Tests of pair finding.
 
-use super::{find_pairs, may_interact};
+use super::{BroadPhaseScratch, find_pairs, may_interact};
 use crate::base::random::Random;
+use crate::base::tasks::Tasks;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Vector};
 use crate::model::body::{RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType};
@@ -52,7 +53,11 @@ impl Boxes {
     fn find(&mut self) -> Vec<Pair> {
         let mut found = Vec::new();
         let known = &self.known;
-        find_pairs(&mut self.tree, &self.colliders, |a, b| known.contains(&(a, b)), &mut found);
+        let is_known = |a, b| known.contains(&(a, b));
+        let scratch = &mut BroadPhaseScratch::default();
+        Tasks::open(|tasks| {
+            find_pairs(tasks, &mut self.tree, &self.colliders, is_known, scratch, &mut found);
+        });
         self.known.extend(found.iter().map(|&(a, b)| (a.into_raw_parts().0, b.into_raw_parts().0)));
         found
     }

@@ -61,6 +61,11 @@ impl<T> Layout<T> {
         if index < self.block_count() { self.block(index) } else { &[] }
     }
 
+    /// All constraints in the order of the blocks.
+    pub fn iter(&self) -> core::slice::Iter<'_, T> {
+        self.members.iter()
+    }
+
     /// The constraints of each block.
     pub fn blocks(&self) -> impl Iterator<Item = &[T]> {
         (0..self.block_count()).map(|index| self.block(index))

@@ -41,7 +41,7 @@ use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
 use impacts::Around;
-use joints::SolverJoints;
+use joints::{SolverJoints, Sources};
 use multibodies::{SolverMultibodies, Surroundings};
 
 /// Buffers that are reused from step to step.
@@ -94,7 +94,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        joints.load((islands, set), bodies, states, multibodies, &pass, tasks);
+        let from = Sources { islands, world: bodies, bodies: states, multibodies };
+        joints.load(set, from, &pass, tasks);
         contacts.load(&islands.graph, narrow_phase, states, multibodies, tasks);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
@@ -106,7 +107,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
         contacts.store(narrow_phase, tasks);
-        joints.store(states, simd, (islands, set), params.inv_dt(), broken);
+        joints.store(states, (islands, set), params.inv_dt(), broken, (simd, tasks));
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         multibodies.store(trees, islands, bodies);
         counters.velocity_writeback_time.pause();

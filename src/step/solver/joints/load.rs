@@ -1,23 +1,190 @@
-//! From joints to constraints: once per step.
+//! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
+use super::direct::{InverseMass, Member, RowMemory};
+use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
 use crate::base::wide::Lane;
 use crate::dim::joint::{FreeRotations, angle_about, couple_of};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{ANG_DIM, AngularInertia, DIM, Pose, Real, Rotation, Vector, zero_inertia};
 use crate::dim::state::READ_ONLY;
-use crate::dim::wide::{set_ang_lane, set_symmetric_lane};
+use crate::dim::wide::{set_ang_lane, set_symmetric_lane, symmetric_lane};
 use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::island::IslandManager;
 use crate::model::joint::{
-    GenericJoint, ImpulseJoint, JointLimits, MotorModel, mask_of, relative_rotation,
+    GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of,
+    relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::multibodies::SolverMultibodies;
 
 /// The least yield of joints that are solved in sweeps. A sweep leaves errors, and a chain that does not yield
 /// to them is pumped by its own corrections: see
 /// [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
 const SWEPT_YIELD: Real = 1.0 / 8.0;
+
+/// Joints that are worth being looked at by another thread.
+const JOINTS_PER_TASK: usize = 64;
+/// How many turns before it is needed a joint's record is asked for: they are spread over memory.
+const TURNS_AHEAD: usize = 4;
+
+/// What joints are loaded from.
+#[derive(Copy, Clone)]
+pub(in crate::step::solver) struct Sources<'a> {
+    pub islands: &'a IslandManager,
+    pub world: &'a RigidBodySet,
+    pub bodies: &'a SolverBodies,
+    pub multibodies: &'a SolverMultibodies,
+}
+
+impl SolverJoints {
+    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
+    pub fn load(
+        &mut self,
+        joints: &mut ImpulseJointSet,
+        from: Sources<'_>,
+        pass: &JointPass,
+        tasks: Tasks<'_>,
+    ) {
+        self.find_members(joints, from, tasks);
+        self.direct.build(&self.members, from.bodies.states.len());
+        self.give_seats();
+        self.fill_blocks(joints, from, pass, tasks);
+        self.note_exact_joints(from.bodies.states.len());
+        self.pins.load(joints, from, tasks);
+    }
+
+    /// Finds out which joints take part.
+    fn find_members(&mut self, joints: &ImpulseJointSet, from: Sources<'_>, tasks: Tasks<'_>) {
+        self.slots.clear();
+        self.colors.clear();
+        for (color, list) in from.islands.joint_graph.in_solving_order() {
+            self.slots.extend_from_slice(list);
+            self.colors.push((color, list.len()));
+        }
+        let slots = &self.slots;
+        self.members.resize(slots.len(), Member::NOBODY);
+        tasks.par_fill(&mut self.members, JOINTS_PER_TASK, |index| {
+            if let Some(&later) = slots.get(index + TURNS_AHEAD) {
+                joints.prefetch(later);
+            }
+            from.member(slots[index], joints).unwrap_or(Member::NOBODY)
+        });
+        let mut rest = self.members.as_slice();
+        for (_, count) in &mut self.colors {
+            let (members, others) = rest.split_at(*count);
+            *count = members.iter().filter(|member| member.is_somebody()).count();
+            rest = others;
+        }
+        self.members.retain(Member::is_somebody);
+    }
+
+    /// Decides how each joint is solved, and where.
+    fn give_seats(&mut self) {
+        self.layout.clear();
+        self.pins.clear();
+        let mut rest = self.members.as_slice();
+        for &(color, count) in &self.colors {
+            let (members, others) = rest.split_at(count);
+            let is_pin = |member: &&Member| member.is_pin && !self.direct.contains(member.slot);
+            let slots = |member: &Member| member.slot;
+            let seat = |member: &Member| Seat { slot: member.slot, driven: member.driven };
+            self.pins.add(color, members.iter().filter(is_pin).map(slots));
+            self.layout.add(color, members.iter().filter(|member| !is_pin(member)).map(seat));
+            rest = others;
+        }
+    }
+
+    /// Makes blocks of the joints that are no pins, and their rows.
+    fn fill_blocks(
+        &mut self,
+        joints: &mut ImpulseJointSet,
+        from: Sources<'_>,
+        pass: &JointPass,
+        tasks: Tasks<'_>,
+    ) {
+        self.first_rows.clear();
+        let mut row_count = 0;
+        for seats in self.layout.blocks() {
+            self.first_rows.push(row_count);
+            row_count += seats.iter().map(|seat| usize::from(seat.driven)).max().unwrap_or(0);
+        }
+        self.first_rows.push(row_count);
+        self.rows.resize(row_count, AxisRow::EMPTY);
+        self.blocks.resize(self.layout.block_count(), JointBlock::EMPTY);
+        let (layout, direct, first_rows) = (&self.layout, &self.direct, &self.first_rows);
+        let (blocks, rows) = (DisjointMut::new(&mut self.blocks), DisjointMut::new(&mut self.rows));
+        let joints = joints.share();
+        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
+            for index in range {
+                let place = first_rows[index]..first_rows[index + 1];
+                // SAFETY: each block belongs to one task, and so do its rows.
+                let (block, rows) =
+                    unsafe { (blocks.get_mut(index), rows.range_mut(place.clone())) };
+                *block = JointBlock::EMPTY;
+                (block.first_row, block.row_count) = (place.start, place.len());
+                rows.fill(AxisRow::EMPTY);
+                for (lane, seat) in layout.block(index).iter().enumerate() {
+                    let Some(link) = from.islands.joints.get(seat.slot) else { continue };
+                    // SAFETY: each joint has one seat.
+                    let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
+                    load_lane(block, rows, lane, &mut entry.joint, from, pass);
+                    if direct.contains(seat.slot) {
+                        block.solve_exactly(lane, pass.softness.yields());
+                    } else {
+                        block.has_swept = true;
+                    }
+                }
+            }
+        });
+    }
+
+    /// Tells those joints that are solved exactly where their rows are.
+    fn note_exact_joints(&mut self, body_count: usize) {
+        if self.direct.is_empty() {
+            return self.memory.clear();
+        }
+        self.memory.resize(self.blocks.len(), RowMemory::EMPTY);
+        self.tautness.clear(body_count);
+        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
+            for (lane, seat) in self.layout.block(index).iter().enumerate() {
+                let inv_inertia = [0, 1].map(|side| symmetric_lane(&block.inv_inertia[side], lane));
+                let inverse_masses = || {
+                    [0, 1].map(|side| {
+                        InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia[side])
+                    })
+                };
+                if !self.direct.place(seat.slot, [index, lane], inverse_masses) {
+                    continue;
+                }
+                for side in 0..2 {
+                    let body = block.bodies[side][lane];
+                    if body & READ_ONLY == 0 {
+                        self.tautness.note(body, &inv_inertia[side]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Sources<'_> {
+    /// The joint in a slot, if it takes part.
+    fn member(&self, slot: u32, joints: &ImpulseJointSet) -> Option<Member> {
+        let Self { bodies, multibodies, .. } = self;
+        let link = self.islands.joints.get(slot)?;
+        let slots = link.body_slots();
+        if !bodies.has_one_of(slots) || multibodies.claims(slots) {
+            return None;
+        }
+        let ends = slots.map(|slot| bodies.index_of(slot));
+        let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
+        Some(Member::new(slot, ends, inv_masses, &joints.get(link.handle)?.data))
+    }
+}
 
 /// One end of a joint: the body as the solver knows it, and the joint's frame there.
 struct End {
@@ -46,17 +213,16 @@ impl End {
 }
 
 /// Fills one lane of a block, and of its rows.
-pub(super) fn load_lane(
+fn load_lane(
     block: &mut JointBlock,
-    rows: &mut Vec<AxisRow>,
+    rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
-    set: &RigidBodySet,
-    bodies: &SolverBodies,
+    Sources { world, bodies, .. }: Sources<'_>,
     pass: &JointPass,
 ) {
     let (body1, body2) = (joint.body1(), joint.body2());
-    let (Some(first), Some(second)) = (set.get(body1), set.get(body2)) else { return };
+    let (Some(first), Some(second)) = (world.get(body1), world.get(body2)) else { return };
     let frames = [joint.data.local_frame1, joint.data.local_frame2];
     let ends = [
         End::new(first, body1.into_raw_parts().0, frames[0], bodies),
@@ -76,7 +242,7 @@ pub(super) fn load_lane(
     joint.scale_impulses(share);
     load_locked(block, lane, joint, pass);
     let between = relative_rotation(&ends[0].frame, &ends[1].frame);
-    load_rows(rows, block.first_row, lane, joint, &between, pass);
+    load_rows(rows, lane, joint, &between, pass);
 }
 
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {
@@ -102,21 +268,16 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     set_ang_lane(&mut block.couple, lane, couple_of(&joint.impulses));
 }
 
-/// Fills one lane of the rows that begin at `first`; adds rows if there are too few.
+/// Fills one lane of the rows.
 fn load_rows(
-    rows: &mut Vec<AxisRow>,
-    first: usize,
+    rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
     between: &Rotation,
     pass: &JointPass,
 ) {
     let mut angles = [0.0; ANG_DIM];
-    for (at, axis) in (first..).zip(joint.data.driven_axes()) {
-        if at == rows.len() {
-            rows.push(AxisRow::EMPTY);
-        }
-        let row = &mut rows[at];
+    for (row, axis) in rows.iter_mut().zip(joint.data.driven_axes()) {
         match (axis as usize).checked_sub(DIM) {
             None => load_translation(row, lane, &joint.data, axis),
             Some(k) => {

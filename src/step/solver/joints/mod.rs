@@ -64,21 +64,16 @@ mod taut;
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
 use super::layout::Layout;
-use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
-use crate::dim::state::{BodyState, READ_ONLY};
-use crate::dim::wide::symmetric_lane;
-use crate::model::body::RigidBodySet;
-use crate::model::event::JointBreakEvent;
-use crate::model::island::IslandManager;
-use crate::model::joint::ImpulseJointSet;
+use crate::dim::state::BodyState;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, InverseMass, Member, RowMemory};
+use direct::{Direct, Member, RowMemory};
+pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
 use taut::Tautness;
@@ -90,8 +85,8 @@ pub(super) struct SolverJoints {
     blocks: Vec<JointBlock>,
     /// The rows of free axes, those of one block together.
     rows: Vec<AxisRow>,
-    /// The joints of each block, by their slots in the islands' list.
-    layout: Layout<u32>,
+    /// The joints of each block.
+    layout: Layout<Seat>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
     memory: Vec<RowMemory>,
@@ -100,13 +95,24 @@ pub(super) struct SolverJoints {
     /// All joints in the order of their colours, and how many of them each colour has.
     members: Vec<Member>,
     colors: Vec<(u32, usize)>,
+    /// Slots of all joints that have a colour, in that order.
+    slots: Vec<u32>,
+    /// By block: where its rows begin; then where the last ones end.
+    first_rows: Vec<usize>,
     tautness: Tautness,
+}
+
+/// A joint in a block.
+#[derive(Copy, Clone, Debug)]
+struct Seat {
+    /// Its slot in the islands' list.
+    slot: u32,
+    /// How many rows of free axes it has.
+    driven: u8,
 }
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
-/// How many turns before it is needed a joint's record is asked for: they are spread over memory.
-const TURNS_AHEAD: usize = 4;
 /// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
 /// taut components, which are projected from afar, take four.
 const ROUNDS: usize = 2;
@@ -116,111 +122,6 @@ impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
         self.layout.len() + self.pins.len()
-    }
-
-    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
-    pub fn load(
-        &mut self,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
-        set: &RigidBodySet,
-        bodies: &SolverBodies,
-        multibodies: &SolverMultibodies,
-        pass: &JointPass,
-        tasks: Tasks<'_>,
-    ) {
-        self.sort_out(islands, joints, bodies, multibodies);
-        self.rows.clear();
-        self.blocks.clear();
-        self.tautness.clear(bodies.states.len());
-        let layout = core::mem::take(&mut self.layout);
-        for chunk in layout.blocks() {
-            self.add_block(chunk, islands, joints, set, bodies, pass);
-        }
-        self.layout = layout;
-        self.pins.load(islands, joints, set, bodies, tasks);
-        let rows = if self.direct.is_empty() { 0 } else { self.blocks.len() };
-        self.memory.resize(rows, RowMemory::EMPTY);
-    }
-
-    /// Finds out which joints take part, and how each is solved.
-    fn sort_out(
-        &mut self,
-        islands: &IslandManager,
-        joints: &ImpulseJointSet,
-        bodies: &SolverBodies,
-        multibodies: &SolverMultibodies,
-    ) {
-        self.members.clear();
-        self.colors.clear();
-        for (color, list) in islands.joint_graph.in_solving_order() {
-            let start = self.members.len();
-            for (turn, &slot) in list.iter().enumerate() {
-                if let Some(&later) = list.get(turn + TURNS_AHEAD) {
-                    joints.prefetch(later);
-                }
-                let Some(link) = islands.joints.get(slot) else { continue };
-                let slots = link.body_slots();
-                if bodies.has_one_of(slots) && !multibodies.claims(slots) {
-                    let ends = slots.map(|slot| bodies.index_of(slot));
-                    let joint = joints.get(link.handle);
-                    let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
-                    self.members.extend(
-                        joint.map(|joint| Member::new(slot, ends, inv_masses, &joint.data)),
-                    );
-                }
-            }
-            self.colors.push((color, self.members.len() - start));
-        }
-        self.direct.build(&self.members, bodies.states.len());
-        self.layout.clear();
-        self.pins.clear();
-        let mut rest = self.members.as_slice();
-        for &(color, count) in &self.colors {
-            let (members, others) = rest.split_at(count);
-            let is_pin = |member: &&Member| member.is_pin && !self.direct.contains(member.slot);
-            let slots = |member: &Member| member.slot;
-            self.pins.add(color, members.iter().filter(is_pin).map(slots));
-            self.layout.add(color, members.iter().filter(|member| !is_pin(member)).map(slots));
-            rest = others;
-        }
-    }
-
-    /// Makes a block of some joints.
-    fn add_block(
-        &mut self,
-        chunk: &[u32],
-        islands: &IslandManager,
-        joints: &mut ImpulseJointSet,
-        set: &RigidBodySet,
-        bodies: &SolverBodies,
-        pass: &JointPass,
-    ) {
-        let mut block = JointBlock::EMPTY;
-        block.first_row = self.rows.len();
-        for (lane, &slot) in chunk.iter().enumerate() {
-            let Some(link) = islands.joints.get(slot) else { continue };
-            let Some(joint) = joints.get_unnoted_mut(link.handle) else { continue };
-            load::load_lane(&mut block, &mut self.rows, lane, joint, set, bodies, pass);
-            let inv_inertia = [0, 1].map(|side| symmetric_lane(&block.inv_inertia[side], lane));
-            let inverse_masses = || {
-                [0, 1].map(|side| {
-                    InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia[side])
-                })
-            };
-            if self.direct.place(slot, [self.blocks.len(), lane], inverse_masses) {
-                block.solve_exactly(lane, pass.softness.yields());
-            } else {
-                block.has_swept = true;
-            }
-            for side in 0..2 {
-                let body = block.bodies[side][lane];
-                if body & READ_ONLY == 0 {
-                    self.tautness.note(body, &inv_inertia[side]);
-                }
-            }
-        }
-        block.row_count = self.rows.len() - block.first_row;
-        self.blocks.push(block);
     }
 
     /// Gives the bodies the impulses with which the step starts.
@@ -359,33 +260,6 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, is_last });
         });
-    }
-
-    /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
-    pub fn store(
-        &mut self,
-        bodies: &mut SolverBodies,
-        simd: Simd,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
-        inv_dt: Real,
-        broken: &mut Vec<JointBreakEvent>,
-    ) {
-        let (_, states, _) = bodies.shared();
-        self.pins.store(states, simd, (islands, joints), inv_dt, broken);
-        for (chunk, block) in self.layout.blocks().zip(&self.blocks) {
-            let rows = &self.rows[block.first_row..block.first_row + block.row_count];
-            for (lane, &slot) in chunk.iter().enumerate() {
-                let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
-                    continue;
-                };
-                let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
-                store::store_lane(block, rows, lane, joint, inv_dt);
-                if let Some(event) = store::break_if_overloaded(handle, joint) {
-                    broken.push(event);
-                    joints.note_broken(handle);
-                }
-            }
-        }
     }
 }
 

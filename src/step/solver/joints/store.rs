@@ -1,14 +1,72 @@
-//! From constraints back to joints.
+//! From constraints back to joints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock};
+use super::{BLOCKS_PER_TASK, SolverJoints};
+use crate::base::tasks::Tasks;
+use crate::base::wide::Simd;
 use crate::dim::joint::set_couple;
 use crate::dim::math::{DIM, Real, ang_length_squared};
 use crate::dim::wide::ang_lane;
 use crate::model::event::JointBreakEvent;
-use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled};
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
+use crate::step::solver::bodies::SolverBodies;
+use core::sync::atomic::{AtomicBool, Ordering};
+
+impl SolverJoints {
+    /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
+    pub fn store(
+        &mut self,
+        bodies: &mut SolverBodies,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        inv_dt: Real,
+        broken: &mut Vec<JointBreakEvent>,
+        (simd, tasks): (Simd, Tasks<'_>),
+    ) {
+        let (_, states, _) = bodies.shared();
+        let overload = AtomicBool::new(false);
+        self.pins.store(states, (islands, joints), inv_dt, &overload, (simd, tasks));
+        let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
+        let shared = joints.share();
+        tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {
+            for index in range {
+                let block = &blocks[index];
+                let rows = &all_rows[block.first_row..block.first_row + block.row_count];
+                for (lane, seat) in layout.block(index).iter().enumerate() {
+                    let Some(link) = islands.joints.get(seat.slot) else { continue };
+                    // SAFETY: each joint has one seat.
+                    let Some(entry) = (unsafe { shared.get_mut(link.handle.0) }) else { continue };
+                    store_lane(block, rows, lane, &mut entry.joint, inv_dt);
+                    if is_overloaded(&entry.joint) {
+                        overload.store(true, Ordering::Relaxed);
+                    }
+                }
+            }
+        });
+        if overload.into_inner() {
+            self.break_overloaded((islands, joints), broken);
+        }
+    }
+
+    /// Breaks joints in the order in which they were solved: which thread saw them first must not matter.
+    fn break_overloaded(
+        &self,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        broken: &mut Vec<JointBreakEvent>,
+    ) {
+        let slots = self.pins.slots().chain(self.layout.iter().map(|seat| seat.slot));
+        for handle in slots.filter_map(|slot| Some(islands.joints.get(slot)?.handle)) {
+            let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
+            if let Some(event) = break_if_overloaded(handle, joint) {
+                broken.push(event);
+                joints.note_broken(handle);
+            }
+        }
+    }
+}
 
 /// Writes one lane of a block, and of its rows, back to the joint.
-pub(super) fn store_lane(
+fn store_lane(
     block: &JointBlock,
     rows: &[AxisRow],
     lane: usize,
@@ -31,15 +89,25 @@ pub(super) fn store_lane(
     }
 }
 
+/// Did a joint bear more than it can?
+pub(super) fn is_overloaded(joint: &ImpulseJoint) -> bool {
+    let (force, torque) = load_of(joint);
+    !(force <= joint.data.break_force && torque <= joint.data.break_torque)
+}
+
+fn load_of(joint: &ImpulseJoint) -> (Real, Real) {
+    (joint.force.length(), ang_length_squared(joint.torque).sqrt())
+}
+
 /// Breaks a joint that bore more than it can, and says so.
 pub(in crate::step::solver) fn break_if_overloaded(
     handle: ImpulseJointHandle,
     joint: &mut ImpulseJoint,
 ) -> Option<JointBreakEvent> {
-    let (force, torque) = (joint.force.length(), ang_length_squared(joint.torque).sqrt());
-    if force <= joint.data.break_force && torque <= joint.data.break_torque {
+    if !is_overloaded(joint) {
         return None;
     }
+    let (force, torque) = load_of(joint);
     joint.data.enabled = JointEnabled::Disabled;
     let (body1, body2) = (joint.body1(), joint.body2());
     Some(JointBreakEvent { joint: handle, body1, body2, force, torque })

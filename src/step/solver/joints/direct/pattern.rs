@@ -31,6 +31,8 @@ pub(in super::super) struct Member {
     pub bodies: [u32; 2],
     /// The locked axes, one bit each.
     pub locked: u8,
+    /// How many free axes it limits or drives.
+    pub driven: u8,
     /// Of its bodies; none of those that cannot move.
     pub inv_masses: [Real; 2],
     /// Does it lock all translations, and nothing else happens on any axis?
@@ -38,14 +40,32 @@ pub(in super::super) struct Member {
 }
 
 impl Member {
+    /// No joint.
+    pub const NOBODY: Self = Self {
+        slot: NONE,
+        block: 0,
+        lane: 0,
+        bodies: [READ_ONLY; 2],
+        locked: 0,
+        driven: 0,
+        inv_masses: [0.0; 2],
+        is_pin: false,
+    };
+
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
     pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
         let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
             && joint.softness.is_none();
+        let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
         let locked = joint.locked_axes.bits();
-        Self { slot, block: 0, lane: 0, bodies, locked, inv_masses, is_pin }
+        Self { slot, block: 0, lane: 0, bodies, locked, driven, inv_masses, is_pin }
+    }
+
+    /// Is there a joint?
+    pub fn is_somebody(&self) -> bool {
+        self.slot != NONE
     }
 
     /// The bodies that can move, with their sides.
@@ -53,7 +73,7 @@ impl Member {
         self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
     }
 
-    /// Number of rows.
+    /// Number of rows of locked axes.
     pub fn row_count(&self) -> usize {
         self.locked.count_ones() as usize
     }

@@ -40,7 +40,7 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            Member { slot, block, lane, bodies, locked, inv_masses, is_pin: false }
+            Member { slot, block, lane, bodies, locked, driven: 0, inv_masses, is_pin: false }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);

@@ -17,23 +17,23 @@
 
 mod block;
 mod load;
+mod store;
 
-use super::super::bodies::SolverBodies;
 use super::super::contacts::for_each_color;
 use super::super::layout::Layout;
-use super::store::break_if_overloaded;
+use super::load::Sources;
+use super::store::is_overloaded;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, Simd, Wide};
-use crate::dim::math::{ANG_ZERO, DIM, Real};
+use crate::dim::math::Real;
 use crate::dim::state::BodyState;
-use crate::model::body::RigidBodySet;
-use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::JointPass;
 use block::{PinBlock, PinPass};
 use core::ops::Range;
+use core::sync::atomic::{AtomicBool, Ordering};
 
 /// All pins of a step.
 #[derive(Default)]
@@ -62,15 +62,14 @@ impl Pins {
         self.layout.add(color, slots);
     }
 
+    /// The slots of all joints.
+    pub fn slots(&self) -> impl Iterator<Item = u32> {
+        self.layout.iter().copied()
+    }
+
     /// Makes constraints of the joints that were added.
-    pub fn load(
-        &mut self,
-        islands: &IslandManager,
-        joints: &ImpulseJointSet,
-        set: &RigidBodySet,
-        bodies: &SolverBodies,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn load(&mut self, joints: &ImpulseJointSet, from: Sources<'_>, tasks: Tasks<'_>) {
+        let Sources { islands, world, bodies, .. } = from;
         let layout = &self.layout;
         self.blocks.resize(layout.block_count(), PinBlock::EMPTY);
         tasks.par_fill(&mut self.blocks, FILLED_PER_TASK, |index| {
@@ -78,13 +77,13 @@ impl Pins {
             for &slot in layout.block_or_none(index + 1) {
                 joints.prefetch(slot);
                 if let Some(link) = islands.joints.get(slot) {
-                    link.body_slots().into_iter().for_each(|body| set.prefetch(body));
+                    link.body_slots().into_iter().for_each(|body| world.prefetch(body));
                 }
             }
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
-                    load::load_lane(&mut block, lane, joint, set, bodies);
+                    load::load_lane(&mut block, lane, joint, world, bodies);
                 }
             }
             block
@@ -119,36 +118,34 @@ impl Pins {
         });
     }
 
-    /// Writes impulses and forces back to the joints, and breaks those that bear too much.
+    /// Writes impulses and forces back to the joints. `overload` tells whether one bears too much.
     pub fn store(
         &mut self,
         states: DisjointMut<'_, BodyState>,
-        simd: Simd,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         inv_dt: Real,
-        broken: &mut Vec<JointBreakEvent>,
+        overload: &AtomicBool,
+        (simd, tasks): (Simd, Tasks<'_>),
     ) {
-        let (range, blocks) = (0..self.blocks.len(), DisjointMut::new(&mut self.blocks));
-        simd.run(TurnBack { range, blocks, states });
-        for (index, (chunk, block)) in self.layout.blocks().zip(&self.blocks).enumerate() {
-            self.layout.block_or_none(index + 1).iter().for_each(|slot| joints.prefetch(*slot));
-            for (lane, &slot) in chunk.iter().enumerate() {
-                let Some(handle) = islands.joints.get(slot).map(|link| link.handle) else {
-                    continue;
-                };
-                let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
-                let impulse = block.impulse.lane(lane);
-                (0..DIM).for_each(|k| joint.impulses[k] = impulse[k]);
-                (joint.force, joint.torque) = (block.total.lane(lane) * inv_dt, ANG_ZERO);
-                if !(impulse.is_finite() && joint.force.is_finite()) {
-                    joint.forget_impulses();
-                }
-                if let Some(event) = break_if_overloaded(handle, joint) {
-                    broken.push(event);
-                    joints.note_broken(handle);
+        let (layout, blocks) = (&self.layout, DisjointMut::new(&mut self.blocks));
+        let joints = joints.share();
+        tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
+            simd.run(TurnBack { range: range.clone(), blocks, states });
+            for index in range {
+                layout.block_or_none(index + 1).iter().for_each(|slot| joints.prefetch(*slot));
+                // SAFETY: each block belongs to one task.
+                let block = unsafe { blocks.get(index) };
+                for (lane, &slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = islands.joints.get(slot) else { continue };
+                    // SAFETY: each joint has one lane.
+                    let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
+                    store::store_lane(block, lane, &mut entry.joint, inv_dt);
+                    if is_overloaded(&entry.joint) {
+                        overload.store(true, Ordering::Relaxed);
+                    }
                 }
             }
-        }
+        });
     }
 }
 
@@ -208,7 +205,7 @@ impl Kernel for TurnBack<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: this is the only task.
+            // SAFETY: each block belongs to one task, and nobody writes states.
             unsafe { block::turn_back::<W>(self.blocks.get_mut(index), &self.states) };
         }
     }
