@@ -16,8 +16,8 @@ use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationPa
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-/// Blocks that are worth handing over to another thread together (some ten microseconds).
-const BLOCKS_PER_TASK: usize = 32;
+/// Blocks that are worth handing over to another thread together (a microsecond or two).
+const BLOCKS_PER_TASK: usize = 8;
 /// Blocks that are worth being filled by another thread: their manifolds are spread over memory.
 const FILLED_PER_TASK: usize = 8;
 
