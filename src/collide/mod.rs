@@ -25,6 +25,7 @@ mod search;
 mod seams;
 mod sifting;
 mod support;
+mod sweep;
 #[cfg(test)]
 mod tests;
 mod voxels;
@@ -33,3 +34,4 @@ pub(crate) use manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, seams_among};
 pub(crate) use seams::SAME_NORMAL;
+pub(crate) use sweep::{Sweep, SweepGoal, first_impact, turned};

@@ -12,6 +12,7 @@ mod broad_phase;
 mod narrow_phase;
 mod islands;
 mod solver;
+mod continuous;
 mod advance;
 mod events;
 
@@ -58,6 +59,7 @@ pub(crate) struct StepScratch {
     narrow_phase: NarrowPhaseScratch,
     simd: Simd,
     solver: SolverScratch,
+    continuous: continuous::ContinuousScratch,
     advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
 }
@@ -192,16 +194,35 @@ fn move_bodies(
         joints,
         multibodies,
         islands: parts.islands,
+        fast: &mut scratch.notes.fast,
         broken: &mut scratch.notes.broken,
     };
     solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
+
+    parts.counters.stages.ccd_time.resume();
+    stop_fast_bodies(tasks, parts, scratch);
+    parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
     let StepParts { bodies, colliders, islands, broad_phase, params, .. } = parts;
     let scratch = &mut scratch.advance;
     advance::advance(tasks, bodies, colliders, islands, broad_phase, params, scratch);
     parts.counters.stages.update_time.pause();
+}
+
+fn stop_fast_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    let StepScratch { notes, continuous, .. } = scratch;
+    let around = continuous::Surroundings {
+        bodies: parts.bodies,
+        colliders: parts.colliders,
+        islands: parts.islands,
+        trees: parts.broad_phase,
+        params: parts.params,
+        hooks: parts.hooks,
+    };
+    continuous::find_impacts(tasks, around, &notes.fast, continuous);
+    continuous::stop(parts.bodies, &notes.fast, continuous, &mut parts.counters.ccd);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {

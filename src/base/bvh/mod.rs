@@ -59,6 +59,14 @@ impl BoxTree {
         self.len == 0
     }
 
+    /// Takes all boxes out.
+    pub fn clear(&mut self) {
+        self.nodes.clear();
+        self.free.clear();
+        self.places.clear();
+        (self.len, self.wear) = (0, 0);
+    }
+
     /// How many boxes came, or were put elsewhere, since the tree was built as a whole.
     pub fn wear(&self) -> usize {
         self.wear

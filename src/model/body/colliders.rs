@@ -66,7 +66,7 @@ impl RigidBody {
         let parts: SmallVec<[MassProperties; 4]> =
             attached.iter().map(|c| mass_in_body(c)).filter(|part| *part != no_mass()).collect();
         self.set_collider_mass(total_mass(&parts));
-        self.extent = 0.0;
+        (self.extent, self.thickness) = (0.0, Real::INFINITY);
         self.update_extent(attached.into_iter());
     }
 
@@ -78,14 +78,15 @@ impl RigidBody {
         self.update_mass();
     }
 
-    /// Lets the extent reach around these colliders, too.
+    /// Lets the extent reach around these colliders, too, and the thickness be no more than theirs.
     fn update_extent<'a>(&mut self, colliders: impl Iterator<Item = &'a Collider>) {
         let center = self.local_center_of_mass();
-        let reach = colliders.map(|collider| {
+        for collider in colliders {
             let place = collider.parent.as_ref().map_or(Pose::IDENTITY, |p| p.pos_wrt_parent);
-            collider.bounding_radius_about(place.inverse_transform_point(center))
-        });
-        // Half-spaces reach to infinity, but infinity times an angular velocity of zero is no number.
-        self.extent = reach.fold(self.extent, Real::max).min(Real::MAX);
+            let reach = collider.bounding_radius_about(place.inverse_transform_point(center));
+            // Half-spaces reach to infinity, but infinity times an angular velocity of zero is no number.
+            self.extent = self.extent.max(reach).min(Real::MAX);
+            self.thickness = self.thickness.min(collider.shape().ccd_thickness());
+        }
     }
 }

@@ -48,6 +48,8 @@ pub struct RigidBody {
     /// Largest distance from the centre of mass to any point of the colliders: bounds how far a turn
     /// can move a point of the surface.
     pub(crate) extent: Real,
+    /// How deep one can get into the thinnest of the colliders; infinite without any.
+    pub(crate) thickness: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
     /// Where the body stands in the step's lists.
@@ -100,6 +102,7 @@ impl RigidBody {
             angular_damping: 0.0,
             gravity_scale: 1.0,
             extent: 0.0,
+            thickness: Real::INFINITY,
             activation: RigidBodyActivation::active(),
             changes: RigidBodyChanges::everything(),
             link: BodyLink::default(),
@@ -124,8 +127,9 @@ impl RigidBody {
     pub fn copy_from(&mut self, other: &RigidBody) {
         let colliders = core::mem::take(&mut self.colliders);
         let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
+        let thickness = self.thickness;
         let (link, changes) = (self.link, self.changes);
-        *self = Self { colliders, link, extent, ..other.clone() };
+        *self = Self { colliders, link, extent, thickness, ..other.clone() };
         self.mprops.from_colliders = from_colliders;
         self.changes = changes | RigidBodyChanges::everything();
         self.update_mass();
@@ -137,7 +141,7 @@ impl RigidBody {
         let colliders = core::mem::take(&mut self.colliders);
         if !colliders.is_empty() {
             self.mprops.from_colliders = no_mass();
-            self.extent = 0.0;
+            (self.extent, self.thickness) = (0.0, Real::INFINITY);
             self.update_mass();
         }
         (colliders, core::mem::take(&mut self.link))

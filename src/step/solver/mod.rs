@@ -37,6 +37,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
+use crate::step::notes::FastMotion;
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
@@ -72,6 +73,8 @@ pub(crate) struct Scene<'a> {
     pub joints: &'a mut ImpulseJointSet,
     pub multibodies: &'a mut MultibodyJointSet,
     pub islands: &'a mut IslandManager,
+    /// Gets the motions of fast bodies.
+    pub fast: &'a mut Vec<FastMotion>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
 }
@@ -115,7 +118,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
-    states.store(groups, islands, bodies, &constraints.multibodies, params, tasks);
+    let world = (islands, bodies, &constraints.multibodies);
+    states.store(groups, world, params, scene.fast, tasks);
     counters.velocity_writeback_time.pause();
 }
 

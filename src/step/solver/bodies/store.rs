@@ -4,26 +4,35 @@ use super::motion::Motion;
 use super::{BODIES_PER_TASK, SolverBodies, TURNS_AHEAD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::dim::math::{ANG_ZERO, Pose, Real, Vector, ang_length_squared, integrate_rotation};
+use crate::collide::turned;
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
 use crate::dim::state::BodyState;
-use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
+use crate::model::body::{
+    RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,
+};
 use crate::model::check::checked_pose;
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
+use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
+use std::sync::{Mutex, PoisonError};
+
+/// A body is fast if it moves farther than this share of its thickness in one step: it might begin on one side of
+/// something thin and end on the other.
+const FAST: Real = 0.5;
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved.
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
     pub fn store(
         &self,
         groups: &Groups,
-        islands: &mut IslandManager,
-        bodies: &mut RigidBodySet,
-        multibodies: &SolverMultibodies,
+        (islands, bodies, multibodies): (&mut IslandManager, &mut RigidBodySet, &SolverMultibodies),
         params: &IntegrationParameters,
+        fast: &mut Vec<FastMotion>,
         tasks: Tasks<'_>,
     ) {
+        let found = Mutex::new(Vec::new());
         let order = groups.order();
         let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
         let bodies = bodies.share();
@@ -44,44 +53,60 @@ impl SolverBodies {
                     RigidBodyType::KinematicPositionBased => {
                         move_to(body, body.next_pose, params.dt)
                     }
-                    _ => commit(body, state, motion),
+                    _ => {
+                        let motion = commit(handle, body, state, motion);
+                        let bound = bound_of(motion.shift, motion.turn, body.extent);
+                        if bound > FAST * body.thickness && body.is_dynamic() {
+                            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+                            found.push((position, motion));
+                        }
+                        bound
+                    }
                 };
                 // SAFETY: every slot of a body has a bound, and it is this body's.
                 unsafe { *bounds.get_mut(slot as usize) = bound };
             }
         });
+        let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        found.sort_unstable_by_key(|&(position, _)| position);
+        fast.extend(found.into_iter().map(|(_, motion)| motion));
     }
 }
 
-/// Gives a body the pose and velocity that the solver found. Returns a bound of how far any point of
-/// it moved.
+/// Gives a body the pose and velocity that the solver found. Returns how it moved.
 ///
 /// A body whose numbers overflowed stays where it was and comes to rest: one lost body is better than
 /// a world of NaN.
-fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> Real {
+fn commit(
+    handle: RigidBodyHandle,
+    body: &mut RigidBody,
+    state: &BodyState,
+    motion: &Motion,
+) -> FastMotion {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
     let rotation = match motion.gyroscope {
         Some(_) => motion.rotation.normalize(),
-        None => integrate_rotation(motion.rotation, turn),
+        None => turned(motion.rotation, turn),
     };
-    let center = body.mprops.world_com + shift;
-    let pose = Pose::from_parts(center - rotation * body.mprops.local.local_com, rotation);
+    let (start, center) = (body.pose, body.mprops.world_com);
+    let local_center = body.mprops.local.local_com;
+    let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);
     let velocity = RigidBodyVelocity::new(linvel, angvel);
     // Neither an infinite turn nor one whose square is infinite leaves a rotation of unit length.
     let Some(pose) = checked_pose(pose).filter(|_| velocity.is_usable()) else {
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
-        return 0.0;
+        let (shift, turn) = (Vector::ZERO, ANG_ZERO);
+        return FastMotion { body: handle, start, center, shift, turn };
     };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
-    let old_center = body.mprops.world_com;
     body.update_world_mass_properties();
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
-    let rounded = body.mprops.world_com - old_center;
+    let rounded = body.mprops.world_com - center;
     let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
-    motion_bound(shift, ang_length_squared(turn), body.extent)
+    FastMotion { body: handle, start, center, shift, turn }
 }
 
 /// Puts a position-based kinematic body where the user wants it.
@@ -89,12 +114,13 @@ fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> Real {
     let old_center = body.mprops.world_com;
     body.pose = pose;
     body.update_world_mass_properties();
-    let turn = body.angvel * dt;
-    motion_bound(body.mprops.world_com - old_center, ang_length_squared(turn), body.extent)
+    let (shift, turn) = (body.mprops.world_com - old_center, body.angvel * dt);
+    bound_of(shift, turn, body.extent)
 }
 
 /// The centre moved by `shift`; a point at the distance `extent` from it moved by no more than the
 /// angle times that distance besides.
-fn motion_bound(shift: Vector, turn_squared: Real, extent: Real) -> Real {
+fn bound_of(shift: Vector, turn: AngVector, extent: Real) -> Real {
+    let turn_squared = ang_length_squared(turn);
     shift.length() + if turn_squared > 0.0 { turn_squared.sqrt() * extent } else { 0.0 }
 }

@@ -1,0 +1,82 @@
+//! Does anything pass through anything?
+//!
+//! Balls of 10 cm at speeds at which they move up to 330 times their size in a step of 1/60 s, each 20 times from places
+//! that are a twentieth of the way of one step apart, so that no lucky number of steps hides a gap.
+
+mod bullets;
+mod paths;
+mod turns;
+
+use crate::dim::grounds::GROUNDS;
+use crate::dim::{cuboid, vec};
+use crate::suite::physics::stage::weightless;
+use crate::suite::physics::table::Table;
+use rapier::prelude::*;
+
+/// Speeds of the balls (m/s).
+pub const SPEEDS: [Real; 4] = [50.0, 100.0, 400.0, 1000.0];
+/// From how many places each ball starts.
+pub const PHASES: usize = 20;
+/// Radius of the balls (m).
+pub const RADIUS: Real = 0.05;
+
+/// A ball that does not rub or bounce.
+pub fn add_ball(world: &mut PhysicsWorld, at: Vector, velocity: Vector) -> RigidBodyHandle {
+    let body = RigidBodyBuilder::dynamic().translation(at).linvel(velocity);
+    world.insert(body, ColliderBuilder::ball(RADIUS).friction(0.0)).0
+}
+
+/// How many of the balls that `shoot` puts into worlds are beyond `passed` after some steps, at this speed.
+fn count_passed(
+    speed: Real,
+    shoot: impl Fn(&mut PhysicsWorld, Real) -> RigidBodyHandle,
+    passed: impl Fn(Vector) -> bool,
+) -> usize {
+    let in_one_step = speed / 60.0;
+    let passes = |phase: usize| {
+        let mut world = weightless(60);
+        let way = in_one_step * (2.0 + phase as Real / PHASES as Real);
+        let ball = shoot(&mut world, way);
+        (0..10).any(|_| {
+            world.step();
+            passed(world.bodies[ball].translation())
+        })
+    };
+    (0..PHASES).filter(|&phase| passes(phase)).count()
+}
+
+#[test]
+fn walls_are_not_passed() {
+    let mut table =
+        Table::new("balls that pass a wall of 2 cm, of 20", &["speed", "straight", "aslant"]);
+    for speed in SPEEDS {
+        let through = |direction: Vector| {
+            let shoot = |world: &mut PhysicsWorld, way: Real| {
+                world.insert_collider(cuboid(0.01, 500.0), None);
+                add_ball(world, direction * -(way + RADIUS), direction * speed)
+            };
+            count_passed(speed, shoot, |at| at.x > 0.0)
+        };
+        let counts = [through(vec(1.0, 0.0)), through(vec(0.6, 0.8))];
+        table.row([format!("{speed}"), counts[0].to_string(), counts[1].to_string()]);
+        table.require(counts == [0, 0], "balls passed");
+    }
+}
+
+#[test]
+fn grounds_are_not_passed() {
+    let mut table =
+        Table::new("balls that pass a ground, of 20", &["ground", "50", "100", "400", "1000"]);
+    for (name, lay) in GROUNDS {
+        let counts = SPEEDS.map(|speed| {
+            let shoot = |world: &mut PhysicsWorld, way: Real| {
+                lay(world, Pose::IDENTITY, 0.0);
+                add_ball(world, vec(7.3, way + RADIUS), vec(0.0, -speed))
+            };
+            count_passed(speed, shoot, |at| at.y < -RADIUS)
+        });
+        let [a, b, c, d] = counts.map(|count| count.to_string());
+        table.row([name.to_owned(), a, b, c, d]);
+        table.require(counts == [0; 4], "balls passed");
+    }
+}
