@@ -27,8 +27,8 @@ struct ImpactRow {
     separation: Lane,
     /// Its separation if it is not to be met in this substep, [`FAR`] if it is to be put aside.
     shown: Lane,
-    /// By how much gravity and what bears it have changed its velocity in this substep. Impulses of the last substep that
-    /// are given back in this one are larger, and must not pass for forces.
+    /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
+    /// act again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
     /// How much of what forces did to its velocity in this substep is borne by what it presses against.
     borne: Lane,
@@ -118,17 +118,19 @@ impl ImpactBlock {
     ) {
         self.was_struck = false;
         let free = rows.velocities();
-        let [then, loaded] = [last, loaded].map(|states| contact::velocities_of::<W>(states, block));
+        let [then, loaded] =
+            [last, loaded].map(|states| contact::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
         let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let pressed = (then[k] - free[k]).max(zero);
-            let borne = (loaded[k] - free[k]).max(zero).min(pressed);
+            let forced = free[k] - then[k];
+            let borne = (loaded[k] - free[k]).min(-forced).max(zero);
             borne.store(&mut row.borne);
             let now = free[k] + borne;
-            let at_rest = threshold.le(now);
+            let at_rest = threshold.le(now.max(then[k]));
             (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
-            let accelerated = (loaded[k] - then[k]).max(-fall).min(fall);
+            let most = forced.abs().max(fall);
+            let accelerated = (loaded[k] - then[k]).max(-most).min(most);
             accelerated.store(&mut row.accelerated);
             row.given = Lane::ZERO;
         }

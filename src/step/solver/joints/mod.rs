@@ -296,8 +296,8 @@ impl SolverJoints {
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
-    /// exactly, where the bodies are: in components with a body that is `wanted`. For impacts: the joints do not remember
-    /// their impulses.
+    /// exactly, where the bodies are: in components with a body that is `wanted`. For impacts: the impulses count as borne
+    /// in this step, and the next one does not start with them.
     pub fn project(
         &mut self,
         (states, start): (&mut [BodyState], &[BodyState]),
@@ -324,6 +324,8 @@ impl SolverJoints {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
         self.direct.solve(&mut self.memory, shared, wanted, tasks);
+        let memory = &self.memory;
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| simd.run(Count { range, blocks, memory }));
         for (state, start) in states.iter_mut().zip(start) {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(old_v + v, old_w + w);
@@ -509,6 +511,28 @@ impl Kernel for Finish<'_> {
             let block = unsafe { self.blocks.get_mut(index) };
             if block.has_exact {
                 direct::finish::<W>(block, &self.memory[index], self.is_last);
+            }
+        }
+    }
+}
+
+/// See [`direct::count`].
+struct Count<'a> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, JointBlock>,
+    memory: &'a [RowMemory],
+}
+
+impl Kernel for Count<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task.
+            let block = unsafe { self.blocks.get_mut(index) };
+            if block.has_exact {
+                direct::count::<W>(block, &self.memory[index]);
             }
         }
     }
