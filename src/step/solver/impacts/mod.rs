@@ -58,6 +58,7 @@
 //! Acts once at the end, under all normal impulses of the impact. What an impact adds to the velocities is added to the
 //! velocities "before any impulse" of the substep too: it is no load that the next one could start with.
 
+mod points;
 mod rows;
 
 use super::bodies::SolverBodies;
@@ -66,11 +67,12 @@ use super::joints::SolverJoints;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{ContactInput, NormalRows};
+use crate::dim::contact::ContactInput;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
+use points::NormalRows;
 pub(super) use rows::ImpactBlock;
 
 /// Visits of all contacts that hit, per substep.

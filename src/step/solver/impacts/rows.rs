@@ -1,8 +1,9 @@
 //! The points of one block in an impact: which of them hit, and how fast they are to part.
 
+use super::points::{self, NormalRows};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim::contact::{self, ContactBlock, CoulombBlock, NormalRows};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
 use crate::model::params::ImpactPass;
@@ -118,8 +119,7 @@ impl ImpactBlock {
     ) {
         self.was_struck = false;
         let free = rows.velocities();
-        let [then, loaded] =
-            [last, loaded].map(|states| contact::velocities_of::<W>(states, block));
+        let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
         let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
@@ -254,6 +254,6 @@ impl ImpactBlock {
             (W::load(total) + W::load(given)).store(total);
         }
         // SAFETY: the caller's promise.
-        unsafe { contact::rub::<W>(block, coulomb, states, given) };
+        unsafe { points::rub::<W>(block, coulomb, states, given) };
     }
 }
