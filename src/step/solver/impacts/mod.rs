@@ -72,7 +72,7 @@ use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
-use points::NormalRows;
+pub(super) use points::NormalRows;
 pub(super) use rows::ImpactBlock;
 
 /// Visits of all contacts that hit, per substep.
