@@ -34,10 +34,10 @@
 //! ## What bears loads
 //! A substep starts with the impulses of the last one, and they need not fit any more: what stopped a blow then would be
 //! a kick now. So impacts see the velocities before any impulse, in which forces have acted and nothing holds
-//! against them. A contact that bears a load would then approach. We add to its velocity what these impulses take of
-//! it, from 0 to all that the forces did, as a constant of the substep: with it, what lies or is pressed is at rest, and the
-//! sum above only gets smaller, by `Σ λ_i` times twice of it. Joints are asked for changes alone: what a blow
-//! changes is what they allow.
+//! against them. A contact that bears a load would then approach. To its velocity we add what these impulses take of
+//! that: `o_i`, from 0 to all that the forces did, a constant of the substep. With it, what lies or is pressed is at
+//! rest. The energy added is then less than the sum above, by `Σ λ_i o_i`. Joints are asked about changes alone: what a
+//! blow changes must be what they allow.
 //!
 //! ## When
 //! A blow falls at a time `τ = C / |c|` within the substep, or before it if a fast body was noticed too late. The
