@@ -5,6 +5,7 @@
 pub mod stage;
 
 mod agreement;
+mod blows;
 mod breaking;
 mod chains;
 mod determinism;

@@ -6,6 +6,7 @@
 pub mod stage;
 pub mod table;
 
+mod blows;
 mod bounce;
 mod carriers;
 mod determinism;

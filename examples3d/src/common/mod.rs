@@ -6,6 +6,7 @@ mod draw;
 mod jansen;
 mod run;
 mod scene;
+pub mod stands;
 mod strider;
 mod walker;
 

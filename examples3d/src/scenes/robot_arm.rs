@@ -16,12 +16,12 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// By joint: the axis, the length of the link behind it, and half its thickness. The arm stands upright at first.
 const LINKS: [(Vector, Real, Real); 6] = [
-    (Vector::Y, 0.6, 0.30),
-    (Vector::Z, 1.4, 0.16),
-    (Vector::Z, 1.2, 0.13),
-    (Vector::Y, 0.4, 0.12),
-    (Vector::Z, 0.5, 0.10),
-    (Vector::Y, 0.4, 0.08),
+    (Vector::Y, 0.6, 0.32),
+    (Vector::Z, 1.4, 0.20),
+    (Vector::Z, 1.2, 0.17),
+    (Vector::Y, 0.4, 0.15),
+    (Vector::Z, 0.5, 0.13),
+    (Vector::Y, 0.4, 0.10),
 ];
 /// How far each joint turns to either side (rad).
 const REACH: Real = 2.4;
@@ -38,9 +38,9 @@ pub fn build() -> Scene {
     let mark = ColliderBuilder::ball(0.12).sensor(true);
     let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
     let (target, _) = world.insert(target, mark);
-    Scene::new(world, View::orbit(30.0, 18.0))
-        .focusing(Vector::new(-2.5, 0.0, -2.5), Vector::new(2.5, 4.0, 2.5))
-        .showing_joints(0.35)
+    Scene::new(world, View::orbit(62.0, 12.0))
+        .focusing(Vector::new(0.0, 0.2, -1.9), Vector::new(0.6, 2.7, 0.9))
+        .showing_joints(0.5)
         .script(move |world, step| {
             let place = place_of_target(step);
             world.bodies[target].set_next_kinematic_translation(place);

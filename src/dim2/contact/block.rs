@@ -1,6 +1,6 @@
 //! The memory of contact constraints: what goes in, and what the passes read and write.
 
-use crate::base::wide::{LANES, Lane};
+use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim2::state::READ_ONLY;
 use crate::dim2::wide::{WideSymmetric, WideVector};
@@ -85,6 +85,14 @@ pub(crate) struct PointRow {
     pub mass: Lane,
     /// Normal impulse of this substep.
     pub impulse: Lane,
+}
+
+impl PointRow {
+    /// Where the point is along the tangent, from the first centre of mass.
+    #[inline(always)]
+    pub fn place<W: Wide>(&self) -> [W; 1] {
+        [W::load(&self.x)]
+    }
 }
 
 /// [`LANES`] contact constraints of one colour.

@@ -168,7 +168,7 @@ unsafe fn warm_start<W: Wide>(
 ) {
     let mut impulse = NormalImpulse::zero();
     for point in points {
-        impulse.add(point.impulse, point.local.x);
+        impulse.add(point.impulse, [point.local.x]);
     }
     // SAFETY: the caller's promise.
     unsafe {

@@ -7,7 +7,7 @@ use crate::dim2::wide::{WideAngVector, WideVector, load_symmetric, mul_inertia};
 
 /// The axes of the contact frame in world space.
 #[derive(Copy, Clone)]
-pub(super) struct Frame<W> {
+pub(crate) struct Frame<W> {
     pub t: WideVector<W>,
     pub n: WideVector<W>,
 }
@@ -42,7 +42,7 @@ pub(super) fn invert<W: Wide>(value: W) -> W {
 
 /// The normal component of a relative motion, as a function of the point along the tangent.
 #[derive(Copy, Clone)]
-pub(super) struct NormalRow<W> {
+pub(crate) struct NormalRow<W> {
     base: W,
     slope: W,
 }
@@ -59,14 +59,14 @@ impl<W: Wide> NormalRow<W> {
 
     /// Its value at a point.
     #[inline(always)]
-    pub fn at(&self, x: W) -> W {
+    pub fn at(&self, [x]: [W; 1]) -> W {
         self.base + self.slope * x
     }
 }
 
 /// The sum of impulses along the normal, on the second body; the first gets the opposite.
 #[derive(Copy, Clone)]
-pub(super) struct NormalImpulse<W> {
+pub(crate) struct NormalImpulse<W> {
     sum: W,
     /// About the first centre of mass.
     moment: W,
@@ -80,7 +80,7 @@ impl<W: Wide> NormalImpulse<W> {
 
     /// Adds an impulse at a point.
     #[inline(always)]
-    pub fn add(&mut self, impulse: W, x: W) {
+    pub fn add(&mut self, impulse: W, [x]: [W; 1]) {
         self.sum = self.sum + impulse;
         self.moment = self.moment + impulse * x;
     }

@@ -12,7 +12,7 @@ use crate::dim2::wide::WideVector;
 use crate::model::params::{ContactPass, Softness};
 
 /// Velocities and displacements of a block's two bodies.
-pub(super) struct Bodies<W> {
+pub(crate) struct Bodies<W> {
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideMotion<W>; 2],
 }
@@ -92,7 +92,7 @@ pub(crate) unsafe fn relax<W: Wide>(
 
 /// Solves the friction row once, under the normal impulses as they are.
 #[inline(always)]
-pub(super) fn rub_block<W: Wide>(
+pub(crate) fn rub_block<W: Wide>(
     block: &mut ContactBlock,
     _coulomb: Option<&mut CoulombBlock>,
     bodies: &mut Bodies<W>,
@@ -125,14 +125,14 @@ fn solve_normals<W: Wide, const BIAS: bool>(
     let mut coupling = 0;
     for k in 0..MAX_MANIFOLD_POINTS {
         let point = &mut block.points[k];
-        let x = W::load(&point.x);
-        let separation = W::load(&point.separation) + displacement.at(x);
+        let place = point.place();
+        let separation = W::load(&point.separation) + displacement.at(place);
         let old = W::load(&point.impulse);
         let wanted = soft.wanted::<BIAS>(rows[k], separation, W::load(&point.mass), old);
         let new = (old - wanted).max(W::zero());
         let added = new - old;
         new.store(&mut point.impulse);
-        sum.add(added, x);
+        sum.add(added, place);
         for row in &mut rows[k + 1..] {
             *row = *row + W::load(&block.coupling[coupling]) * added;
             coupling += 1;
@@ -143,13 +143,13 @@ fn solve_normals<W: Wide, const BIAS: bool>(
 
 /// The relative normal velocities, or displacements, at the points.
 #[inline(always)]
-pub(super) fn values_at<W: Wide>(
+pub(crate) fn values_at<W: Wide>(
     block: &ContactBlock,
     row: NormalRow<W>,
 ) -> [W; MAX_MANIFOLD_POINTS] {
     let mut values = [W::zero(); MAX_MANIFOLD_POINTS];
     for (value, point) in values.iter_mut().zip(&block.points) {
-        *value = row.at(W::load(&point.x));
+        *value = row.at(point.place());
     }
     values
 }

@@ -1,6 +1,6 @@
 //! The memory of contact constraints: what goes in, and what the passes read and write.
 
-use crate::base::wide::{LANES, Lane};
+use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::WideVector;
@@ -97,6 +97,14 @@ pub(crate) struct PointRow {
     pub mass: Lane,
     /// Normal impulse of this substep.
     pub impulse: Lane,
+}
+
+impl PointRow {
+    /// Where the point is in the contact plane, from the first centre of mass.
+    #[inline(always)]
+    pub fn place<W: Wide>(&self) -> [W; 2] {
+        [W::load(&self.x), W::load(&self.y)]
+    }
 }
 
 /// [`LANES`] contact constraints of one colour.

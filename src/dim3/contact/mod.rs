@@ -40,7 +40,6 @@
 mod block;
 mod coulomb;
 mod friction;
-mod impact;
 mod prepare;
 mod rows;
 mod solve;
@@ -49,6 +48,6 @@ mod tests;
 
 pub(crate) use block::{ContactBlock, ContactInput};
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use impact::{NormalRows, rub, velocities_of};
 pub(crate) use prepare::{Surroundings, prepare};
-pub(crate) use solve::{relax, solve};
+pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
+pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};

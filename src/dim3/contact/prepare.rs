@@ -196,7 +196,7 @@ fn warm_start<W: Wide>(
 ) -> [WideMotion<W>; 2] {
     let mut impulse = NormalImpulse::zero();
     for point in points {
-        impulse.add(point.impulse, point.local.x, point.local.y);
+        impulse.add(point.impulse, [point.local.x, point.local.y]);
     }
     impulse.apply(block, &pair.frame, velocities)
 }

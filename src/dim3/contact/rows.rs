@@ -7,7 +7,7 @@ use crate::dim3::wide::{WideSymmetric, WideVector, cross, mul_inertia};
 
 /// The axes of the contact frame in world space.
 #[derive(Copy, Clone)]
-pub(super) struct Frame<W> {
+pub(crate) struct Frame<W> {
     pub t1: WideVector<W>,
     pub t2: WideVector<W>,
     pub n: WideVector<W>,
@@ -84,7 +84,7 @@ pub(super) fn invert<W: Wide>(value: W) -> W {
 
 /// The normal component of a relative motion, as a function of the point in the contact plane.
 #[derive(Copy, Clone)]
-pub(super) struct NormalRow<W> {
+pub(crate) struct NormalRow<W> {
     base: W,
     slope_x: W,
     slope_y: W,
@@ -104,14 +104,14 @@ impl<W: Wide> NormalRow<W> {
 
     /// Its value at a point.
     #[inline(always)]
-    pub fn at(&self, x: W, y: W) -> W {
+    pub fn at(&self, [x, y]: [W; 2]) -> W {
         self.base + self.slope_x * x + self.slope_y * y
     }
 }
 
 /// The sum of impulses along the normal, on the second body; the first gets the opposite.
 #[derive(Copy, Clone)]
-pub(super) struct NormalImpulse<W> {
+pub(crate) struct NormalImpulse<W> {
     sum: W,
     /// Sums of impulse times coordinate.
     sum_x: W,
@@ -126,7 +126,7 @@ impl<W: Wide> NormalImpulse<W> {
 
     /// Adds an impulse at a point.
     #[inline(always)]
-    pub fn add(&mut self, impulse: W, x: W, y: W) {
+    pub fn add(&mut self, impulse: W, [x, y]: [W; 2]) {
         self.sum = self.sum + impulse;
         self.sum_x = self.sum_x + impulse * x;
         self.sum_y = self.sum_y + impulse * y;

@@ -31,6 +31,14 @@
 //! Joints transmit blows. Locked axes that are solved exactly take part: after each sweep over `S` the velocities are
 //! projected on what they allow. Their impulses do no work, so that the sum above still holds over contacts alone.
 //!
+//! ## What bears loads
+//! A substep starts with the impulses of the last one, and they need not fit any more: what stopped a blow then would be
+//! a kick now. So impacts see the velocities before any impulse, in which forces have acted and nothing holds
+//! against them. A contact that bears a load would then approach. To its velocity we add what these impulses take of
+//! that: `o_i`, from 0 to all that the forces did, a constant of the substep. With it, what lies or is pressed is at
+//! rest. The energy added is then less than the sum above, by `Σ λ_i o_i`. Joints are asked about changes alone: what a
+//! blow changes must be what they allow.
+//!
 //! ## When
 //! A blow falls at a time `τ = C / |c|` within the substep, or before it if a fast body was noticed too late. The
 //! bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv` (`accept_impact`). And the
@@ -50,6 +58,7 @@
 //! Acts once at the end, under all normal impulses of the impact. What an impact adds to the velocities is added to the
 //! velocities "before any impulse" of the substep too: it is no load that the next one could start with.
 
+mod points;
 mod rows;
 
 use super::bodies::SolverBodies;
@@ -58,11 +67,12 @@ use super::joints::SolverJoints;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{ContactInput, NormalRows};
+use crate::dim::contact::ContactInput;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
+pub(super) use points::NormalRows;
 pub(super) use rows::ImpactBlock;
 
 /// Visits of all contacts that hit, per substep.
@@ -160,6 +170,7 @@ impl Impacts {
         if self.blocks.is_empty() {
             return;
         }
+        swap_velocities(bodies);
         self.pass(Stage::Begin, contacts, bodies, &around, pass);
         let hits = self.blocks.iter().any(|block| block.struck != 0);
         if hits {
@@ -178,6 +189,7 @@ impl Impacts {
             bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
             around.joints.forget_places();
         }
+        swap_velocities(bodies);
     }
 
     /// Finds the islands where something hits, as long as they have visits left. Is there any?
@@ -219,7 +231,7 @@ impl Impacts {
             let islands = &bodies.islands;
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
-            let states = (&mut bodies.states[..], &bodies.before[..]);
+            let states = (&mut bodies.states[..], &self.memory.start[..]);
             let Around { joints, joint_pass, simd, tasks } = around;
             joints.project(states, is_moving, joint_pass, *simd, *tasks);
         }
@@ -280,13 +292,23 @@ impl Impacts {
         around: &Around<'_>,
         pass: &ImpactPass,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states, loaded) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
-        let (last, simd) = (&self.memory.last, around.simd);
+        let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
         for_each_color(&self.colors, around.tasks, |range| {
-            simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
+            simd.run(Run { stage, range, contacts, impacts, states, delays, known, pass });
         });
+    }
+}
+
+/// Exchanges the velocities with those before any impulse of the substep.
+fn swap_velocities(bodies: &mut SolverBodies) {
+    for (state, before) in bodies.states.iter_mut().zip(&mut bodies.before) {
+        let (v, w) = state.velocity();
+        let (before_v, before_w) = before.velocity();
+        state.set_velocity(before_v, before_w);
+        before.set_velocity(v, w);
     }
 }
 
@@ -314,7 +336,8 @@ struct Run<'a> {
     impacts: DisjointMut<'a, ImpactBlock>,
     states: DisjointMut<'a, BodyState>,
     delays: DisjointMut<'a, BodyState>,
-    last: &'a [BodyState],
+    /// How the bodies moved when the last substep ended, and with its impulses in this one.
+    known: [&'a [BodyState]; 2],
     pass: &'a ImpactPass,
 }
 
@@ -352,7 +375,7 @@ impl Run<'_> {
             let mut rows = NormalRows::<W>::gather(states, block);
             match self.stage {
                 Stage::Begin => {
-                    impact.begin(&rows, block, self.last, pass);
+                    impact.begin(&rows, block, self.known, pass);
                     impact.mark(&rows, block, pass);
                 }
                 Stage::Mark => impact.mark(&rows, block, pass),

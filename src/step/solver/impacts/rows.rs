@@ -1,8 +1,9 @@
 //! The points of one block in an impact: which of them hit, and how fast they are to part.
 
+use super::points::{self, NormalRows};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim::contact::{self, ContactBlock, CoulombBlock, NormalRows};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
 use crate::model::params::ImpactPass;
@@ -27,9 +28,11 @@ struct ImpactRow {
     separation: Lane,
     /// Its separation if it is not to be met in this substep, [`FAR`] if it is to be put aside.
     shown: Lane,
-    /// By how much gravity and what bears it have changed its velocity in this substep. Impulses of the last substep that
-    /// are given back in this one are larger, and must not pass for forces.
+    /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
+    /// act again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
+    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    borne: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
     /// `1 / K` where it hits in this round, zero elsewhere.
@@ -105,22 +108,29 @@ impl ImpactBlock {
     }
 
     /// Begins a substep: notes how the points move, and what forces did to that since the last one ended (`last`).
+    /// `loaded` are the velocities with the impulses of the last substep, which bear these forces.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,
         rows: &NormalRows<'_, W>,
         block: &ContactBlock,
-        last: &[BodyState],
+        [last, loaded]: [&[BodyState]; 2],
         pass: &ImpactPass,
     ) {
         self.was_struck = false;
-        let (now, then) = (rows.velocities(), contact::velocities_of::<W>(last, block));
+        let free = rows.velocities();
+        let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
         let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let at_rest = threshold.le(now[k]);
-            (W::select(at_rest, now[k].min(zero), zero) - noticed).store(&mut row.limit);
-            let accelerated = (now[k] - then[k]).max(-fall).min(fall);
+            let forced = free[k] - then[k];
+            let borne = (loaded[k] - free[k]).min(-forced).max(zero);
+            borne.store(&mut row.borne);
+            let now = free[k] + borne;
+            let at_rest = threshold.le(now.max(then[k]));
+            (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
+            let most = forced.abs().max(fall);
+            let accelerated = (loaded[k] - then[k]).max(-most).min(most);
             accelerated.store(&mut row.accelerated);
             row.given = Lane::ZERO;
         }
@@ -140,7 +150,8 @@ impl ImpactBlock {
         let restitution = W::load(&self.restitution);
         self.struck = 0;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let (velocity, separation) = (velocities[k], separations[k]);
+            let velocity = velocities[k] + W::load(&row.borne);
+            let separation = separations[k];
             let comes = velocity.lt(W::load(&row.limit)) & zero.lt(restitution);
             let end = separation + velocity * h;
             let hits = comes & end.lt(zero);
@@ -176,7 +187,8 @@ impl ImpactBlock {
             rows.visit(|k, velocity| {
                 let row = &mut self.rows[k];
                 let (mass, old) = (W::load(&row.mass), W::load(&row.impulse));
-                let new = (old + mass * (W::load(&row.target) - velocity)).max(W::zero());
+                let missing = W::load(&row.target) - W::load(&row.borne) - velocity;
+                let new = (old + mass * missing).max(W::zero());
                 new.store(&mut row.impulse);
                 if sweep == 0 {
                     let little = -(mass * W::load(&row.approach) * W::splat(SETTLED));
@@ -207,7 +219,8 @@ impl ImpactBlock {
         for (k, row) in self.rows.iter_mut().enumerate() {
             let (impulse, approach) = (W::load(&row.impulse), W::load(&row.approach));
             stopped = stopped + impulse * approach;
-            surplus = surplus + impulse * (velocities[k] + allowed * approach) * half;
+            let velocity = velocities[k] + W::load(&row.borne);
+            surplus = surplus + impulse * (velocity + allowed * approach) * half;
             weight = weight + impulse;
             moment = moment + impulse * W::load(&row.time);
             (W::load(&row.given) + impulse).store(&mut row.given);
@@ -241,6 +254,6 @@ impl ImpactBlock {
             (W::load(total) + W::load(given)).store(total);
         }
         // SAFETY: the caller's promise.
-        unsafe { contact::rub::<W>(block, coulomb, states, given) };
+        unsafe { points::rub::<W>(block, coulomb, states, given) };
     }
 }

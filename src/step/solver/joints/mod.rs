@@ -208,11 +208,12 @@ impl SolverJoints {
         }
     }
 
-    /// Gives bodies the velocities nearest to theirs that obey the joints which are solved exactly, where they are:
-    /// those of components with a body that is `wanted`. For impacts: the joints do not remember their impulses.
+    /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
+    /// exactly, where the bodies are: in components with a body that is `wanted`. For impacts: the impulses count as borne
+    /// in this step, and the next one does not start with them.
     pub fn project(
         &mut self,
-        (states, before): (&mut [BodyState], &[BodyState]),
+        (states, start): (&mut [BodyState], &[BodyState]),
         wanted: impl Fn(u32) -> bool + Sync,
         pass: &JointPass,
         simd: Simd,
@@ -221,16 +222,27 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        let (count, again, states) = (self.blocks.len(), false, DisjointMut::new(states));
+        for (state, start) in states.iter_mut().zip(start) {
+            let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
+            state.set_velocity(v - old_v, w - old_w);
+        }
+        let (count, again, shared) = (self.blocks.len(), false, DisjointMut::new(states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            let (states, before) = (shared, start);
             simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
         });
         let wanted = |members: &[Member], _: bool| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, states, wanted, tasks);
+        self.direct.solve(&mut self.memory, shared, wanted, tasks);
+        let memory = &self.memory;
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| simd.run(Count { range, blocks, memory }));
+        for (state, start) in states.iter_mut().zip(start) {
+            let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
+            state.set_velocity(old_v + v, old_w + w);
+        }
     }
 
     /// The bodies have been put elsewhere.
@@ -385,6 +397,28 @@ impl Kernel for Finish<'_> {
             let block = unsafe { self.blocks.get_mut(index) };
             if block.has_exact {
                 direct::finish::<W>(block, &self.memory[index], self.is_last);
+            }
+        }
+    }
+}
+
+/// See [`direct::count`].
+struct Count<'a> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, JointBlock>,
+    memory: &'a [RowMemory],
+}
+
+impl Kernel for Count<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task.
+            let block = unsafe { self.blocks.get_mut(index) };
+            if block.has_exact {
+                direct::count::<W>(block, &self.memory[index]);
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::base::disjoint::DisjointMut;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock, NormalRows};
+use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
@@ -11,7 +11,7 @@ use crate::dim::math::{
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::Placement;
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::ImpactBlock;
+use crate::step::solver::impacts::{ImpactBlock, NormalRows};
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -286,6 +286,7 @@ impl Kernel for Run<'_> {
     fn run<W: Wide>(self) {
         let Scene { poses, states, before, input, block, coulomb, pass, prediction, .. } =
             self.scene;
+        let loaded = states.to_vec();
         let states = DisjointMut::new(states);
         // SAFETY: no other thread knows these states.
         unsafe {
@@ -304,7 +305,8 @@ impl Kernel for Run<'_> {
                         threshold: pass.restitution_threshold,
                         fall: 10.0 * SUBSTEP,
                     };
-                    bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, before, &pass);
+                    let known = [&before[..], &loaded[..]];
+                    bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, known, &pass);
                 }
             }
         }
@@ -319,7 +321,7 @@ unsafe fn bounce<W: Wide>(
     coulomb: Option<&mut CoulombBlock>,
     restitution: Lane,
     states: &DisjointMut<BodyState>,
-    before: &[BodyState],
+    known: [&[BodyState]; 2],
     pass: &ImpactPass,
 ) {
     let mut impact = ImpactBlock::new(0, restitution, [0; LANES]);
@@ -327,7 +329,7 @@ unsafe fn bounce<W: Wide>(
     // SAFETY: the caller's promise.
     unsafe {
         let mut rows = NormalRows::<W>::gather(states, block);
-        impact.begin(&rows, block, before, pass);
+        impact.begin(&rows, block, known, pass);
         impact.mark(&rows, block, pass);
         impact.visit(&mut rows);
         let mut delays = vec![BodyState::default(); states.len()];

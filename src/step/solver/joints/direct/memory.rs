@@ -124,25 +124,58 @@ pub(in super::super) fn finish<W: Wide>(
     memory: &RowMemory,
     is_last_of_substep: bool,
 ) {
-    let mut added = Wrench::<W>::zero();
-    let mut moment = load_ang::<W>(&block.total_moment);
-    let mut rows = [Row::zero(); SPATIAL_DIM];
-    for k in 0..SPATIAL_DIM {
-        let (_, first) = from_components::<W>(load_all(&memory.rows[k][0]));
-        let (linear, second) = from_components::<W>(load_all(&memory.rows[k][1]));
-        rows[k] = Row { linear, angular: [-first, second] };
-        let change = W::load(&memory.changes[k]);
-        (W::load(&block.impulses[k]) + change).store(&mut block.impulses[k]);
-        added.add(&rows[k], change);
-        if k >= DIM {
-            moment = moment + second * change;
-        }
+    let rows = rows_of::<W>(memory);
+    for (impulse, change) in block.impulses.iter_mut().zip(&memory.changes) {
+        (W::load(impulse) + W::load(change)).store(impulse);
     }
+    let added = added(memory, &rows);
     Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
     if is_last_of_substep {
-        store_ang(moment, &mut block.total_moment);
-        let total = WideVector::load(&block.total_impulse) + added.linear;
-        total.store(&mut block.total_impulse);
+        add_to_totals(block, memory, &rows, &added);
         store_couple(block, &rows);
     }
+}
+
+/// Counts the changes of the impulses into those of the step, and nowhere else: what an impact did is no load that the
+/// next substep could start with.
+#[inline(always)]
+pub(in super::super) fn count<W: Wide>(block: &mut JointBlock, memory: &RowMemory) {
+    let rows = rows_of::<W>(memory);
+    let added = added(memory, &rows);
+    add_to_totals(block, memory, &rows, &added);
+}
+
+#[inline(always)]
+fn rows_of<W: Wide>(memory: &RowMemory) -> [Row<W>; SPATIAL_DIM] {
+    memory.rows.map(|[first, second]| {
+        let (_, first) = from_components::<W>(load_all(&first));
+        let (linear, second) = from_components::<W>(load_all(&second));
+        Row { linear, angular: [-first, second] }
+    })
+}
+
+/// What the changes of the impulses give the bodies.
+#[inline(always)]
+fn added<W: Wide>(memory: &RowMemory, rows: &[Row<W>; SPATIAL_DIM]) -> Wrench<W> {
+    let mut added = Wrench::zero();
+    for (row, change) in rows.iter().zip(&memory.changes) {
+        added.add(row, W::load(change));
+    }
+    added
+}
+
+#[inline(always)]
+fn add_to_totals<W: Wide>(
+    block: &mut JointBlock,
+    memory: &RowMemory,
+    rows: &[Row<W>; SPATIAL_DIM],
+    added: &Wrench<W>,
+) {
+    let mut moment = load_ang::<W>(&block.total_moment);
+    for k in DIM..SPATIAL_DIM {
+        moment = moment + rows[k].angular[1] * W::load(&memory.changes[k]);
+    }
+    store_ang(moment, &mut block.total_moment);
+    let total = WideVector::load(&block.total_impulse) + added.linear;
+    total.store(&mut block.total_impulse);
 }

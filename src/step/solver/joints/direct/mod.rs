@@ -33,7 +33,7 @@ mod pattern;
 mod tests;
 
 pub(super) use masses::InverseMass;
-pub(super) use memory::{RowMemory, finish, write_rows};
+pub(super) use memory::{RowMemory, count, finish, write_rows};
 pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;

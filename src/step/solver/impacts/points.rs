@@ -1,19 +1,18 @@
 //! What impacts need of a block: the velocities of its points, impulses at them, and friction under these.
 //!
-//! Which points hit, and how they part, is decided in `step/solver/impacts/`.
+//! Which points hit, and how they part, is decided in `rows.rs`.
 
-use super::block::ContactBlock;
-use super::coulomb::CoulombBlock;
-use super::rows::{Frame, NormalImpulse, NormalRow};
-use super::solve::{Bodies, rub_block, values_at};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
-use crate::dim2::math::MAX_MANIFOLD_POINTS;
-use crate::dim2::state::{BodyState, gather_velocities};
-use crate::dim2::wide::WideVector;
+use crate::dim::contact::{
+    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, rub_block, values_at,
+};
+use crate::dim::math::MAX_MANIFOLD_POINTS;
+use crate::dim::state::{BodyState, gather_velocities};
+use crate::dim::wide::WideVector;
 
 /// The normal rows of a block with the motion of its bodies.
-pub(crate) struct NormalRows<'a, W> {
+pub struct NormalRows<'a, W> {
     block: &'a ContactBlock,
     bodies: Bodies<W>,
 }
@@ -65,7 +64,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
         for k in 0..MAX_MANIFOLD_POINTS {
             let point = &self.block.points[k];
             let added = solve(k, velocities[k]);
-            sum.add(added, W::load(&point.x));
+            sum.add(added, point.place());
             for velocity in &mut velocities[k + 1..] {
                 *velocity = *velocity + W::load(&self.block.coupling[coupling]) * added;
                 coupling += 1;
@@ -78,7 +77,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
 
 /// The relative normal velocities at the points of a block when its bodies moved like this.
 #[inline(always)]
-pub(crate) fn velocities_of<W: Wide>(
+pub fn velocities_of<W: Wide>(
     states: &[BodyState],
     block: &ContactBlock,
 ) -> [W; MAX_MANIFOLD_POINTS] {
@@ -96,7 +95,7 @@ pub(crate) fn velocities_of<W: Wide>(
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn rub<W: Wide>(
+pub unsafe fn rub<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
