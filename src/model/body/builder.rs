@@ -245,7 +245,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Switches continuous collision detection on or off.
+    /// Says whether the body, when it is fast, stops at other dynamic bodies, too: see [`RigidBody::enable_ccd`].
     pub fn ccd_enabled(mut self, enabled: bool) -> Self {
         self.ccd_enabled = enabled;
         self

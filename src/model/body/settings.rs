@@ -111,13 +111,13 @@ impl RigidBody {
         self.set_locked_axes(locked_axes, wake_up);
     }
 
-    /// Is continuous collision detection on?
+    /// Is continuous collision detection against dynamic bodies on?
     pub fn is_ccd_enabled(&self) -> bool {
         self.ccd_enabled
     }
 
-    /// Switches continuous collision detection on or off: it keeps a fast body from passing through
-    /// thin ones between two steps.
+    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two steps.
+    /// Nothing dynamic passes through fixed and kinematic colliders, whatever this says.
     pub fn enable_ccd(&mut self, enabled: bool) {
         self.ccd_enabled = enabled;
     }
@@ -129,7 +129,7 @@ impl RigidBody {
 
     /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0
     /// switches soft continuous collision detection off). A cheaper and softer way than
-    /// [`Self::enable_ccd`] to keep fast bodies from passing through thin ones.
+    /// [`Self::enable_ccd`] to keep fast bodies from passing through each other.
     pub fn set_soft_ccd_prediction(&mut self, prediction_distance: Real) {
         if !is_non_negative(prediction_distance) {
             return refuse("the soft CCD prediction of a rigid body", prediction_distance);

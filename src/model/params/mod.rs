@@ -88,8 +88,8 @@ pub struct IntegrationParameters {
     /// A resting contact that stays slightly inside does not begin and end all the time. With a value
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.
     pub allowed_linear_error: Real,
-    /// How often one step may stop fast bodies at an impact and move on from there (default 1; 0
-    /// switches continuous collision detection off).
+    /// Are fast bodies stopped at what they hit on their way? Not if this is 0; any other number (default 1) says
+    /// yes. A stopped body goes on in the next step, whatever the number.
     pub max_ccd_substeps: usize,
     /// Does continuous collision detection also stop a body that moves deeper into something it
     /// overlaps already (default true)?
@@ -121,8 +121,8 @@ pub struct IntegrationParameters {
     /// Share of the last impulses with which a substep starts (0 to 1, default 1). Anything less
     /// weakens stacks; of use only to study the solver.
     pub warmstart_coefficient: Real,
-    /// Shortest time that continuous collision detection moves on after an impact (s, default
-    /// 1/6000).
+    /// Kept for programs that set it (s, default 1/6000); nothing reads it, because a body that is stopped moves on in
+    /// the next step.
     pub min_ccd_dt: Real,
 }
 
