@@ -121,6 +121,18 @@ impl Motion {
         }
     }
 
+    /// The impulses from outside that have been noted and not yet been taken in.
+    pub fn outside(&self) -> SpatialVector {
+        self.outside
+    }
+
+    /// Keeps only a share of the impulses from outside since they were these.
+    pub fn share_outside(&mut self, since: &SpatialVector, share: Real) {
+        for (now, since) in self.outside.iter_mut().zip(since) {
+            *now = since + (*now - since) * share;
+        }
+    }
+
     /// Number of degrees of freedom of the root.
     pub fn root_dofs(&self) -> usize {
         self.kinematics.links[0].dofs.len()
@@ -240,6 +252,13 @@ impl Motion {
         self.keep_momentum(root_center);
     }
 
+    /// Places the links as if they had moved at these rates for `h` seconds more. Momentum stays, about the root.
+    pub fn displace(&mut self, multibody: &mut Multibody, rates: &[Real], h: Real) {
+        self.keep_momentum(self.kinematics.links[0].center);
+        multibody.integrate(h, rates, &ZERO);
+        self.kinematics.update(multibody);
+    }
+
     /// Ends the step.
     pub fn finish(&mut self) {
         self.keep_momentum(self.kinematics.links[0].center);
@@ -285,6 +304,12 @@ impl Motion {
     /// The velocities of all links.
     pub fn link_velocities(&mut self) -> &[SpatialVector] {
         self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        &self.velocities
+    }
+
+    /// The velocities of all links if these rates alone move them.
+    pub fn link_velocities_at(&mut self, rates: &[Real]) -> &[SpatialVector] {
+        self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
         &self.velocities
     }
 

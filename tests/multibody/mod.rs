@@ -4,6 +4,7 @@
 
 pub mod stage;
 
+mod bounces;
 mod contacts;
 mod drives;
 mod edits;

@@ -141,7 +141,9 @@ fn solve_group(
 
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
-        contacts.note_velocities(if substep == 0 { &states.before } else { &states.states });
+        let last = if substep == 0 { &mut states.before } else { &mut states.states };
+        contacts.note_velocities(last);
+        multibodies.note_velocities(last);
         states.integrate_velocities(h, params, substep == 0);
         if substep > 0 {
             multibodies.follow_loops(bodies, states);
@@ -150,7 +152,7 @@ fn solve_group(
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
-        let around = Around { joints, joint_pass: &joint_pass, simd, tasks };
+        let around = Around { joints, joint_pass: &joint_pass, links: multibodies, simd, tasks };
         contacts.bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
@@ -168,6 +170,5 @@ fn solve_group(
         contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
     }
-    multibodies.restitute(states, &pass);
     counters.velocity_resolution_time.pause();
 }

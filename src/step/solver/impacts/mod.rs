@@ -55,6 +55,7 @@ mod rows;
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, for_each_color};
 use super::joints::SolverJoints;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
@@ -63,7 +64,7 @@ use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
-pub(super) use rows::ImpactBlock;
+pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED, SETTLED, SWEEPS};
 
 /// Visits of all contacts that hit, per substep.
 const VISITS: usize = 128;
@@ -114,6 +115,8 @@ impl Account {
 pub(super) struct Around<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
+    /// The contacts of links, which take part.
+    pub links: &'a mut SolverMultibodies,
     pub simd: Simd,
     pub tasks: Tasks,
 }
@@ -157,31 +160,34 @@ impl Impacts {
         mut around: Around<'_>,
         pass: &ImpactPass,
     ) {
-        if self.blocks.is_empty() {
+        if self.blocks.is_empty() && !around.links.bounce() {
             return;
         }
-        self.pass(Stage::Begin, contacts, bodies, &around, pass);
+        self.pass(Stage::Begin, contacts, bodies, &mut around, pass);
         let hits = self.blocks.iter().any(|block| block.struck != 0);
+        let hits = hits || around.links.struck().next().is_some();
         if hits {
             self.memory.accounts.clear();
             let account = Account { visits: VISITS, ..Account::default() };
-            self.memory.accounts.resize(bodies.island_bound(), account);
-            while self.find_struck() {
+            let bound = bodies.island_bound().max(around.links.island_bound());
+            self.memory.accounts.resize(bound, account);
+            while self.find_struck(around.links) {
                 self.solve_round(contacts, bodies, &mut around, pass);
-                self.pass(Stage::Mark, contacts, bodies, &around, pass);
+                self.pass(Stage::Mark, contacts, bodies, &mut around, pass);
             }
         }
-        self.pass(Stage::PutAside, contacts, bodies, &around, pass);
+        self.pass(Stage::PutAside, contacts, bodies, &mut around, pass);
         if hits {
-            self.begin_round(bodies);
-            self.pass(Stage::Rub, contacts, bodies, &around, pass);
+            self.begin_round(bodies, around.links);
+            self.pass(Stage::Rub, contacts, bodies, &mut around, pass);
             bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
+            around.links.accept_impact(|_| 1.0);
             around.joints.forget_places();
         }
     }
 
     /// Finds the islands where something hits, as long as they have visits left. Is there any?
-    fn find_struck(&mut self) -> bool {
+    fn find_struck(&mut self, links: &mut SolverMultibodies) -> bool {
         let accounts = &mut self.memory.accounts;
         for account in accounts.iter_mut() {
             (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
@@ -198,6 +204,15 @@ impl Impacts {
                 }
             }
         }
+        for contact in links.struck() {
+            let account = &mut accounts[contact.strike.island as usize];
+            if account.visits > 0 {
+                (account.is_struck, any) = (true, true);
+            } else {
+                contact.let_be();
+                contact.strike.struck = false;
+            }
+        }
         any
     }
 
@@ -209,10 +224,10 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        self.begin_round(bodies);
+        self.begin_round(bodies, around.links);
         for _ in 0..ROUND_VISITS {
             self.pass(Stage::Visit, contacts, bodies, around, pass);
-            if !self.find_moving() {
+            if !self.find_moving(around.links) {
                 break;
             }
             let accounts = &self.memory.accounts;
@@ -220,7 +235,7 @@ impl Impacts {
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
             let states = (&mut bodies.states[..], &bodies.before[..]);
-            let Around { joints, joint_pass, simd, tasks } = around;
+            let Around { joints, joint_pass, simd, tasks, .. } = around;
             joints.project(states, is_moving, joint_pass, *simd, *tasks);
         }
         self.pass(Stage::End, contacts, bodies, around, pass);
@@ -231,15 +246,20 @@ impl Impacts {
                 account.surplus += block.surplus.0[lane];
             }
         }
+        for contact in around.links.struck() {
+            let account = &mut self.memory.accounts[contact.strike.island as usize];
+            account.stopped += contact.strike.stopped;
+            account.surplus += contact.strike.surplus;
+        }
         let Memory { start, delays, accounts, .. } = &self.memory;
-        bodies.accept_impact(start, delays, |island| {
-            accounts.get(island as usize).map_or(1.0, Account::share)
-        });
+        let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
+        bodies.accept_impact(start, delays, share);
+        around.links.accept_impact(share);
     }
 
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
     /// Is there any?
-    fn find_moving(&mut self) -> bool {
+    fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
         let accounts = &mut self.memory.accounts;
         for account in accounts.iter_mut() {
             account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
@@ -248,6 +268,9 @@ impl Impacts {
         for block in &self.blocks {
             let moving = block.struck & block.moving;
             lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        }
+        for contact in links.struck().filter(|contact| contact.strike.moving) {
+            accounts[contact.strike.island as usize].is_moving = true;
         }
         let mut any = false;
         for block in &mut self.blocks {
@@ -261,10 +284,20 @@ impl Impacts {
                 }
             }
         }
+        for contact in links.struck() {
+            let account = &mut accounts[contact.strike.island as usize];
+            if account.is_moving {
+                any = true;
+            } else {
+                account.is_struck = false;
+                contact.let_be();
+            }
+        }
         any
     }
 
-    fn begin_round(&mut self, bodies: &SolverBodies) {
+    fn begin_round(&mut self, bodies: &SolverBodies, links: &mut SolverMultibodies) {
+        links.begin_round();
         let Memory { start, delays, .. } = &mut self.memory;
         start.clear();
         start.extend_from_slice(&bodies.states);
@@ -277,9 +310,10 @@ impl Impacts {
         stage: Stage,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        around: &Around<'_>,
+        around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
+        self.pass_links(stage, bodies, around.links, pass);
         let (_, states, _) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
@@ -287,6 +321,27 @@ impl Impacts {
         for_each_color(&self.colors, around.tasks, |range| {
             around.simd.run(Run { stage, range, contacts, impacts, states, delays, last, pass });
         });
+    }
+
+    fn pass_links(
+        &mut self,
+        stage: Stage,
+        bodies: &mut SolverBodies,
+        links: &mut SolverMultibodies,
+        pass: &ImpactPass,
+    ) {
+        let states = &mut bodies.states[..];
+        match stage {
+            Stage::Begin => {
+                links.begin_impact(states, pass);
+                links.mark_struck(states, pass);
+            }
+            Stage::Mark => links.mark_struck(states, pass),
+            Stage::Visit => links.visit_struck(states),
+            Stage::End => links.end_round(states, &mut self.memory.delays),
+            Stage::PutAside => links.put_aside(),
+            Stage::Rub => links.rub_struck(states),
+        }
     }
 }
 

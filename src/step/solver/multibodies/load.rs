@@ -65,6 +65,7 @@ impl SolverMultibodies {
             self.positions[owner as usize] = self.moving.len();
             let mut moving = self.spare.pop().unwrap_or_default();
             (moving.index, moving.multibody) = (index, core::mem::take(multibody));
+            moving.island = bodies.get(*member).map_or(NONE, |body| body.link.island);
             moving.multibody.forward_kinematics(bodies, false);
             self.moving.push(moving);
         }

@@ -9,7 +9,7 @@
 //! product of two lists and one addition.
 
 use super::Moving;
-use crate::dim::math::{Real, SpatialVector};
+use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::dim::state::{BodyState, READ_ONLY};
 
@@ -164,6 +164,38 @@ impl Numbers {
             moving.note_push(jacobian, response, impulse);
             moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
         });
+    }
+
+    /// Pushes with an impulse that is no load for the next substep: that of a blow.
+    pub fn strike(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+            add(&mut moving.motion.rates, response, impulse);
+            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+        });
+    }
+
+    /// Tells both sides of a row of a blow: its impulse, and when it came. Bodies have it in `delays`, in place of two
+    /// components of a velocity.
+    pub fn note_blow(
+        &self,
+        row: &Row,
+        [impulse, time]: [Real; 2],
+        actors: &mut Actors<'_>,
+        delays: &mut [BodyState],
+    ) {
+        for part in &row.parts {
+            match part {
+                Part::Links { multibody, .. } => {
+                    actors.multibodies[*multibody].before_blow.note(impulse, time);
+                }
+                Part::Body { index, .. } if index & READ_ONLY == 0 => {
+                    let mut blow = [0.0; SPATIAL_DIM];
+                    (blow[0], blow[1]) = (impulse, impulse * time);
+                    delays[at(*index)].add_velocity(blow);
+                }
+                Part::Body { .. } | Part::Nothing => {}
+            }
+        }
     }
 
     /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.

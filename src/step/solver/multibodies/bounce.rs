@@ -1,0 +1,304 @@
+//! Contacts of links in impacts.
+//!
+//! They take part in the rounds of `impacts/mod.rs`, beside the blocks of bodies' contacts and with the same rules: here they are
+//! told one point after the other. All that those rules need to know of a contact is its velocity, its `1/K` and what an
+//! impulse does to the velocities of others; whether the inertia behind it is that of a body or, with `W = M⁻¹ Jᵀ`
+//! (`rows.rs`), of a whole multibody, makes no difference to them. So a blow travels through chains as through rows of
+//! bodies, and the sum that guards the energy of an island counts both.
+//!
+//! A multibody bears a blow as a body does: its rates change, by the share of the round that its island goes, and its
+//! coordinates move by `-τ Δq̇`, as if the blow had come at its own time. What the blow did is no load for the next substep.
+//! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
+
+use super::contacts::{LinkContact, LinkContacts, Point};
+use super::rows::{Actors, Numbers};
+use super::{Moving, SolverMultibodies};
+use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::state::BodyState;
+use crate::model::island::NONE;
+use crate::model::params::ImpactPass;
+use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
+
+/// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Blow {
+    /// Its velocity when the last substep ended, then by how much forces have changed it since.
+    accelerated: Real,
+    /// It hits where its velocity is below this.
+    limit: Real,
+    /// Does it come fast, and not arrive in this substep?
+    waits: bool,
+    /// `1 / K` if it hits in this round.
+    mass: Real,
+    approach: Real,
+    target: Real,
+    /// When it hits, from the beginning of the substep (s).
+    time: Real,
+    /// Impulses of this round, and of the whole impact.
+    impulse: Real,
+    given: Real,
+}
+
+/// A contact in an impact. See `ImpactBlock` in `impacts/rows.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Strike {
+    /// The island of its links.
+    pub island: u32,
+    /// Does any point hit in this round?
+    pub struck: bool,
+    /// Has any point hit in this substep?
+    pub was_struck: bool,
+    /// Did the last visit have to change anything?
+    pub moving: bool,
+    /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
+    pub stopped: Real,
+    pub surplus: Real,
+}
+
+/// What a multibody remembers of the beginning of a round.
+#[derive(Debug, Default)]
+pub struct BeforeBlow {
+    rates: Vec<Real>,
+    outside: SpatialVector,
+    /// The sum of the impulses of this round, and of impulse times time.
+    weight: Real,
+    moment: Real,
+}
+
+impl BeforeBlow {
+    /// Notes that a blow came at a time.
+    pub fn note(&mut self, impulse: Real, time: Real) {
+        self.weight += impulse;
+        self.moment += impulse * time;
+    }
+}
+
+impl SolverMultibodies {
+    /// Does any contact bounce?
+    pub fn bounce(&self) -> bool {
+        self.contacts.contacts.iter().any(LinkContact::bounces)
+    }
+
+    /// No island of a contact that bounces has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let islands = self.contacts.contacts.iter().filter(|contact| contact.bounces());
+        islands.map(|contact| contact.strike.island as usize + 1).max().unwrap_or(0)
+    }
+
+    /// The contacts that hit in this round.
+    pub fn struck(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.struck)
+    }
+
+    /// Notes how the contacts move at the end of a substep, before forces act in the next.
+    pub fn note_velocities(&mut self, velocities: &mut [BodyState]) {
+        let (numbers, contacts, actors) = self.bouncing(velocities);
+        for contact in contacts.bouncing() {
+            for point in &mut contact.points {
+                point.blow.accelerated = numbers.velocity(&point.normal, &actors);
+            }
+        }
+    }
+
+    /// Begins a substep.
+    pub fn begin_impact(&mut self, states: &mut [BodyState], pass: &ImpactPass) {
+        let (numbers, contacts, actors) = self.bouncing(states);
+        for contact in contacts.bouncing() {
+            contact.strike.was_struck = false;
+            for Point { normal, blow, .. } in &mut contact.points {
+                let velocity = numbers.velocity(normal, &actors);
+                let at_rest = if velocity >= -pass.threshold { velocity.min(0.0) } else { 0.0 };
+                blow.limit = at_rest - pass.threshold * NOTICED;
+                blow.accelerated = (velocity - blow.accelerated).clamp(-pass.fall, pass.fall);
+                blow.given = 0.0;
+            }
+        }
+    }
+
+    /// Begins a round: finds the points that hit before the substep ends, and how they are to part.
+    pub fn mark_struck(&mut self, states: &mut [BodyState], pass: &ImpactPass) {
+        let (numbers, contacts, actors) = self.bouncing(states);
+        for contact in contacts.bouncing() {
+            contact.strike.struck = false;
+            for Point { normal, blow, separation, .. } in &mut contact.points {
+                let velocity = numbers.velocity(normal, &actors);
+                let separation = *separation + numbers.displacement(normal, &actors);
+                let hits = blow.mark(velocity, separation, contact.restitution, pass);
+                blow.mass = if hits { normal.mass } else { 0.0 };
+                contact.strike.struck |= blow.mass > 0.0;
+            }
+            contact.strike.was_struck |= contact.strike.struck;
+        }
+    }
+
+    /// Visits the points that hit, in turn: pushes until they part as they are to.
+    pub fn visit_struck(&mut self, states: &mut [BodyState]) {
+        let (numbers, contacts, mut actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            contact.strike.moving = false;
+            for sweep in 0..SWEEPS {
+                for Point { normal, blow, .. } in &mut contact.points {
+                    let missing = blow.target - numbers.velocity(normal, &actors);
+                    let new = (blow.impulse + blow.mass * missing).max(0.0);
+                    let change = new - blow.impulse;
+                    blow.impulse = new;
+                    numbers.strike(normal, change, &mut actors);
+                    let little = -(blow.mass * blow.approach * SETTLED);
+                    contact.strike.moving |= sweep == 0 && change.abs() > little;
+                }
+            }
+        }
+    }
+
+    /// Ends a round: does the accounts of its energy, and tells bodies and multibodies when they were hit.
+    pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
+        let (numbers, contacts, mut actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            let allowed = contact.restitution.max(1.0);
+            (contact.strike.stopped, contact.strike.surplus) = (0.0, 0.0);
+            for Point { normal, blow, .. } in &mut contact.points {
+                let velocity = numbers.velocity(normal, &actors);
+                contact.strike.stopped += blow.impulse * blow.approach;
+                contact.strike.surplus += blow.impulse * (velocity + allowed * blow.approach) * 0.5;
+                blow.given += blow.impulse;
+                numbers.note_blow(normal, [blow.impulse, blow.time], &mut actors, delays);
+            }
+        }
+    }
+
+    /// Puts the points aside that come fast and do not arrive in this substep.
+    pub fn put_aside(&mut self) {
+        for contact in self.contacts.bouncing() {
+            contact.points.iter_mut().for_each(|point| point.is_aside = point.blow.waits);
+        }
+    }
+
+    /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
+    pub fn rub_struck(&mut self, states: &mut [BodyState]) {
+        let (numbers, contacts, mut actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.was_struck) {
+            for point in contact.points.iter_mut().filter(|point| point.blow.given > 0.0) {
+                point.total += point.blow.given;
+                let most = contact.friction * point.blow.given;
+                let none = [0.0; DIM - 1];
+                let rubbed = point.friction_under(most, none, numbers, &actors);
+                for (row, impulse) in point.tangents.iter().zip(rubbed) {
+                    numbers.strike(row, impulse, &mut actors);
+                }
+            }
+        }
+    }
+
+    /// Remembers how the multibodies move when a round begins.
+    pub fn begin_round(&mut self) {
+        for moving in &mut self.moving {
+            let BeforeBlow { rates, outside, weight, moment } = &mut moving.before_blow;
+            rates.clone_from(&moving.motion.rates);
+            *outside = moving.motion.outside();
+            (*weight, *moment) = (0.0, 0.0);
+        }
+    }
+
+    /// Takes over what an impact did to the velocities since the round began, or as much of it as `share` says for an island: see
+    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact).
+    pub fn accept_impact(&mut self, share: impl Fn(u32) -> Real) {
+        for moving in &mut self.moving {
+            moving.accept_impact(share(moving.island));
+        }
+    }
+
+    fn bouncing<'a>(
+        &'a mut self,
+        states: &'a mut [BodyState],
+    ) -> (&'a Numbers, &'a mut LinkContacts, Actors<'a>) {
+        let Self { numbers, contacts, moving, .. } = self;
+        (numbers, contacts, Actors { multibodies: moving, states })
+    }
+}
+
+impl LinkContacts {
+    /// Those that bounce.
+    fn bouncing(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.iter_mut().filter(|contact| contact.bounces())
+    }
+}
+
+impl Strike {
+    /// For a contact of this island.
+    pub fn of(island: u32) -> Self {
+        Self { island, ..Self::default() }
+    }
+}
+
+impl LinkContact {
+    fn bounces(&self) -> bool {
+        self.restitution != 0.0 && self.strike.island != NONE
+    }
+
+    /// Leaves it as it is for the rest of the round.
+    pub fn let_be(&mut self) {
+        self.points.iter_mut().for_each(|point| point.blow.mass = 0.0);
+    }
+}
+
+impl Point {
+    /// Where it is for all passes but those of impacts.
+    pub fn shown_separation(&self) -> Real {
+        if self.is_aside { FAR } else { self.separation }
+    }
+}
+
+impl Blow {
+    /// Does the point hit? Then its impulse begins at zero, and it is known how it is to part.
+    fn mark(
+        &mut self,
+        velocity: Real,
+        separation: Real,
+        restitution: Real,
+        pass: &ImpactPass,
+    ) -> bool {
+        let h = pass.substep;
+        let comes = velocity < self.limit && restitution > 0.0;
+        let arrives = separation + velocity * h < 0.0;
+        self.waits = comes && !arrives;
+        self.impulse = 0.0;
+        let speed = if comes { -velocity } else { 1.0 };
+        self.time = (separation / speed).max(-pass.step).min(h);
+        let most = speed * BEND_MAX;
+        let bend = self.accelerated * (self.time * pass.inv_substep - 0.5);
+        let bend = bend.max(-most).min(most);
+        self.approach = bend + bend - speed;
+        self.target = (restitution * (speed - bend) - bend).max(0.0);
+        comes && arrives
+    }
+}
+
+impl Moving {
+    fn accept_impact(&mut self, share: Real) {
+        let BeforeBlow { rates, outside, weight, moment } = &mut self.before_blow;
+        if *rates == self.motion.rates {
+            return;
+        }
+        for (rate, old) in self.motion.rates.iter_mut().zip(rates.iter_mut()) {
+            let added = (*rate - *old) * share;
+            *rate = *old + added;
+            *old = added;
+        }
+        self.motion.share_outside(outside, share);
+        let added = core::mem::take(rates);
+        if *weight > 0.0 {
+            let delay = -*moment / *weight;
+            self.displace(&added, delay);
+        }
+        self.before_blow.rates = added;
+    }
+
+    /// Places the links as if they had moved at these rates for `delay` seconds more.
+    fn displace(&mut self, rates: &[Real], delay: Real) {
+        for (shift, rate) in self.shift.iter_mut().zip(rates) {
+            *shift += rate * delay;
+        }
+        self.motion.displace(&mut self.multibody, rates, delay);
+        self.note_travel_at(rates, delay.abs());
+    }
+}
