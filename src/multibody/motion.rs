@@ -252,11 +252,27 @@ impl Motion {
         self.keep_momentum(root_center);
     }
 
-    /// Places the links as if they had moved at these rates for `h` seconds more. Momentum stays, about the root.
+    /// Moves the links for `h` seconds, which may be negative, at these rates. Velocities stay.
     pub fn displace(&mut self, multibody: &mut Multibody, rates: &[Real], h: Real) {
-        self.keep_momentum(self.kinematics.links[0].center);
+        let root_center = self.kinematics.links[0].center;
         multibody.integrate(h, rates, &ZERO);
         self.kinematics.update(multibody);
+        self.carry_momentum(root_center);
+    }
+
+    /// Undoes what the flight changed about the velocities in the last `h` seconds, if they were these `before` a blow, and
+    /// does it with the velocities that they are now.
+    pub fn redo_flight(&mut self, before: &[Real], h: Real) {
+        let mut change = core::mem::take(&mut self.change);
+        let after = self.rates.clone();
+        self.drift(h, &mut change);
+        let with_these = change.clone();
+        self.rates.copy_from_slice(before);
+        self.drift(h, &mut change);
+        self.rates = after;
+        add_all(&mut self.rates, &with_these, 1.0);
+        add_all(&mut self.rates, &change, -1.0);
+        self.change = change;
     }
 
     /// Ends the step.
@@ -270,12 +286,8 @@ impl Motion {
         if self.root_dofs() == 0 {
             return;
         }
-        let center = self.kinematics.links[0].center;
-        let mut wanted = carry_back(&self.momentum, before - center);
-        add_scaled(&mut wanted, &carry_back(&self.outside, self.origin - center), 1.0);
-        self.outside = ZERO;
-        self.momentum = wanted;
-        let mut missing = wanted;
+        self.carry_momentum(before);
+        let mut missing = self.momentum;
         add_scaled(&mut missing, &self.root_momentum(), -1.0);
         let mut change = core::mem::take(&mut self.change);
         change.clear();
@@ -283,6 +295,14 @@ impl Motion {
         self.factor.solve(&self.kinematics, &[missing], &mut change);
         add_all(&mut self.rates, &change, 1.0);
         self.change = change;
+    }
+
+    /// Lets the momentum that was about `before` be about the root's centre of mass, with the impulses from outside.
+    fn carry_momentum(&mut self, before: Vector) {
+        let center = self.kinematics.links[0].center;
+        let mut momentum = carry_back(&self.momentum, before - center);
+        add_scaled(&mut momentum, &carry_back(&self.outside, self.origin - center), 1.0);
+        (self.momentum, self.outside) = (momentum, ZERO);
     }
 
     /// The momentum of all links together, about the root's centre of mass.

@@ -99,7 +99,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        solve_group(group.substeps, (gravity, params, bodies), states, constraints, simd, counters);
+        let place = (&*narrow_phase, &*bodies);
+        solve_group(group.substeps, (gravity, params), place, states, constraints, simd, counters);
 
         counters.velocity_writeback_time.resume();
         let Constraints { joints, contacts, multibodies } = constraints;
@@ -119,7 +120,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    (gravity, params, bodies): (Vector, &IntegrationParameters, &RigidBodySet),
+    (gravity, params): (Vector, &IntegrationParameters),
+    place: (&NarrowPhase, &RigidBodySet),
     states: &mut SolverBodies,
     constraints: &mut Constraints,
     simd: Simd,
@@ -146,13 +148,14 @@ fn solve_group(
         multibodies.note_velocities(last);
         states.integrate_velocities(h, params, substep == 0);
         if substep > 0 {
-            multibodies.follow_loops(bodies, states);
+            multibodies.follow_loops(place.1, states);
         }
         multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
-        let around = Around { joints, joint_pass: &joint_pass, links: multibodies, simd, tasks };
+        let links = (&mut *multibodies, place);
+        let around = Around { joints, joint_pass: &joint_pass, links, simd, tasks };
         contacts.bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);

@@ -62,6 +62,8 @@ use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim::contact::{ContactInput, NormalRows};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
 pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED, SETTLED, SWEEPS};
@@ -115,8 +117,8 @@ impl Account {
 pub(super) struct Around<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
-    /// The contacts of links, which take part.
-    pub links: &'a mut SolverMultibodies,
+    /// The contacts of links, which take part, and where they know from where they are.
+    pub links: (&'a mut SolverMultibodies, (&'a NarrowPhase, &'a RigidBodySet)),
     pub simd: Simd,
     pub tasks: Tasks,
 }
@@ -160,28 +162,28 @@ impl Impacts {
         mut around: Around<'_>,
         pass: &ImpactPass,
     ) {
-        if self.blocks.is_empty() && !around.links.bounce() {
+        if self.blocks.is_empty() && !around.links.0.bounce() {
             return;
         }
         self.pass(Stage::Begin, contacts, bodies, &mut around, pass);
         let hits = self.blocks.iter().any(|block| block.struck != 0);
-        let hits = hits || around.links.struck().next().is_some();
+        let hits = hits || around.links.0.struck().next().is_some();
         if hits {
             self.memory.accounts.clear();
             let account = Account { visits: VISITS, ..Account::default() };
-            let bound = bodies.island_bound().max(around.links.island_bound());
+            let bound = bodies.island_bound().max(around.links.0.island_bound());
             self.memory.accounts.resize(bound, account);
-            while self.find_struck(around.links) {
+            while self.find_struck(around.links.0) {
                 self.solve_round(contacts, bodies, &mut around, pass);
                 self.pass(Stage::Mark, contacts, bodies, &mut around, pass);
             }
         }
         self.pass(Stage::PutAside, contacts, bodies, &mut around, pass);
         if hits {
-            self.begin_round(bodies, around.links);
+            self.begin_round(bodies, around.links.0);
             self.pass(Stage::Rub, contacts, bodies, &mut around, pass);
             bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
-            around.links.accept_impact(|_| 1.0);
+            around.links.0.accept_impact(pass.substep, |_| 1.0);
             around.joints.forget_places();
         }
     }
@@ -224,10 +226,10 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        self.begin_round(bodies, around.links);
+        self.begin_round(bodies, around.links.0);
         for _ in 0..ROUND_VISITS {
             self.pass(Stage::Visit, contacts, bodies, around, pass);
-            if !self.find_moving(around.links) {
+            if !self.find_moving(around.links.0) {
                 break;
             }
             let accounts = &self.memory.accounts;
@@ -246,7 +248,7 @@ impl Impacts {
                 account.surplus += block.surplus.0[lane];
             }
         }
-        for contact in around.links.struck() {
+        for contact in around.links.0.struck() {
             let account = &mut self.memory.accounts[contact.strike.island as usize];
             account.stopped += contact.strike.stopped;
             account.surplus += contact.strike.surplus;
@@ -254,7 +256,7 @@ impl Impacts {
         let Memory { start, delays, accounts, .. } = &self.memory;
         let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
         bodies.accept_impact(start, delays, share);
-        around.links.accept_impact(share);
+        around.links.0.accept_impact(pass.substep, share);
     }
 
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
@@ -313,7 +315,7 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        self.pass_links(stage, bodies, around.links, pass);
+        self.pass_links(stage, bodies, around, pass);
         let (_, states, _) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
@@ -327,20 +329,20 @@ impl Impacts {
         &mut self,
         stage: Stage,
         bodies: &mut SolverBodies,
-        links: &mut SolverMultibodies,
+        around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        let states = &mut bodies.states[..];
+        let (links, place) = (&mut *around.links.0, around.links.1);
         match stage {
             Stage::Begin => {
-                links.begin_impact(states, pass);
-                links.mark_struck(states, pass);
+                links.begin_impact(&mut bodies.states, pass);
+                links.mark_struck(place, bodies, pass);
             }
-            Stage::Mark => links.mark_struck(states, pass),
-            Stage::Visit => links.visit_struck(states),
-            Stage::End => links.end_round(states, &mut self.memory.delays),
+            Stage::Mark => links.mark_struck(place, bodies, pass),
+            Stage::Visit => links.visit_struck(&mut bodies.states),
+            Stage::End => links.end_round(&mut bodies.states, &mut self.memory.delays),
             Stage::PutAside => links.put_aside(),
-            Stage::Rub => links.rub_struck(states),
+            Stage::Rub => links.rub_struck(&mut bodies.states),
         }
     }
 }

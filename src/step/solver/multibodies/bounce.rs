@@ -15,8 +15,11 @@ use super::rows::{Actors, Numbers};
 use super::{Moving, SolverMultibodies};
 use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
 use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
+use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
@@ -60,16 +63,17 @@ pub struct Strike {
 pub struct BeforeBlow {
     rates: Vec<Real>,
     outside: SpatialVector,
-    /// The sum of the impulses of this round, and of impulse times time.
-    weight: Real,
-    moment: Real,
+    /// The sum of the times (s) at which it is hit in this round, and how many they are.
+    times: [Real; 2],
+    /// For how long (s) it has been moved on to where it is hit.
+    ahead: Real,
 }
 
 impl BeforeBlow {
-    /// Notes that a blow came at a time.
-    pub fn note(&mut self, impulse: Real, time: Real) {
-        self.weight += impulse;
-        self.moment += impulse * time;
+    /// Notes that a blow comes at a time.
+    pub fn note(&mut self, time: Real) {
+        let [sum, count] = self.times;
+        self.times = [sum + time, count + 1.0];
     }
 }
 
@@ -116,18 +120,57 @@ impl SolverMultibodies {
     }
 
     /// Begins a round: finds the points that hit before the substep ends, and how they are to part.
-    pub fn mark_struck(&mut self, states: &mut [BodyState], pass: &ImpactPass) {
-        let (numbers, contacts, actors) = self.bouncing(states);
+    pub fn mark_struck(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        pass: &ImpactPass,
+    ) {
+        let (numbers, contacts, mut actors) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
             contact.strike.struck = false;
             for Point { normal, blow, separation, .. } in &mut contact.points {
                 let velocity = numbers.velocity(normal, &actors);
                 let separation = *separation + numbers.displacement(normal, &actors);
-                let hits = blow.mark(velocity, separation, contact.restitution, pass);
-                blow.mass = if hits { normal.mass } else { 0.0 };
-                contact.strike.struck |= blow.mass > 0.0;
+                blow.impulse = 0.0;
+                blow.mass = 0.0;
+                if blow.find_time(velocity, separation, pass) {
+                    blow.mass = normal.mass;
+                    contact.strike.struck |= blow.mass > 0.0;
+                    numbers.note_time(normal, blow.time, &mut actors);
+                }
             }
             contact.strike.was_struck |= contact.strike.struck;
+        }
+        self.go_where_struck(place, bodies, pass.substep);
+        let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            for Point { normal, blow, .. } in &mut contact.points {
+                if blow.mass > 0.0 {
+                    blow.mass = normal.mass;
+                    blow.aim(numbers.velocity(normal, &actors), contact.restitution, pass);
+                }
+            }
+        }
+    }
+
+    /// Moves the multibodies that are hit to where they are then, and makes the rows of their blows there.
+    fn go_where_struck(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        h: Real,
+    ) {
+        for moving in &mut self.moving {
+            let [sum, count] = core::mem::take(&mut moving.before_blow.times);
+            if count > 0.0 {
+                moving.move_on(sum / count, h);
+            }
+        }
+        for position in 0..self.contacts.contacts.len() {
+            if self.contacts.contacts[position].strike.struck {
+                self.follow_contact(position, place, bodies);
+            }
         }
     }
 
@@ -152,7 +195,7 @@ impl SolverMultibodies {
 
     /// Ends a round: does the accounts of its energy, and tells bodies and multibodies when they were hit.
     pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
-        let (numbers, contacts, mut actors) = self.bouncing(states);
+        let (numbers, contacts, actors) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
             let allowed = contact.restitution.max(1.0);
             (contact.strike.stopped, contact.strike.surplus) = (0.0, 0.0);
@@ -161,7 +204,7 @@ impl SolverMultibodies {
                 contact.strike.stopped += blow.impulse * blow.approach;
                 contact.strike.surplus += blow.impulse * (velocity + allowed * blow.approach) * 0.5;
                 blow.given += blow.impulse;
-                numbers.note_blow(normal, [blow.impulse, blow.time], &mut actors, delays);
+                numbers.note_blow(normal, [blow.impulse, blow.time], delays);
             }
         }
     }
@@ -192,18 +235,17 @@ impl SolverMultibodies {
     /// Remembers how the multibodies move when a round begins.
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
-            let BeforeBlow { rates, outside, weight, moment } = &mut moving.before_blow;
+            let BeforeBlow { rates, outside, .. } = &mut moving.before_blow;
             rates.clone_from(&moving.motion.rates);
             *outside = moving.motion.outside();
-            (*weight, *moment) = (0.0, 0.0);
         }
     }
 
     /// Takes over what an impact did to the velocities since the round began, or as much of it as `share` says for an island: see
-    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact).
-    pub fn accept_impact(&mut self, share: impl Fn(u32) -> Real) {
+    /// [`SolverBodies::accept_impact`].
+    pub fn accept_impact(&mut self, h: Real, share: impl Fn(u32) -> Real) {
         for moving in &mut self.moving {
-            moving.accept_impact(share(moving.island));
+            moving.accept_impact(h, share(moving.island));
         }
     }
 
@@ -249,56 +291,64 @@ impl Point {
 }
 
 impl Blow {
-    /// Does the point hit? Then its impulse begins at zero, and it is known how it is to part.
-    fn mark(
-        &mut self,
-        velocity: Real,
-        separation: Real,
-        restitution: Real,
-        pass: &ImpactPass,
-    ) -> bool {
+    /// Does the point hit? Then it is known when.
+    fn find_time(&mut self, velocity: Real, separation: Real, pass: &ImpactPass) -> bool {
         let h = pass.substep;
-        let comes = velocity < self.limit && restitution > 0.0;
+        let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
         self.waits = comes && !arrives;
-        self.impulse = 0.0;
-        let speed = if comes { -velocity } else { 1.0 };
-        self.time = (separation / speed).max(-pass.step).min(h);
+        if comes {
+            self.time = (separation / -velocity).max(0.0).min(h);
+        }
+        comes && arrives
+    }
+
+    /// Finds how it is to part.
+    fn aim(&mut self, velocity: Real, restitution: Real, pass: &ImpactPass) {
+        let speed = (-velocity).max(0.0);
         let most = speed * BEND_MAX;
         let bend = self.accelerated * (self.time * pass.inv_substep - 0.5);
         let bend = bend.max(-most).min(most);
         self.approach = bend + bend - speed;
         self.target = (restitution * (speed - bend) - bend).max(0.0);
-        comes && arrives
     }
 }
 
 impl Moving {
-    fn accept_impact(&mut self, share: Real) {
-        let BeforeBlow { rates, outside, weight, moment } = &mut self.before_blow;
-        if *rates == self.motion.rates {
-            return;
-        }
-        for (rate, old) in self.motion.rates.iter_mut().zip(rates.iter_mut()) {
-            let added = (*rate - *old) * share;
-            *rate = *old + added;
-            *old = added;
-        }
-        self.motion.share_outside(outside, share);
-        let added = core::mem::take(rates);
-        if *weight > 0.0 {
-            let delay = -*moment / *weight;
-            self.displace(&added, delay);
-        }
-        self.before_blow.rates = added;
+    /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
+    fn move_on(&mut self, time: Real, h: Real) {
+        let rates = core::mem::take(&mut self.motion.rates);
+        self.displace(&rates, time);
+        self.motion.rates = rates;
+        self.motion.resist(h);
+        self.before_blow.ahead = time;
     }
 
-    /// Places the links as if they had moved at these rates for `delay` seconds more.
-    fn displace(&mut self, rates: &[Real], delay: Real) {
-        for (shift, rate) in self.shift.iter_mut().zip(rates) {
-            *shift += rate * delay;
+    /// Ends a round of a substep of `h` seconds.
+    fn accept_impact(&mut self, h: Real, share: Real) {
+        let time = core::mem::take(&mut self.before_blow.ahead);
+        if time == 0.0 && self.before_blow.rates == self.motion.rates {
+            return;
         }
-        self.motion.displace(&mut self.multibody, rates, delay);
-        self.note_travel_at(rates, delay.abs());
+        let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
+        for (rate, old) in self.motion.rates.iter_mut().zip(before) {
+            *rate = *old + (*rate - *old) * share;
+        }
+        self.motion.share_outside(outside, share);
+        if time != 0.0 {
+            self.motion.redo_flight(before, 0.5 * h - time);
+            let rates = core::mem::take(&mut self.motion.rates);
+            self.displace(&rates, -time);
+            self.motion.rates = rates;
+        }
+    }
+
+    /// Moves the links for `time` seconds, which may be negative, at these rates.
+    fn displace(&mut self, rates: &[Real], time: Real) {
+        for (shift, rate) in self.shift.iter_mut().zip(rates) {
+            *shift += rate * time;
+        }
+        self.motion.displace(&mut self.multibody, rates, time);
+        self.note_travel_at(rates, time.abs());
     }
 }

@@ -41,6 +41,8 @@ pub struct Point {
 pub struct LinkContact {
     at: ManifoldRef,
     normal: Vector,
+    /// Where the numbers of its rows begin.
+    first_number: usize,
     pub friction: Real,
     pub restitution: Real,
     pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
@@ -134,6 +136,7 @@ impl SolverMultibodies {
         manifold: &ContactManifold,
     ) -> LinkContact {
         let data = &manifold.data;
+        let first_number = self.numbers.len();
         let along = tangents(geometry.normal);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
@@ -153,7 +156,36 @@ impl SolverMultibodies {
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
         let strike = Strike::of(self.island_of(sides));
-        LinkContact { at, normal: geometry.normal, friction, restitution, points, strike }
+        let normal = geometry.normal;
+        LinkContact { at, normal, first_number, friction, restitution, points, strike }
+    }
+
+    /// Makes the rows of a contact anew, where links and bodies are now.
+    pub(super) fn follow_contact(
+        &mut self,
+        position: usize,
+        (narrow_phase, world): (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+    ) {
+        let LinkContact { at, first_number, .. } = self.contacts.contacts[position];
+        let pair = &narrow_phase.contacts[at.pair];
+        let manifold = &pair.manifolds[at.manifold as usize];
+        let dominance = manifold.data.relative_dominance;
+        let slots = narrow_phase.contacts.bodies(at.pair);
+        let sides = [
+            self.side_now(slots[0], dominance <= 0, world, bodies),
+            self.side_now(slots[1], dominance >= 0, world, bodies),
+        ];
+        let geometry = Geometry::of(&sides, &pair.placement, manifold);
+        self.numbers.rewrite_from(first_number);
+        let fresh = self.contact(at, &sides, &geometry, manifold);
+        self.numbers.append();
+        let Self { numbers, contacts, moving, .. } = self;
+        let actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for (point, fresh) in contacts.contacts[position].points.iter_mut().zip(fresh.points) {
+            (point.normal, point.tangents) = (fresh.normal, fresh.tangents);
+            point.separation = fresh.separation - numbers.displacement(&fresh.normal, &actors);
+        }
     }
 
     /// The island of the links among two sides.

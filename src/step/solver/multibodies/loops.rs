@@ -161,7 +161,7 @@ impl SolverMultibodies {
         let Loop { slots, joint, locked, .. } = &mut self.loops.loops[position];
         let (slots, joint) = (*slots, *joint);
         locked.clear();
-        let sides = slots.map(|slot| self.side_now(slot, world, bodies));
+        let sides = slots.map(|slot| self.side_now(slot, true, world, bodies));
         let Some(frames) = Frames::of(&joint, &sides, world, slots) else { return };
         let along = frames.first.inverse() * frames.separation;
         let about = locked_angles(frames.between);
@@ -185,9 +185,15 @@ impl SolverMultibodies {
         self.loops.loops[position].locked = locked;
     }
 
-    /// A side of a joint where it is now.
-    fn side_now<'a>(&self, slot: u32, world: &'a RigidBodySet, bodies: &SolverBodies) -> Side<'a> {
-        let mut side = self.side(slot, true, world, bodies);
+    /// A side of a joint or a contact where it is now.
+    pub(super) fn side_now<'a>(
+        &self,
+        slot: u32,
+        gives_way: bool,
+        world: &'a RigidBodySet,
+        bodies: &SolverBodies,
+    ) -> Side<'a> {
+        let mut side = self.side(slot, gives_way, world, bodies);
         if let Some((_, index)) = side.body {
             let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
             side.center = side.center.map(|center| center + shift);

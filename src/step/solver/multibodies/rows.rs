@@ -37,6 +37,8 @@ pub struct Row {
 pub struct Numbers {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
+    /// Where the next ones go; beyond the last, if they are not to be written anew.
+    next: usize,
     /// Of the part that is being added: how large each number could be.
     sizes: Vec<Real>,
 }
@@ -54,8 +56,7 @@ pub struct Actors<'a> {
 impl Numbers {
     /// No rows yet.
     pub fn clear(&mut self) {
-        self.jacobians.clear();
-        self.responses.clear();
+        self.truncate(0);
     }
 
     /// How many there are.
@@ -67,6 +68,17 @@ impl Numbers {
     pub fn truncate(&mut self, len: usize) {
         self.jacobians.truncate(len);
         self.responses.truncate(len);
+        self.next = len;
+    }
+
+    /// Lets the next numbers be written over those from a place on, which must be as many.
+    pub fn rewrite_from(&mut self, start: usize) {
+        self.next = start;
+    }
+
+    /// Ends that.
+    pub fn append(&mut self) {
+        self.next = self.jacobians.len();
     }
 
     /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
@@ -77,19 +89,25 @@ impl Numbers {
         gives_way: bool,
         fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
     ) -> Part {
-        let start = self.jacobians.len();
         let moving = &mut multibodies[multibody];
+        let start = self.next;
         let end = start + moving.motion.rates.len();
-        self.jacobians.resize(end, 0.0);
+        self.next = end;
+        let len = end.max(self.jacobians.len());
+        self.jacobians.resize(len, 0.0);
+        self.responses.resize(len, 0.0);
         self.sizes.clear();
         self.sizes.resize(end - start, 0.0);
-        fill(moving, &mut self.jacobians[start..], &mut self.sizes);
-        for (number, size) in self.jacobians[start..].iter_mut().zip(&self.sizes) {
+        let (jacobian, response) =
+            (&mut self.jacobians[start..end], &mut self.responses[start..end]);
+        jacobian.fill(0.0);
+        fill(moving, jacobian, &mut self.sizes);
+        for (number, size) in jacobian.iter_mut().zip(&self.sizes) {
             *number = if number.abs() < ROUNDING * size { 0.0 } else { *number };
         }
-        self.responses.extend_from_slice(&self.jacobians[start..]);
+        response.copy_from_slice(jacobian);
         if gives_way {
-            moving.motion.respond(&mut self.responses[start..]);
+            moving.motion.respond(response);
         }
         Part::Links { multibody, start, gives_way }
     }
@@ -174,26 +192,31 @@ impl Numbers {
         });
     }
 
-    /// Tells both sides of a row of a blow: its impulse, and when it came. Bodies have it in `delays`, in place of two
-    /// components of a velocity.
+    /// Tells the multibodies of a row when a blow comes (s).
+    pub fn note_time(&self, row: &Row, time: Real, actors: &mut Actors<'_>) {
+        for part in &row.parts {
+            if let Part::Links { multibody, gives_way: true, .. } = part {
+                actors.multibodies[*multibody].before_blow.note(time);
+            }
+        }
+    }
+
+    /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
+    /// of a velocity.
     pub fn note_blow(
         &self,
         row: &Row,
         [impulse, time]: [Real; 2],
-        actors: &mut Actors<'_>,
         delays: &mut [BodyState],
     ) {
         for part in &row.parts {
             match part {
-                Part::Links { multibody, .. } => {
-                    actors.multibodies[*multibody].before_blow.note(impulse, time);
-                }
                 Part::Body { index, .. } if index & READ_ONLY == 0 => {
                     let mut blow = [0.0; SPATIAL_DIM];
                     (blow[0], blow[1]) = (impulse, impulse * time);
                     delays[at(*index)].add_velocity(blow);
                 }
-                Part::Body { .. } | Part::Nothing => {}
+                _ => {}
             }
         }
     }
