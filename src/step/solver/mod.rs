@@ -150,7 +150,7 @@ fn solve_group(
         if substep > 0 {
             multibodies.follow_loops(place.1, states);
         }
-        multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
+        multibodies.integrate_velocities(h, params, tasks);
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
@@ -163,7 +163,7 @@ fn solve_group(
             multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h);
-        multibodies.integrate_positions(h, tasks);
+        multibodies.integrate_positions(h, params.max_linear_velocity(), tasks);
         for _ in 0..params.num_additional_friction_iterations {
             joints.relax(states, &early_joint_pass, simd, tasks);
             contacts.relax(states, &early_pass, simd, tasks);

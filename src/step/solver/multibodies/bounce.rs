@@ -6,14 +6,20 @@
 //! (`rows.rs`), of a whole multibody, makes no difference to them. So a blow travels through chains as through rows of
 //! bodies, and the sum that guards the energy of an island counts both.
 //!
-//! A multibody bears a blow as a body does: its rates change, by the share of the round that its island goes, and its
-//! coordinates move by `-τ Δq̇`, as if the blow had come at its own time. What the blow did is no load for the next substep.
+//! A multibody bears a blow as a body does: its rates change, by the share of the round that its island goes, and what the blow
+//! did is no load for the next substep. But it turns on its way: `J`, `W` and the velocities of a substep's middle are not those
+//! of the time `τ` at which it is hit, and with them a blow would give energy. So it is moved on to that time, `q + τ q̇`, its velocities
+//! are flown back to it, the rows of the blows are made there, and behind the round all goes back the same way at the new
+//! velocities. A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
+//! back along a tangent, and not farther than that is its way.
+//!
 //! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{Actors, Numbers};
 use super::{Moving, SolverMultibodies};
-use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::math::{DIM, Real, SpatialVector, ang_length_squared};
+use crate::dim::spatial::angular;
 use crate::dim::state::BodyState;
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
@@ -21,6 +27,9 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
+
+/// By how much (rad) a link turns at most when a multibody goes back to before the substep.
+const TURN_BACK_MAX: Real = 0.1;
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
 #[derive(Copy, Clone, Debug, Default)]
@@ -65,8 +74,8 @@ pub struct BeforeBlow {
     outside: SpatialVector,
     /// The sum of the times (s) at which it is hit in this round, and how many they are.
     times: [Real; 2],
-    /// For how long (s) it has been moved on to where it is hit.
-    ahead: Real,
+    /// For how long (s) it has been moved on to where it is hit, if it is.
+    ahead: Option<Real>,
 }
 
 impl BeforeBlow {
@@ -113,9 +122,21 @@ impl SolverMultibodies {
                 let velocity = numbers.velocity(normal, &actors);
                 let at_rest = if velocity >= -pass.threshold { velocity.min(0.0) } else { 0.0 };
                 blow.limit = at_rest - pass.threshold * NOTICED;
-                blow.accelerated = (velocity - blow.accelerated).clamp(-pass.fall, pass.fall);
                 blow.given = 0.0;
             }
+        }
+        // What inertia does is reckoned with where the links are moved on to where they are hit.
+        let before_flight = |moving: &mut Moving| {
+            let before = moving.motion.rates_before_flight();
+            core::mem::replace(&mut moving.motion.rates, before)
+        };
+        let flying: Vec<_> = actors.multibodies.iter_mut().map(before_flight).collect();
+        for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
+            let accelerated = numbers.velocity(&point.normal, &actors) - point.blow.accelerated;
+            point.blow.accelerated = accelerated.clamp(-pass.fall, pass.fall);
+        }
+        for (moving, rates) in actors.multibodies.iter_mut().zip(flying) {
+            moving.motion.rates = rates;
         }
     }
 
@@ -298,7 +319,7 @@ impl Blow {
         let arrives = separation + velocity * h < 0.0;
         self.waits = comes && !arrives;
         if comes {
-            self.time = (separation / -velocity).max(0.0).min(h);
+            self.time = (separation / -velocity).max(-pass.step).min(h);
         }
         comes && arrives
     }
@@ -317,29 +338,31 @@ impl Blow {
 impl Moving {
     /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
     fn move_on(&mut self, time: Real, h: Real) {
-        let rates = core::mem::take(&mut self.motion.rates);
+        let spins = self.motion.link_velocities().iter();
+        let spins = spins.map(|velocity| ang_length_squared(angular(velocity)).sqrt());
+        let fastest = spins.fold(0.0, Real::max);
+        let time = if fastest > 0.0 { time.max(-TURN_BACK_MAX / fastest) } else { time };
+        let rates = self.motion.rates.clone();
+        self.motion.fly_back(0.5 * h - time);
         self.displace(&rates, time);
-        self.motion.rates = rates;
         self.motion.resist(h);
-        self.before_blow.ahead = time;
+        self.before_blow.ahead = Some(time);
     }
 
     /// Ends a round of a substep of `h` seconds.
     fn accept_impact(&mut self, h: Real, share: Real) {
-        let time = core::mem::take(&mut self.before_blow.ahead);
-        if time == 0.0 && self.before_blow.rates == self.motion.rates {
-            return;
-        }
+        let ahead = self.before_blow.ahead.take();
         let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
-        for (rate, old) in self.motion.rates.iter_mut().zip(before) {
-            *rate = *old + (*rate - *old) * share;
+        if *before != self.motion.rates {
+            for (rate, old) in self.motion.rates.iter_mut().zip(before) {
+                *rate = *old + (*rate - *old) * share;
+            }
+            self.motion.share_outside(outside, share);
         }
-        self.motion.share_outside(outside, share);
-        if time != 0.0 {
-            self.motion.redo_flight(before, 0.5 * h - time);
-            let rates = core::mem::take(&mut self.motion.rates);
+        if let Some(time) = ahead {
+            self.motion.fly_on(0.5 * h - time);
+            let rates = self.motion.rates.clone();
             self.displace(&rates, -time);
-            self.motion.rates = rates;
         }
     }
 

@@ -138,6 +138,7 @@ impl SolverMultibodies {
         let data = &manifold.data;
         let first_number = self.numbers.len();
         let along = tangents(geometry.normal);
+        let share = self.share_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
                 Point {
@@ -146,8 +147,8 @@ impl SolverMultibodies {
                     normal: self.row(sides, position, geometry.normal),
                     tangents: along.map(|tangent| self.row(sides, position, tangent)),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
-                    impulse: known.warmstart_impulse,
-                    friction: known.warmstart_tangent_impulse,
+                    impulse: known.warmstart_impulse * share,
+                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
                     total: 0.0,
                     blow: Blow::default(),
                     is_aside: false,
@@ -188,6 +189,12 @@ impl SolverMultibodies {
         }
     }
 
+    /// With what share of their last impulses two sides begin.
+    pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
+        let place = sides.iter().find_map(|side| side.place);
+        place.map_or(1.0, |place| self.moving[place.multibody].share)
+    }
+
     /// The island of the links among two sides.
     fn island_of(&self, sides: &[Side<'_>; 2]) -> u32 {
         let place = sides.iter().find_map(|side| side.place);
@@ -221,7 +228,7 @@ impl SolverMultibodies {
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };
-        self.numbers.row(&self.moving, parts)
+        self.numbers.row(parts)
     }
 
     fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {

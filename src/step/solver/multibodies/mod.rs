@@ -46,6 +46,8 @@ pub(super) struct Moving {
     island: u32,
     multibody: Multibody,
     motion: Motion,
+    /// With what share of its last impulses it begins.
+    share: Real,
     /// What the impulses so far in this substep did to the rates.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
@@ -224,9 +226,10 @@ impl SolverMultibodies {
     }
 
     /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
-    pub fn integrate_velocities(&mut self, h: Real, warmth: Real, tasks: Tasks) {
+    pub fn integrate_velocities(&mut self, h: Real, params: &IntegrationParameters, tasks: Tasks) {
+        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
-            moving.motion.accelerate(&mut moving.multibody, h);
+            moving.motion.accelerate(&mut moving.multibody, h, speed_max);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -243,8 +246,8 @@ impl SolverMultibodies {
     }
 
     /// Moves all links by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks) {
-        for_each(&mut self.moving, tasks, |moving| moving.advance(h));
+    pub fn integrate_positions(&mut self, h: Real, speed_max: Real, tasks: Tasks) {
+        for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
     }
 
     /// Solves all constraints once, with bias.
@@ -294,12 +297,12 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    fn advance(&mut self, h: Real) {
+    fn advance(&mut self, h: Real, speed_max: Real) {
         for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
             *shift += rate * h;
         }
         self.note_travel(h);
-        self.motion.advance(&mut self.multibody, h);
+        self.motion.advance(&mut self.multibody, h, speed_max);
     }
 }
 

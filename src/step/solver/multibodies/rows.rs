@@ -6,7 +6,7 @@
 //!
 //! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
 //! during a step, for bodies as for links) in time proportional to the number of links. A visit of the row then is one
-//! product of two lists and one addition.
+//! product of two lists, as long as `J` is not zero (a limit's is one number), and one addition if there is anything to push.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
@@ -19,7 +19,8 @@ pub enum Part {
     /// Something that stands still.
     Nothing,
     /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
-    Links { multibody: usize, start: usize, gives_way: bool },
+    /// Of `J` only the numbers of the degrees of freedom in `span` are not zero.
+    Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
 }
@@ -109,13 +110,15 @@ impl Numbers {
         if gives_way {
             moving.motion.respond(response);
         }
-        Part::Links { multibody, start, gives_way }
+        let first = jacobian.iter().position(|&number| number != 0.0).unwrap_or(0);
+        let behind = jacobian.iter().rposition(|&number| number != 0.0).map_or(0, |last| last + 1);
+        Part::Links { multibody, start, span: [first, behind], gives_way }
     }
 
     /// A row of these parts.
-    pub fn row(&self, multibodies: &[Moving], parts: [Part; 2]) -> Row {
+    pub fn row(&self, parts: [Part; 2]) -> Row {
         let mut row = Row { parts, mass: 0.0 };
-        let k = self.coupling(multibodies, &row, &row);
+        let k = self.coupling(&row, &row);
         let inverse = 1.0 / k;
         if k > 0.0 && inverse.is_finite() {
             row.mass = inverse;
@@ -124,15 +127,15 @@ impl Numbers {
     }
 
     /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same two sides.
-    pub fn coupling(&self, multibodies: &[Moving], first: &Row, second: &Row) -> Real {
+    pub fn coupling(&self, first: &Row, second: &Row) -> Real {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
             (
-                Part::Links { multibody, start: i, .. },
+                Part::Links { start: i, span: [first, behind], .. },
                 Part::Links { start: j, gives_way: true, .. },
-            ) => {
-                let len = multibodies[*multibody].motion.rates.len();
-                product(&self.jacobians[*i..i + len], &self.responses[*j..j + len])
-            }
+            ) => product(
+                &self.jacobians[i + first..i + behind],
+                &self.responses[j + first..j + behind],
+            ),
             (Part::Body { jacobian, .. }, Part::Body { response, .. }) => {
                 product(jacobian, response)
             }
@@ -145,9 +148,9 @@ impl Numbers {
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start, .. } => {
+            Part::Links { multibody, start, span: [first, behind], .. } => {
                 let rates = &actors.multibodies[*multibody].motion.rates;
-                product(&self.jacobians[*start..start + rates.len()], rates)
+                product(&self.jacobians[start + first..start + behind], &rates[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
                 let (linvel, angvel) = actors.states[at(*index)].velocity();
@@ -160,9 +163,9 @@ impl Numbers {
     pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start, .. } => {
+            Part::Links { multibody, start, span: [first, behind], .. } => {
                 let shift = &actors.multibodies[*multibody].shift;
-                product(&self.jacobians[*start..start + shift.len()], shift)
+                product(&self.jacobians[start + first..start + behind], &shift[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
                 let (shift, turn) = actors.states[at(*index)].displacement();
@@ -203,12 +206,7 @@ impl Numbers {
 
     /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
     /// of a velocity.
-    pub fn note_blow(
-        &self,
-        row: &Row,
-        [impulse, time]: [Real; 2],
-        delays: &mut [BodyState],
-    ) {
+    pub fn note_blow(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
         for part in &row.parts {
             match part {
                 Part::Body { index, .. } if index & READ_ONLY == 0 => {
