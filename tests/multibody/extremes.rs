@@ -134,15 +134,13 @@ fn other_substeps_throw_nothing() {
         world.bodies[body].set_additional_solver_iterations(28);
     }
     let mut most: Real = 0.0;
-    for _ in 0..10 {
+    for _ in 0..3 {
         world.step();
         most = most.max(fastest(&world));
-        let speeds: Vec<_> = bodies.iter().map(|&b| world.bodies[b].linvel().length()).collect();
-        println!("SPEEDS {speeds:.5?}");
     }
     println!("{before} m/s before, {most} m/s after");
     // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s.
-    assert!(most < before + 5.0e-3, "{most} m/s");
+    assert!(most < before + 2.0e-3, "{most} m/s");
 }
 
 /// Two multibodies that an impulse joint joins, cut from it and from each other in mid-air.
@@ -223,7 +221,8 @@ fn sensors_and_disabled_joints() {
     let mut world = weightless(60);
     let post = world.insert_body(RigidBodyBuilder::fixed());
     let arm = world.insert_body(bob(1.0, 0.2).translation(vec(1.0, 0.0)).linvel(vec(0.0, 1.0)));
-    let sensor = world.insert_collider(ColliderBuilder::ball(0.3).density(0.0).sensor(true), Some(arm));
+    let sensor =
+        world.insert_collider(ColliderBuilder::ball(0.3).density(0.0).sensor(true), Some(arm));
     let joint = hinge().local_anchor2(vec(-1.0, 0.0));
     let handle = world.insert_multibody_joint(post, arm, joint).expect("it fits");
     let wall = ColliderBuilder::ball(0.3).translation(vec(0.0, 1.0));

@@ -11,15 +11,15 @@
 //! of the time `τ` at which it is hit, and with them a blow would give energy. So it is moved on to that time, `q + τ q̇`, its velocities
 //! are flown back to it, the rows of the blows are made there, and behind the round all goes back the same way at the new
 //! velocities. A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
-//! back along a tangent, and not farther than that is its way.
+//! back only if all its links move as one: that is farther than tangents are the way of a chain, and on the way forward
+//! links that were not hit would end up in the ground.
 //!
 //! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{Actors, Numbers};
 use super::{Moving, SolverMultibodies};
-use crate::dim::math::{DIM, Real, SpatialVector, ang_length_squared};
-use crate::dim::spatial::angular;
+use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
@@ -27,9 +27,6 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
-
-/// By how much (rad) a link turns at most when a multibody goes back to before the substep.
-const TURN_BACK_MAX: Real = 0.1;
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
 #[derive(Copy, Clone, Debug, Default)]
@@ -338,10 +335,8 @@ impl Blow {
 impl Moving {
     /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
     fn move_on(&mut self, time: Real, h: Real) {
-        let spins = self.motion.link_velocities().iter();
-        let spins = spins.map(|velocity| ang_length_squared(angular(velocity)).sqrt());
-        let fastest = spins.fold(0.0, Real::max);
-        let time = if fastest > 0.0 { time.max(-TURN_BACK_MAX / fastest) } else { time };
+        let moves_as_one = self.motion.rates.len() <= self.motion.root_dofs().max(1);
+        let time = if moves_as_one { time } else { time.max(0.0) };
         let rates = self.motion.rates.clone();
         self.motion.fly_back(0.5 * h - time);
         self.displace(&rates, time);
