@@ -101,7 +101,7 @@ fn other_substeps_throw_nothing() {
         bodies.push(body);
     }
     let lid = RigidBodyBuilder::dynamic().translation(vec(3.5, 0.6)).can_sleep(false);
-    bodies.push(world.insert(lid, cuboid(1.0, 0.2).density(5.0).friction(0.6)).0);
+    world.insert(lid, cuboid(1.0, 0.2).density(5.0).friction(0.6));
     // An arm whose joints are held by limits, by motors with a largest force, by dry friction and by a loop.
     let post = world.insert_body(RigidBodyBuilder::fixed().translation(vec(-20.0, 5.0)));
     let mut parent = post;

@@ -152,7 +152,8 @@ impl SolverMultibodies {
                 let separation = *separation + numbers.displacement(normal, &actors);
                 blow.impulse = 0.0;
                 blow.mass = 0.0;
-                if blow.find_time(velocity, separation, pass) {
+                let earliest = if numbers.goes_back(normal, &actors) { -pass.step } else { 0.0 };
+                if blow.find_time(velocity, separation, earliest, pass.substep) {
                     blow.mass = normal.mass;
                     contact.strike.struck |= blow.mass > 0.0;
                     numbers.note_time(normal, blow.time, &mut actors);
@@ -310,13 +311,12 @@ impl Point {
 
 impl Blow {
     /// Does the point hit? Then it is known when.
-    fn find_time(&mut self, velocity: Real, separation: Real, pass: &ImpactPass) -> bool {
-        let h = pass.substep;
+    fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
         self.waits = comes && !arrives;
         if comes {
-            self.time = (separation / -velocity).max(-pass.step).min(h);
+            self.time = (separation / -velocity).max(earliest).min(h);
         }
         comes && arrives
     }
@@ -333,10 +333,13 @@ impl Blow {
 }
 
 impl Moving {
+    /// Do all links turn and go together?
+    pub(super) fn moves_as_one(&self) -> bool {
+        self.motion.rates.len() <= self.motion.root_dofs().max(1)
+    }
+
     /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
     fn move_on(&mut self, time: Real, h: Real) {
-        let moves_as_one = self.motion.rates.len() <= self.motion.root_dofs().max(1);
-        let time = if moves_as_one { time } else { time.max(0.0) };
         let rates = self.motion.rates.clone();
         self.motion.fly_back(0.5 * h - time);
         self.displace(&rates, time);

@@ -195,6 +195,14 @@ impl Numbers {
         });
     }
 
+    /// Do both sides of a row go back in time to be hit?
+    pub fn goes_back(&self, row: &Row, actors: &Actors<'_>) -> bool {
+        row.parts.iter().all(|part| match part {
+            Part::Links { multibody, .. } => actors.multibodies[*multibody].moves_as_one(),
+            Part::Nothing | Part::Body { .. } => true,
+        })
+    }
+
     /// Tells the multibodies of a row when a blow comes (s).
     pub fn note_time(&self, row: &Row, time: Real, actors: &mut Actors<'_>) {
         for part in &row.parts {
