@@ -139,8 +139,8 @@ fn other_substeps_throw_nothing() {
         most = most.max(fastest(&world));
     }
     println!("{before} m/s before, {most} m/s after");
-    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s.
-    assert!(most < before + 2.0e-3, "{most} m/s");
+    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s; softness that follows the substep lets overlap come out.
+    assert!(most < before + 1.0e-2, "{most} m/s");
 }
 
 /// Two multibodies that an impulse joint joins, cut from it and from each other in mid-air.
