@@ -81,6 +81,8 @@ pub struct Motion {
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
     change: Vec<Real>,
+    /// What the first half of the flight changed about the velocities.
+    flown: Vec<Real>,
 }
 
 impl Motion {
@@ -118,6 +120,18 @@ impl Motion {
     pub fn note_outside(&mut self, impulses: &[Real], factor: Real) {
         for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
             add_scaled(&mut self.outside, axis, impulse * factor);
+        }
+    }
+
+    /// The impulses from outside that have been noted and not yet been taken in.
+    pub fn outside(&self) -> SpatialVector {
+        self.outside
+    }
+
+    /// Keeps only a share of the impulses from outside since they were these.
+    pub fn share_outside(&mut self, since: &SpatialVector, share: Real) {
+        for (now, since) in self.outside.iter_mut().zip(since) {
+            *now = since + (*now - since) * share;
         }
     }
 
@@ -169,23 +183,38 @@ impl Motion {
         self.factor.solve(&self.kinematics, &[], impulses);
     }
 
-    /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle.
-    pub fn accelerate(&mut self, multibody: &mut Multibody, h: Real) {
+    /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle. No link gets faster than
+    /// `speed_max`.
+    pub fn accelerate(&mut self, multibody: &mut Multibody, h: Real, speed_max: Real) {
         self.keep_momentum(self.kinematics.links[0].center);
         let mut change = core::mem::take(&mut self.change);
         self.kick(multibody, h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
         multibody.lists.accelerations.clone_from(&change);
+        self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
         let before = self.rates.clone();
-        for _ in 0..VISITS {
-            self.drift(0.5 * h, &mut change);
-            self.rates.clone_from(&before);
-            add_all(&mut self.rates, &change, 1.0);
-        }
+        self.fly_half(&before, 0.5 * h, &mut change);
+        self.flown.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
         total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });
         self.change = change;
+    }
+
+    /// Slows all degrees of freedom down alike if they move a link faster than this, but for those that move as they are told.
+    fn limit_speed(&mut self, speed_max: Real) {
+        if speed_max >= Real::MAX {
+            return;
+        }
+        self.kinematics.velocities(&self.rates, &ZERO, &mut self.velocities);
+        let fastest = self.velocities.iter().map(|v| speed(linear(v))).fold(0.0, Real::max);
+        if fastest > speed_max {
+            let share = speed_max / fastest;
+            for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
+                *rate *= if drive.armature == Real::INFINITY { 1.0 } else { share };
+            }
+            (self.momentum, self.outside) = (self.root_momentum(), ZERO);
+        }
     }
 
     /// What forces, springs and dampers add to the velocities.
@@ -227,8 +256,9 @@ impl Motion {
         change.iter_mut().for_each(|number| *number *= h);
     }
 
-    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end.
-    pub fn advance(&mut self, multibody: &mut Multibody, h: Real) {
+    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. None gets faster
+    /// than `speed_max`.
+    pub fn advance(&mut self, multibody: &mut Multibody, h: Real, speed_max: Real) {
         let root_center = self.kinematics.links[0].center;
         multibody.integrate(h, &self.rates, &self.root);
         self.kinematics.update(multibody);
@@ -238,6 +268,47 @@ impl Motion {
         add_all(&mut self.rates, &change, 1.0);
         self.change = change;
         self.keep_momentum(root_center);
+        self.limit_speed(speed_max);
+    }
+
+    /// Moves the links for `h` seconds, which may be negative, at these rates. Velocities stay.
+    pub fn displace(&mut self, multibody: &mut Multibody, rates: &[Real], h: Real) {
+        let root_center = self.kinematics.links[0].center;
+        multibody.integrate(h, rates, &ZERO);
+        self.kinematics.update(multibody);
+        self.carry_momentum(root_center);
+    }
+
+    /// Undoes what inertia changed in the last `h` seconds, which led to the velocities that there are.
+    pub fn fly_back(&mut self, h: Real) {
+        let mut change = core::mem::take(&mut self.change);
+        self.drift(h, &mut change);
+        add_all(&mut self.rates, &change, -1.0);
+        self.change = change;
+    }
+
+    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does.
+    pub fn fly_on(&mut self, h: Real) {
+        let mut change = core::mem::take(&mut self.change);
+        let start = self.rates.clone();
+        self.fly_half(&start, h, &mut change);
+        self.change = change;
+    }
+
+    /// The velocities before the first half of the flight.
+    pub fn rates_before_flight(&self) -> Vec<Real> {
+        let mut rates = self.rates.clone();
+        add_all(&mut rates, &self.flown, -1.0);
+        rates
+    }
+
+    /// Lets inertia act for `h` seconds on velocities that `start` like this, taking those of their end.
+    fn fly_half(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) {
+        for _ in 0..VISITS {
+            self.drift(h, change);
+            self.rates.copy_from_slice(start);
+            add_all(&mut self.rates, change, 1.0);
+        }
     }
 
     /// Ends the step.
@@ -251,12 +322,8 @@ impl Motion {
         if self.root_dofs() == 0 {
             return;
         }
-        let center = self.kinematics.links[0].center;
-        let mut wanted = carry_back(&self.momentum, before - center);
-        add_scaled(&mut wanted, &carry_back(&self.outside, self.origin - center), 1.0);
-        self.outside = ZERO;
-        self.momentum = wanted;
-        let mut missing = wanted;
+        self.carry_momentum(before);
+        let mut missing = self.momentum;
         add_scaled(&mut missing, &self.root_momentum(), -1.0);
         let mut change = core::mem::take(&mut self.change);
         change.clear();
@@ -264,6 +331,14 @@ impl Motion {
         self.factor.solve(&self.kinematics, &[missing], &mut change);
         add_all(&mut self.rates, &change, 1.0);
         self.change = change;
+    }
+
+    /// Lets the momentum that was about `before` be about the root's centre of mass, with the impulses from outside.
+    fn carry_momentum(&mut self, before: Vector) {
+        let center = self.kinematics.links[0].center;
+        let mut momentum = carry_back(&self.momentum, before - center);
+        add_scaled(&mut momentum, &carry_back(&self.outside, self.origin - center), 1.0);
+        (self.momentum, self.outside) = (momentum, ZERO);
     }
 
     /// The momentum of all links together, about the root's centre of mass.
@@ -288,11 +363,23 @@ impl Motion {
         &self.velocities
     }
 
+    /// The velocities of all links if these rates alone move them.
+    pub fn link_velocities_at(&mut self, rates: &[Real]) -> &[SpatialVector] {
+        self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
+        &self.velocities
+    }
+
     /// Lets nothing move any more.
     pub fn stand_still(&mut self) {
         self.rates.fill(0.0);
         self.root = ZERO;
     }
+}
+
+/// The length of a velocity, whose square may be beyond all numbers.
+fn speed(velocity: Vector) -> Real {
+    let size = velocity.abs().max_element();
+    if size > 0.0 { (velocity / size).length() * size } else { 0.0 }
 }
 
 /// `target += change · factor`.

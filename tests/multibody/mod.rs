@@ -4,9 +4,11 @@
 
 pub mod stage;
 
+mod bounces;
 mod contacts;
 mod drives;
 mod edits;
+mod extremes;
 mod free;
 mod gears;
 mod inverse;

@@ -12,8 +12,6 @@ pub(crate) struct ContactPass {
     pub softness: Softness,
     /// Fastest that overlap is undone (length/s).
     pub push_velocity_max: Real,
-    /// Approach slower than this does not bounce (length/s).
-    pub restitution_threshold: Real,
     /// Overlap that is left alone (length).
     pub allowed_error: Real,
     /// Is this the last visit of the constraints in the substep? Then its impulses are the substep's,
@@ -28,7 +26,6 @@ impl ContactPass {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
-            restitution_threshold: params.restitution_velocity_threshold(),
             allowed_error: params.allowed_linear_error(),
             is_last_visit: true,
         }

@@ -104,7 +104,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
-        let conditions = Conditions { gravity, params, world: bodies, simd, tasks };
+        let place = (&*narrow_phase, &*bodies);
+        let conditions = Conditions { gravity, params, place, simd, tasks };
         solve_group(group.substeps, &conditions, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
@@ -127,7 +128,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 struct Conditions<'a> {
     gravity: Vector,
     params: &'a IntegrationParameters,
-    world: &'a RigidBodySet,
+    /// Where contacts and bodies are.
+    place: (&'a NarrowPhase, &'a RigidBodySet),
     simd: Simd,
     tasks: Tasks<'a>,
 }
@@ -141,7 +143,7 @@ fn solve_group(
     counters: &mut SolverCounters,
 ) {
     let Constraints { joints, contacts, multibodies } = constraints;
-    let &Conditions { gravity, params, world, simd, tasks } = conditions;
+    let &Conditions { gravity, params, place, simd, tasks } = conditions;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
@@ -156,16 +158,19 @@ fn solve_group(
 
     counters.velocity_resolution_time.resume();
     for substep in 0..substeps {
-        contacts.note_velocities(if substep == 0 { &states.before } else { &states.states });
+        let last = if substep == 0 { &mut states.before } else { &mut states.states };
+        contacts.note_velocities(last);
+        multibodies.note_velocities(last);
         states.integrate_velocities(h, params, substep == 0, tasks);
         if substep > 0 {
-            multibodies.follow_loops(world, states);
+            multibodies.follow_loops(place.1, states);
         }
-        multibodies.integrate_velocities(h, params.warmstart_coefficient, tasks);
+        multibodies.integrate_velocities(h, params, tasks);
         joints.tighten(&joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
-        let around = Around { joints, joint_pass: &joint_pass, simd, tasks };
+        let links = (&mut *multibodies, place);
+        let around = Around { joints, joint_pass: &joint_pass, links, simd, tasks };
         contacts.bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
@@ -173,7 +178,7 @@ fn solve_group(
             multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h, tasks);
-        multibodies.integrate_positions(h, tasks);
+        multibodies.integrate_positions(h, params.max_linear_velocity(), tasks);
         for _ in 0..params.num_additional_friction_iterations {
             joints.relax(states, &early_joint_pass, simd, tasks);
             contacts.relax(states, &early_pass, simd, tasks);
@@ -183,6 +188,5 @@ fn solve_group(
         contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
     }
-    multibodies.restitute(states, &pass);
     counters.velocity_resolution_time.pause();
 }

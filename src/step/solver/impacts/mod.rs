@@ -64,16 +64,19 @@ mod rows;
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, for_each_color};
 use super::joints::SolverJoints;
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim::contact::ContactInput;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
 pub(super) use points::NormalRows;
-pub(super) use rows::ImpactBlock;
+pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED, SETTLED, SWEEPS};
 
 /// Visits of all contacts that hit, per substep.
 const VISITS: usize = 128;
@@ -124,6 +127,8 @@ impl Account {
 pub(super) struct Around<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
+    /// The contacts of links, which take part, and where they know from where they are.
+    pub links: (&'a mut SolverMultibodies, (&'a NarrowPhase, &'a RigidBodySet)),
     pub simd: Simd,
     pub tasks: Tasks<'a>,
 }
@@ -167,33 +172,37 @@ impl Impacts {
         mut around: Around<'_>,
         pass: &ImpactPass,
     ) {
-        if self.blocks.is_empty() {
+        if self.blocks.is_empty() && !around.links.0.bounce() {
             return;
         }
         swap_velocities(bodies);
-        self.pass(Stage::Begin, contacts, bodies, &around, pass);
+        self.pass(Stage::Begin, contacts, bodies, &mut around, pass);
         let hits = self.blocks.iter().any(|block| block.struck != 0);
+        let hits = hits || around.links.0.struck().next().is_some();
         if hits {
             self.memory.accounts.clear();
             let account = Account { visits: VISITS, ..Account::default() };
-            self.memory.accounts.resize(bodies.island_bound(), account);
-            while self.find_struck() {
+            let bound = bodies.island_bound().max(around.links.0.island_bound());
+            self.memory.accounts.resize(bound, account);
+            while self.find_struck(around.links.0) {
                 self.solve_round(contacts, bodies, &mut around, pass);
-                self.pass(Stage::Mark, contacts, bodies, &around, pass);
+                self.pass(Stage::Mark, contacts, bodies, &mut around, pass);
             }
         }
-        self.pass(Stage::PutAside, contacts, bodies, &around, pass);
+        self.pass(Stage::PutAside, contacts, bodies, &mut around, pass);
         if hits {
-            self.begin_round(bodies);
-            self.pass(Stage::Rub, contacts, bodies, &around, pass);
+            self.begin_round(bodies, around.links.0);
+            self.pass(Stage::Rub, contacts, bodies, &mut around, pass);
             bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
+            around.links.0.accept_impact(pass.substep, |_| 1.0);
             around.joints.forget_places();
         }
+        around.links.0.end_impact();
         swap_velocities(bodies);
     }
 
     /// Finds the islands where something hits, as long as they have visits left. Is there any?
-    fn find_struck(&mut self) -> bool {
+    fn find_struck(&mut self, links: &mut SolverMultibodies) -> bool {
         let accounts = &mut self.memory.accounts;
         for account in accounts.iter_mut() {
             (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
@@ -210,6 +219,15 @@ impl Impacts {
                 }
             }
         }
+        for contact in links.struck() {
+            let account = &mut accounts[contact.strike.island as usize];
+            if account.visits > 0 {
+                (account.is_struck, any) = (true, true);
+            } else {
+                contact.let_be();
+                contact.strike.struck = false;
+            }
+        }
         any
     }
 
@@ -221,10 +239,10 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        self.begin_round(bodies);
+        self.begin_round(bodies, around.links.0);
         for _ in 0..ROUND_VISITS {
             self.pass(Stage::Visit, contacts, bodies, around, pass);
-            if !self.find_moving() {
+            if !self.find_moving(around.links.0) {
                 break;
             }
             let accounts = &self.memory.accounts;
@@ -232,7 +250,7 @@ impl Impacts {
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
             let states = (&mut bodies.states[..], &self.memory.start[..]);
-            let Around { joints, joint_pass, simd, tasks } = around;
+            let Around { joints, joint_pass, simd, tasks, .. } = around;
             joints.project(states, is_moving, joint_pass, *simd, *tasks);
         }
         self.pass(Stage::End, contacts, bodies, around, pass);
@@ -243,15 +261,20 @@ impl Impacts {
                 account.surplus += block.surplus.0[lane];
             }
         }
+        for contact in around.links.0.struck() {
+            let account = &mut self.memory.accounts[contact.strike.island as usize];
+            account.stopped += contact.strike.stopped;
+            account.surplus += contact.strike.surplus;
+        }
         let Memory { start, delays, accounts, .. } = &self.memory;
-        bodies.accept_impact(start, delays, |island| {
-            accounts.get(island as usize).map_or(1.0, Account::share)
-        });
+        let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
+        bodies.accept_impact(start, delays, share);
+        around.links.0.accept_impact(pass.substep, share);
     }
 
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
     /// Is there any?
-    fn find_moving(&mut self) -> bool {
+    fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
         let accounts = &mut self.memory.accounts;
         for account in accounts.iter_mut() {
             account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
@@ -260,6 +283,9 @@ impl Impacts {
         for block in &self.blocks {
             let moving = block.struck & block.moving;
             lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        }
+        for contact in links.struck().filter(|contact| contact.strike.moving) {
+            accounts[contact.strike.island as usize].is_moving = true;
         }
         let mut any = false;
         for block in &mut self.blocks {
@@ -273,10 +299,20 @@ impl Impacts {
                 }
             }
         }
+        for contact in links.struck() {
+            let account = &mut accounts[contact.strike.island as usize];
+            if account.is_moving {
+                any = true;
+            } else {
+                account.is_struck = false;
+                contact.let_be();
+            }
+        }
         any
     }
 
-    fn begin_round(&mut self, bodies: &SolverBodies) {
+    fn begin_round(&mut self, bodies: &SolverBodies, links: &mut SolverMultibodies) {
+        links.begin_round();
         let Memory { start, delays, .. } = &mut self.memory;
         start.clear();
         start.extend_from_slice(&bodies.states);
@@ -289,9 +325,10 @@ impl Impacts {
         stage: Stage,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        around: &Around<'_>,
+        around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
+        self.pass_links(stage, bodies, around, pass);
         let (_, states, loaded) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
@@ -299,6 +336,27 @@ impl Impacts {
         for_each_color(&self.colors, around.tasks, |range| {
             simd.run(Run { stage, range, contacts, impacts, states, delays, known, pass });
         });
+    }
+
+    fn pass_links(
+        &mut self,
+        stage: Stage,
+        bodies: &mut SolverBodies,
+        around: &mut Around<'_>,
+        pass: &ImpactPass,
+    ) {
+        let (links, place) = (&mut *around.links.0, around.links.1);
+        match stage {
+            Stage::Begin => {
+                links.begin_impact(bodies, pass);
+                links.mark_struck(place, bodies, pass);
+            }
+            Stage::Mark => links.mark_struck(place, bodies, pass),
+            Stage::Visit => links.visit_struck(&mut bodies.states),
+            Stage::End => links.end_round(&mut bodies.states, &mut self.memory.delays),
+            Stage::PutAside => links.put_aside(),
+            Stage::Rub => links.rub_struck(&mut bodies.states),
+        }
     }
 }
 

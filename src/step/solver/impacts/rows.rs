@@ -9,17 +9,17 @@ use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
 use crate::model::params::ImpactPass;
 
 /// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
-const SWEEPS: usize = 4;
+pub(in super::super) const SWEEPS: usize = 4;
 /// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
-const SETTLED: Real = 1.0e-3;
+pub(in super::super) const SETTLED: Real = 1.0e-3;
 /// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
-const BEND_MAX: Real = 0.25;
+pub(in super::super) const BEND_MAX: Real = 0.25;
 /// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
 /// the speed below which nothing bounces. Rounding must not wake them.
-const NOTICED: Real = 0.01;
+pub(in super::super) const NOTICED: Real = 0.01;
 
 /// Where points are that are put aside: beyond the reach of all passes.
-const FAR: Real = 1.0e10;
+pub(in super::super) const FAR: Real = 1.0e10;
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]

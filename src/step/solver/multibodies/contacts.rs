@@ -4,6 +4,7 @@
 //! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
 //! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
 
+use super::bounce::{Blow, Strike};
 use super::rows::{Actors, Numbers, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{
@@ -13,42 +14,45 @@ use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::model::island::NONE;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
 /// One contact point.
 #[derive(Copy, Clone, Debug)]
-struct Point {
+pub struct Point {
     position: Vector,
-    separation: Real,
-    normal: Row,
-    tangents: [Row; DIM - 1],
+    pub separation: Real,
+    pub normal: Row,
+    pub tangents: [Row; DIM - 1],
     /// Along each tangent: the velocity that friction brings about (conveyor belts).
     surface: [Real; DIM - 1],
     impulse: Real,
     friction: [Real; DIM - 1],
-    /// The relative normal velocity before anything acted.
-    approach: Real,
     /// Sum of the normal impulses of the substeps.
-    total: Real,
-    /// The impulse of the bounce. It is no load that the next step could start with.
-    bounce: Real,
+    pub total: Real,
+    pub blow: Blow,
+    /// Is it put aside, to be hit in a later substep?
+    pub is_aside: bool,
 }
 
 /// One manifold.
 #[derive(Clone, Debug)]
-struct LinkContact {
+pub struct LinkContact {
     at: ManifoldRef,
     normal: Vector,
-    friction: Real,
-    restitution: Real,
-    points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
+    /// Where the numbers of its rows begin.
+    first_number: usize,
+    pub friction: Real,
+    pub restitution: Real,
+    pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
+    pub strike: Strike,
 }
 
 /// All contacts of links.
 #[derive(Debug, Default)]
 pub struct LinkContacts {
-    contacts: Vec<LinkContact>,
+    pub contacts: Vec<LinkContact>,
 }
 
 /// One side of a manifold as it stands now.
@@ -132,7 +136,9 @@ impl SolverMultibodies {
         manifold: &ContactManifold,
     ) -> LinkContact {
         let data = &manifold.data;
+        let first_number = self.numbers.len();
         let along = tangents(geometry.normal);
+        let share = self.share_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
                 Point {
@@ -141,16 +147,58 @@ impl SolverMultibodies {
                     normal: self.row(sides, position, geometry.normal),
                     tangents: along.map(|tangent| self.row(sides, position, tangent)),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
-                    impulse: known.warmstart_impulse,
-                    friction: known.warmstart_tangent_impulse,
-                    approach: 0.0,
+                    impulse: known.warmstart_impulse * share,
+                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
                     total: 0.0,
-                    bounce: 0.0,
+                    blow: Blow::default(),
+                    is_aside: false,
                 }
             });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
-        LinkContact { at, normal: geometry.normal, friction, restitution, points }
+        let strike = Strike::of(self.island_of(sides));
+        let normal = geometry.normal;
+        LinkContact { at, normal, first_number, friction, restitution, points, strike }
+    }
+
+    /// Makes the rows of a contact anew, where links and bodies are now.
+    pub(super) fn follow_contact(
+        &mut self,
+        position: usize,
+        (narrow_phase, world): (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+    ) {
+        let LinkContact { at, first_number, .. } = self.contacts.contacts[position];
+        let pair = &narrow_phase.contacts[at.pair];
+        let manifold = &pair.manifolds[at.manifold as usize];
+        let dominance = manifold.data.relative_dominance;
+        let slots = narrow_phase.contacts.bodies(at.pair);
+        let sides = [
+            self.side_now(slots[0], dominance <= 0, world, bodies),
+            self.side_now(slots[1], dominance >= 0, world, bodies),
+        ];
+        let geometry = Geometry::of(&sides, &pair.placement, manifold);
+        self.numbers.rewrite_from(first_number);
+        let fresh = self.contact(at, &sides, &geometry, manifold);
+        self.numbers.append();
+        let Self { numbers, contacts, moving, .. } = self;
+        let actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for (point, fresh) in contacts.contacts[position].points.iter_mut().zip(fresh.points) {
+            (point.normal, point.tangents) = (fresh.normal, fresh.tangents);
+            point.separation = fresh.separation - numbers.displacement(&fresh.normal, &actors);
+        }
+    }
+
+    /// With what share of their last impulses two sides begin.
+    pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
+        let place = sides.iter().find_map(|side| side.place);
+        place.map_or(1.0, |place| self.moving[place.multibody].share)
+    }
+
+    /// The island of the links among two sides.
+    fn island_of(&self, sides: &[Side<'_>; 2]) -> u32 {
+        let place = sides.iter().find_map(|side| side.place);
+        place.map_or(NONE, |place| self.moving[place.multibody].island)
     }
 
     /// The row of the second side's velocity against the first's, at a point along a direction.
@@ -180,7 +228,7 @@ impl SolverMultibodies {
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };
-        self.numbers.row(&self.moving, parts)
+        self.numbers.row(parts)
     }
 
     fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
@@ -246,15 +294,6 @@ impl LinkContacts {
         self.contacts.iter_mut().flat_map(|contact| &mut contact.points)
     }
 
-    /// Notes how fast the surfaces approach each other before anything acts.
-    pub fn note_approach(&mut self, numbers: &Numbers, before: &mut Actors<'_>) {
-        for contact in self.contacts.iter_mut().filter(|contact| contact.restitution > 0.0) {
-            for point in &mut contact.points {
-                point.approach = numbers.velocity(&point.normal, before);
-            }
-        }
-    }
-
     /// Starts the step with the last one's impulses.
     pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
         for point in self.points() {
@@ -283,7 +322,7 @@ impl LinkContacts {
     ) {
         for point in self.points() {
             let velocity = numbers.velocity(&point.normal, actors);
-            let separation = point.separation + numbers.displacement(&point.normal, actors);
+            let separation = point.shown_separation() + numbers.displacement(&point.normal, actors);
             let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
             numbers.push(&point.normal, new - point.impulse, actors);
             point.impulse = new;
@@ -295,17 +334,8 @@ impl LinkContacts {
         for contact in &mut self.contacts {
             for point in &mut contact.points {
                 let old = point.friction;
-                let mut new = old;
-                for k in 0..DIM - 1 {
-                    let row = &point.tangents[k];
-                    let slip = numbers.velocity(row, actors) - point.surface[k];
-                    new[k] -= slip * row.mass;
-                }
-                let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
                 let most = contact.friction * point.impulse;
-                if length > most {
-                    new = new.map(|impulse| impulse * (most / length));
-                }
+                let new = point.friction_under(most, old, numbers, actors);
                 for k in 0..DIM - 1 {
                     numbers.push(&point.tangents[k], new[k] - old[k], actors);
                 }
@@ -317,23 +347,6 @@ impl LinkContacts {
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
         self.points().for_each(|point| point.total += point.impulse);
-    }
-
-    /// Makes the points that hit separate at `restitution` times the speed at which they came. See `dim3/contact/solve.rs`.
-    pub fn restitute(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, threshold: Real) {
-        for contact in self.contacts.iter_mut().filter(|contact| contact.restitution > 0.0) {
-            for point in &mut contact.points {
-                if point.approach >= -threshold || point.total <= 0.0 {
-                    continue;
-                }
-                let wanted =
-                    numbers.velocity(&point.normal, actors) + contact.restitution * point.approach;
-                let new = (point.bounce - wanted * point.normal.mass).max(-point.impulse);
-                numbers.push(&point.normal, new - point.bounce, actors);
-                point.total += new - point.bounce;
-                point.bounce = new;
-            }
-        }
     }
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
@@ -354,6 +367,26 @@ impl LinkContacts {
                 known.warmstart_tangent_impulse = point.friction;
             }
         }
+    }
+}
+
+impl Point {
+    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have been given already.
+    pub fn friction_under(
+        &self,
+        most: Real,
+        old: [Real; DIM - 1],
+        numbers: &Numbers,
+        actors: &Actors<'_>,
+    ) -> [Real; DIM - 1] {
+        let mut new = old;
+        for k in 0..DIM - 1 {
+            let row = &self.tangents[k];
+            let slip = numbers.velocity(row, actors) - self.surface[k];
+            new[k] -= slip * row.mass;
+        }
+        let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
+        if length > most { new.map(|impulse| impulse * (most / length)) } else { new }
     }
 }
 

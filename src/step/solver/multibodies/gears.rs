@@ -46,7 +46,7 @@ impl Gears {
                     jacobian[first] = -coupling.coeff;
                     jacobian[second] = 1.0;
                 });
-                let row = numbers.row(moving, [part, Part::Nothing]);
+                let row = numbers.row([part, Part::Nothing]);
                 let impulse = coupling.impulse;
                 self.gears.push(Gear { multibody, position, row, softness, error, impulse });
             }

@@ -363,7 +363,7 @@ fn row_of(
             jacobian[dof] = by_axis[axis as usize];
         }
     });
-    numbers.row(multibodies, [part, Part::Nothing])
+    numbers.row([part, Part::Nothing])
 }
 
 fn finite(impulse: Real) -> Real {

@@ -5,7 +5,7 @@ use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
-use crate::model::joint::{JointMotor, MotorModel};
+use crate::model::joint::{GenericJoint, JointMotor, MotorModel};
 use crate::model::multibody::{Multibody, MultibodyJointSet};
 use crate::multibody::{Drive, LinkForce, usable};
 
@@ -65,6 +65,7 @@ impl SolverMultibodies {
             self.positions[owner as usize] = self.moving.len();
             let mut moving = self.spare.pop().unwrap_or_default();
             (moving.index, moving.multibody) = (index, core::mem::take(multibody));
+            moving.island = bodies.get(*member).map_or(NONE, |body| body.link.island);
             moving.multibody.forward_kinematics(bodies, false);
             self.moving.push(moving);
         }
@@ -75,6 +76,7 @@ impl SolverMultibodies {
     /// Substeps take `h` seconds.
     pub fn begin(&mut self, bodies: &mut RigidBodySet, gravity: Vector, h: Real) {
         for moving in &mut self.moving {
+            moving.fit_impulses(bodies, h);
             moving.read_forces(bodies, gravity);
             moving.read_drives();
             moving.motion.begin(&moving.multibody, bodies);
@@ -97,6 +99,12 @@ impl SolverMultibodies {
     }
 }
 
+/// Scales the last impulses of a joint's limits and motors.
+pub(super) fn scale_impulses(joint: &mut GenericJoint, share: Real) {
+    joint.limits.iter_mut().for_each(|limits| limits.impulse *= share);
+    joint.motors.iter_mut().for_each(|motor| motor.impulse *= share);
+}
+
 /// Is one of its links awake?
 fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
     let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
@@ -112,6 +120,28 @@ fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
 }
 
 impl Moving {
+    /// Takes the share of the last impulses that fits substeps of `h` seconds
+    /// ([`SolverBodies::share`](crate::step::solver::bodies::SolverBodies::share)).
+    fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
+        self.share = 1.0;
+        for link in &self.multibody.links {
+            let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());
+            let Some(body) = body else { continue };
+            if body.substep > h {
+                self.share = self.share.min(h / body.substep);
+            }
+            body.substep = h;
+        }
+        if self.share < 1.0 {
+            let Multibody { links, lists, couplings, .. } = &mut self.multibody;
+            for link in links {
+                scale_impulses(&mut link.joint.data, self.share);
+            }
+            lists.friction_impulses.iter_mut().for_each(|impulse| *impulse *= self.share);
+            couplings.iter_mut().for_each(|coupling| coupling.impulse *= self.share);
+        }
+    }
+
     fn read_forces(&mut self, bodies: &mut RigidBodySet, gravity: Vector) {
         self.motion.forces.clear();
         for link in &self.multibody.links {

@@ -15,6 +15,7 @@
 use super::SolverMultibodies;
 use super::contacts::Side;
 use super::limits::Owner;
+use super::load::scale_impulses;
 use super::rows::{Actors, Numbers, Row};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
@@ -54,6 +55,8 @@ struct Locked {
 struct Loop {
     handle: ImpulseJointHandle,
     slots: [u32; 2],
+    /// With what share of its last impulses it begins.
+    share: Real,
     joint: GenericJoint,
     softness: Softness,
     locked: ArrayVec<Locked, SPATIAL_DIM>,
@@ -102,12 +105,15 @@ impl SolverMultibodies {
             let Some(joint) = joints.get(handle) else { continue };
             let sides = slots.map(|slot| self.side(slot, true, world, bodies));
             let Some(frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
-            self.add_driven(handle, &joint.data, &sides, &frames, pass.substep);
-            let softness = joint.data.softness.map_or(pass.softness, |spring| {
+            let share = self.share_of(&sides);
+            let mut data = joint.data;
+            scale_impulses(&mut data, share);
+            self.add_driven(handle, &data, &sides, &frames, pass.substep);
+            let softness = data.softness.map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
             let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());
-            let joint = Loop { handle, slots, joint: joint.data, softness, locked, inverse };
+            let joint = Loop { handle, slots, share, joint: data, softness, locked, inverse };
             self.loops.loops.push(joint);
         }
     }
@@ -121,9 +127,9 @@ impl SolverMultibodies {
     ) {
         self.loops.first_number = self.numbers.len();
         for position in 0..self.loops.loops.len() {
-            let handle = self.loops.loops[position].handle;
+            let Loop { handle, share, .. } = self.loops.loops[position];
             let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
-            self.lock(position, world, bodies, |axis| (impulses[axis as usize], 0.0));
+            self.lock(position, world, bodies, |axis| (impulses[axis as usize] * share, 0.0));
         }
     }
 
@@ -161,7 +167,7 @@ impl SolverMultibodies {
         let Loop { slots, joint, locked, .. } = &mut self.loops.loops[position];
         let (slots, joint) = (*slots, *joint);
         locked.clear();
-        let sides = slots.map(|slot| self.side_now(slot, world, bodies));
+        let sides = slots.map(|slot| self.side_now(slot, true, world, bodies));
         let Some(frames) = Frames::of(&joint, &sides, world, slots) else { return };
         let along = frames.first.inverse() * frames.separation;
         let about = locked_angles(frames.between);
@@ -185,9 +191,15 @@ impl SolverMultibodies {
         self.loops.loops[position].locked = locked;
     }
 
-    /// A side of a joint where it is now.
-    fn side_now<'a>(&self, slot: u32, world: &'a RigidBodySet, bodies: &SolverBodies) -> Side<'a> {
-        let mut side = self.side(slot, true, world, bodies);
+    /// A side of a joint or a contact where it is now.
+    pub(super) fn side_now<'a>(
+        &self,
+        slot: u32,
+        gives_way: bool,
+        world: &'a RigidBodySet,
+        bodies: &SolverBodies,
+    ) -> Side<'a> {
+        let mut side = self.side(slot, gives_way, world, bodies);
         if let Some((_, index)) = side.body {
             let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
             side.center = side.center.map(|center| center + shift);
@@ -202,7 +214,7 @@ impl SolverMultibodies {
         for (i, first) in locked.iter().enumerate() {
             for (j, second) in locked.iter().enumerate() {
                 let (rows, numbers) = ((&first.row, &second.row), &self.numbers);
-                matrix[(i, j)] = numbers.coupling(&self.moving, rows.0, rows.1);
+                matrix[(i, j)] = numbers.coupling(rows.0, rows.1);
             }
         }
         let column = |k: usize| {

@@ -7,6 +7,7 @@
 //! As bodies do, multibodies start a substep with the last one's impulses, without visiting them: what the impulses did to the
 //! rates is kept ([`Moving::pushed`]) and added.
 
+mod bounce;
 mod contacts;
 mod gears;
 mod limits;
@@ -27,6 +28,7 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
 use crate::multibody::Motion;
+use bounce::BeforeBlow;
 use contacts::LinkContacts;
 use gears::Gears;
 use limits::JointRows;
@@ -36,16 +38,16 @@ use rows::{Actors, Numbers};
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
-/// Visits of the contacts that bounce. A push on one link moves all others: with one visit, whoever comes first bounces
-/// too little or too much.
-const BOUNCE_VISITS: usize = 4;
-
 /// A multibody that is awake. It is taken out of its set for as long as the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
     index: MultibodyIndex,
+    /// The island of its links.
+    island: u32,
     multibody: Multibody,
     motion: Motion,
+    /// With what share of its last impulses it begins.
+    share: Real,
     /// What the impulses so far in this substep did to the rates.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
@@ -54,6 +56,7 @@ pub(super) struct Moving {
     shift: Vec<Real>,
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
+    before_blow: BeforeBlow,
     /// The joints and the root's pose when the step began.
     start: (Vec<MultibodyJoint>, Pose),
 }
@@ -210,9 +213,6 @@ impl SolverMultibodies {
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
         self.lock_loops(joints, world, bodies);
-        let Self { numbers, contacts, moving, .. } = self;
-        let mut before = Actors { multibodies: moving, states: &mut bodies.before };
-        contacts.note_approach(numbers, &mut before);
     }
 
     /// Gives everybody last step's impulses.
@@ -226,9 +226,15 @@ impl SolverMultibodies {
     }
 
     /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
-    pub fn integrate_velocities(&mut self, h: Real, warmth: Real, tasks: Tasks<'_>) {
+    pub fn integrate_velocities(
+        &mut self,
+        h: Real,
+        params: &IntegrationParameters,
+        tasks: Tasks<'_>,
+    ) {
+        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
-            moving.motion.accelerate(&mut moving.multibody, h);
+            moving.motion.accelerate(&mut moving.multibody, h, speed_max);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -245,8 +251,8 @@ impl SolverMultibodies {
     }
 
     /// Moves all links by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks<'_>) {
-        for_each(&mut self.moving, tasks, |moving| moving.advance(h));
+    pub fn integrate_positions(&mut self, h: Real, speed_max: Real, tasks: Tasks<'_>) {
+        for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
     }
 
     /// Solves all constraints once, with bias.
@@ -293,24 +299,23 @@ impl SolverMultibodies {
         gears.solve(numbers, &mut actors, bias);
         contacts.solve(numbers, &mut actors, &contact, bias);
     }
-
-    /// Lets the contacts bounce that hit something in this step.
-    pub fn restitute(&mut self, bodies: &mut SolverBodies, pass: &ContactPass) {
-        let Self { numbers, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        for _ in 0..BOUNCE_VISITS {
-            contacts.restitute(numbers, &mut actors, pass.restitution_threshold);
-        }
-    }
 }
 
 impl Moving {
-    fn advance(&mut self, h: Real) {
+    /// Adds the impulses of the last substep to what they did already, this many times.
+    fn bear(&mut self, times: Real) {
+        for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
+            *rate += pushed * times;
+        }
+        self.motion.note_outside(&self.root_pushed, times);
+    }
+
+    fn advance(&mut self, h: Real, speed_max: Real) {
         for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
             *shift += rate * h;
         }
         self.note_travel(h);
-        self.motion.advance(&mut self.multibody, h);
+        self.motion.advance(&mut self.multibody, h, speed_max);
     }
 }
 

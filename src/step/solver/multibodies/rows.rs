@@ -6,10 +6,10 @@
 //!
 //! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
 //! during a step, for bodies as for links) in time proportional to the number of links. A visit of the row then is one
-//! product of two lists and one addition.
+//! product of two lists, as long as `J` is not zero (a limit's is one number), and one addition if there is anything to push.
 
 use super::Moving;
-use crate::dim::math::{Real, SpatialVector};
+use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::dim::state::{BodyState, READ_ONLY};
 
@@ -19,7 +19,8 @@ pub enum Part {
     /// Something that stands still.
     Nothing,
     /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
-    Links { multibody: usize, start: usize, gives_way: bool },
+    /// Of `J` only the numbers of the degrees of freedom in `span` are not zero.
+    Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
 }
@@ -37,6 +38,8 @@ pub struct Row {
 pub struct Numbers {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
+    /// Where the next ones go; beyond the last, if they are not to be written anew.
+    next: usize,
     /// Of the part that is being added: how large each number could be.
     sizes: Vec<Real>,
 }
@@ -54,8 +57,7 @@ pub struct Actors<'a> {
 impl Numbers {
     /// No rows yet.
     pub fn clear(&mut self) {
-        self.jacobians.clear();
-        self.responses.clear();
+        self.truncate(0);
     }
 
     /// How many there are.
@@ -67,6 +69,17 @@ impl Numbers {
     pub fn truncate(&mut self, len: usize) {
         self.jacobians.truncate(len);
         self.responses.truncate(len);
+        self.next = len;
+    }
+
+    /// Lets the next numbers be written over those from a place on, which must be as many.
+    pub fn rewrite_from(&mut self, start: usize) {
+        self.next = start;
+    }
+
+    /// Ends that.
+    pub fn append(&mut self) {
+        self.next = self.jacobians.len();
     }
 
     /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
@@ -77,27 +90,35 @@ impl Numbers {
         gives_way: bool,
         fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
     ) -> Part {
-        let start = self.jacobians.len();
         let moving = &mut multibodies[multibody];
+        let start = self.next;
         let end = start + moving.motion.rates.len();
-        self.jacobians.resize(end, 0.0);
+        self.next = end;
+        let len = end.max(self.jacobians.len());
+        self.jacobians.resize(len, 0.0);
+        self.responses.resize(len, 0.0);
         self.sizes.clear();
         self.sizes.resize(end - start, 0.0);
-        fill(moving, &mut self.jacobians[start..], &mut self.sizes);
-        for (number, size) in self.jacobians[start..].iter_mut().zip(&self.sizes) {
+        let (jacobian, response) =
+            (&mut self.jacobians[start..end], &mut self.responses[start..end]);
+        jacobian.fill(0.0);
+        fill(moving, jacobian, &mut self.sizes);
+        for (number, size) in jacobian.iter_mut().zip(&self.sizes) {
             *number = if number.abs() < ROUNDING * size { 0.0 } else { *number };
         }
-        self.responses.extend_from_slice(&self.jacobians[start..]);
+        response.copy_from_slice(jacobian);
         if gives_way {
-            moving.motion.respond(&mut self.responses[start..]);
+            moving.motion.respond(response);
         }
-        Part::Links { multibody, start, gives_way }
+        let first = jacobian.iter().position(|&number| number != 0.0).unwrap_or(0);
+        let behind = jacobian.iter().rposition(|&number| number != 0.0).map_or(0, |last| last + 1);
+        Part::Links { multibody, start, span: [first, behind], gives_way }
     }
 
     /// A row of these parts.
-    pub fn row(&self, multibodies: &[Moving], parts: [Part; 2]) -> Row {
+    pub fn row(&self, parts: [Part; 2]) -> Row {
         let mut row = Row { parts, mass: 0.0 };
-        let k = self.coupling(multibodies, &row, &row);
+        let k = self.coupling(&row, &row);
         let inverse = 1.0 / k;
         if k > 0.0 && inverse.is_finite() {
             row.mass = inverse;
@@ -106,15 +127,15 @@ impl Numbers {
     }
 
     /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same two sides.
-    pub fn coupling(&self, multibodies: &[Moving], first: &Row, second: &Row) -> Real {
+    pub fn coupling(&self, first: &Row, second: &Row) -> Real {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
             (
-                Part::Links { multibody, start: i, .. },
+                Part::Links { start: i, span: [first, behind], .. },
                 Part::Links { start: j, gives_way: true, .. },
-            ) => {
-                let len = multibodies[*multibody].motion.rates.len();
-                product(&self.jacobians[*i..i + len], &self.responses[*j..j + len])
-            }
+            ) => product(
+                &self.jacobians[i + first..i + behind],
+                &self.responses[j + first..j + behind],
+            ),
             (Part::Body { jacobian, .. }, Part::Body { response, .. }) => {
                 product(jacobian, response)
             }
@@ -127,9 +148,9 @@ impl Numbers {
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start, .. } => {
+            Part::Links { multibody, start, span: [first, behind], .. } => {
                 let rates = &actors.multibodies[*multibody].motion.rates;
-                product(&self.jacobians[*start..start + rates.len()], rates)
+                product(&self.jacobians[start + first..start + behind], &rates[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
                 let (linvel, angvel) = actors.states[at(*index)].velocity();
@@ -142,9 +163,9 @@ impl Numbers {
     pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
-            Part::Links { multibody, start, .. } => {
+            Part::Links { multibody, start, span: [first, behind], .. } => {
                 let shift = &actors.multibodies[*multibody].shift;
-                product(&self.jacobians[*start..start + shift.len()], shift)
+                product(&self.jacobians[start + first..start + behind], &shift[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
                 let (shift, turn) = actors.states[at(*index)].displacement();
@@ -164,6 +185,46 @@ impl Numbers {
             moving.note_push(jacobian, response, impulse);
             moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
         });
+    }
+
+    /// Pushes with an impulse that is no load for the next substep: that of a blow.
+    pub fn strike(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+            add(&mut moving.motion.rates, response, impulse);
+            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+        });
+    }
+
+    /// Do both sides of a row go back in time to be hit?
+    pub fn goes_back(&self, row: &Row, actors: &Actors<'_>) -> bool {
+        row.parts.iter().all(|part| match part {
+            Part::Links { multibody, .. } => actors.multibodies[*multibody].moves_as_one(),
+            Part::Nothing | Part::Body { .. } => true,
+        })
+    }
+
+    /// Tells the multibodies of a row when a blow comes (s).
+    pub fn note_time(&self, row: &Row, time: Real, actors: &mut Actors<'_>) {
+        for part in &row.parts {
+            if let Part::Links { multibody, gives_way: true, .. } = part {
+                actors.multibodies[*multibody].before_blow.note(time);
+            }
+        }
+    }
+
+    /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
+    /// of a velocity.
+    pub fn note_blow(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
+        for part in &row.parts {
+            match part {
+                Part::Body { index, .. } if index & READ_ONLY == 0 => {
+                    let mut blow = [0.0; SPATIAL_DIM];
+                    (blow[0], blow[1]) = (impulse, impulse * time);
+                    delays[at(*index)].add_velocity(blow);
+                }
+                _ => {}
+            }
+        }
     }
 
     /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.

@@ -2,7 +2,7 @@
 
 use super::{Moving, NOT_NOW, SolverMultibodies};
 use crate::base::measure::is_coordinate;
-use crate::dim::math::{Pose, Real, ang_length_squared};
+use crate::dim::math::{Pose, Real, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
@@ -47,14 +47,23 @@ impl SolverMultibodies {
     }
 }
 
+/// Adds to the ways and angles of links what they go in `h` seconds.
+fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
+    for (travel, velocity) in travels.iter_mut().zip(velocities) {
+        travel[0] += linear(velocity).length() * h;
+        travel[1] += ang_length_squared(angular(velocity)).sqrt() * h;
+    }
+}
+
 impl Moving {
     /// Notes how far the links go in `h` seconds.
     pub(super) fn note_travel(&mut self, h: Real) {
-        let velocities = self.motion.link_velocities();
-        for (travel, velocity) in self.travel.iter_mut().zip(velocities) {
-            travel[0] += linear(velocity).length() * h;
-            travel[1] += ang_length_squared(angular(velocity)).sqrt() * h;
-        }
+        note_travel(&mut self.travel, self.motion.link_velocities(), h);
+    }
+
+    /// Notes how far the links go in `h` seconds if these rates alone move them.
+    pub(super) fn note_travel_at(&mut self, rates: &[Real], h: Real) {
+        note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);
     }
 
     fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {

@@ -1,6 +1,8 @@
 //! The normal rows: impulses that stop, hold apart, bounce, and see how far apart bodies are.
 
-use super::scene::{Body, Contact, LANE, SUBSTEP, Scene, random_direction, random_vector};
+use super::scene::{
+    Body, Contact, LANE, SUBSTEP, Scene, THRESHOLD, random_direction, random_vector,
+};
 use crate::base::random::Random;
 use crate::dim::math::{
     ANG_ZERO, MAX_MANIFOLD_POINTS, Real, Vector, ang_length_squared, integrate_rotation,
@@ -185,7 +187,7 @@ fn what_hits_bounces_and_what_rests_does_not() {
         scene.solve();
         scene.relax();
         let after = scene.relative_velocity(bodies, p).dot(n);
-        let expected = if approach < -scene.pass.restitution_threshold {
+        let expected = if approach < -THRESHOLD {
             bounced += 1;
             -contact.restitution * approach
         } else {

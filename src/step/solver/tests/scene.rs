@@ -18,6 +18,8 @@ use parry::shape::{Cuboid, Shape};
 pub const LANE: usize = LANES - 2;
 /// Length of a substep (s).
 pub const SUBSTEP: Real = 1.0 / 240.0;
+/// Approach slower than this does not bounce (length/s).
+pub const THRESHOLD: Real = 0.5;
 /// How far apart contact points may be.
 pub const PREDICTION: Real = 0.02;
 
@@ -156,7 +158,6 @@ impl Scene {
                 inv_substep: 1.0 / SUBSTEP,
                 softness: Softness::RIGID,
                 push_velocity_max: 4.0,
-                restitution_threshold: 0.5,
                 allowed_error: 0.0,
                 is_last_visit: true,
             },
@@ -302,7 +303,7 @@ impl Kernel for Run<'_> {
                         step: SUBSTEP,
                         substep: SUBSTEP,
                         inv_substep: 1.0 / SUBSTEP,
-                        threshold: pass.restitution_threshold,
+                        threshold: THRESHOLD,
                         fall: 10.0 * SUBSTEP,
                     };
                     let known = [&before[..], &loaded[..]];

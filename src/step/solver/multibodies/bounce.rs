@@ -1,0 +1,411 @@
+//! Contacts of links in impacts.
+//!
+//! They take part in the rounds of `impacts/mod.rs`, beside the blocks of bodies' contacts and with the same rules: here they are
+//! told one point after the other. All that those rules need to know of a contact is its velocity, its `1/K` and what an
+//! impulse does to the velocities of others; whether the inertia behind it is that of a body or, with `W = M⁻¹ Jᵀ`
+//! (`rows.rs`), of a whole multibody, makes no difference to them. So a blow travels through chains as through rows of
+//! bodies, and the sum that guards the energy of an island counts both.
+//!
+//! A multibody bears a blow as a body does: its rates change, by the share of the round that its island goes, and what the blow
+//! did is no load for the next substep. But it turns on its way: `J`, `W` and the velocities of a substep's middle are not those
+//! of the time `τ` at which it is hit, and with them a blow would give energy. So it is moved on to that time, `q + τ q̇`, its velocities
+//! are flown back to it, the rows of the blows are made there, and behind the round all goes back the same way at the new
+//! velocities. A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
+//! back only if all its links move as one: that is farther than tangents are the way of a chain, and on the way forward
+//! links that were not hit would end up in the ground.
+//!
+//! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
+
+use super::contacts::{LinkContact, LinkContacts, Point};
+use super::rows::{Actors, Numbers};
+use super::{Moving, SolverMultibodies};
+use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
+use crate::model::island::NONE;
+use crate::model::params::ImpactPass;
+use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
+
+/// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Blow {
+    /// Its velocity when the last substep ended, and with the impulses of that in this one.
+    last: Real,
+    loaded: Real,
+    /// By how much forces and what bears them have changed its velocity in this substep.
+    accelerated: Real,
+    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    borne: Real,
+    /// It hits where its velocity is below this.
+    limit: Real,
+    /// Does it come fast, and not arrive in this substep?
+    waits: bool,
+    /// `1 / K` if it hits in this round.
+    mass: Real,
+    approach: Real,
+    target: Real,
+    /// When it hits, from the beginning of the substep (s).
+    time: Real,
+    /// Impulses of this round, and of the whole impact.
+    impulse: Real,
+    given: Real,
+}
+
+/// A contact in an impact. See `ImpactBlock` in `impacts/rows.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Strike {
+    /// The island of its links.
+    pub island: u32,
+    /// Does any point hit in this round?
+    pub struck: bool,
+    /// Has any point hit in this substep?
+    pub was_struck: bool,
+    /// Did the last visit have to change anything?
+    pub moving: bool,
+    /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
+    pub stopped: Real,
+    pub surplus: Real,
+}
+
+/// What a multibody remembers of the beginning of a round.
+#[derive(Debug, Default)]
+pub struct BeforeBlow {
+    rates: Vec<Real>,
+    outside: SpatialVector,
+    /// The sum of the times (s) at which it is hit in this round, and how many they are.
+    times: [Real; 2],
+    /// For how long (s) it has been moved on to where it is hit, if it is.
+    ahead: Option<Real>,
+}
+
+impl BeforeBlow {
+    /// Notes that a blow comes at a time.
+    pub fn note(&mut self, time: Real) {
+        let [sum, count] = self.times;
+        self.times = [sum + time, count + 1.0];
+    }
+}
+
+impl SolverMultibodies {
+    /// Does any contact bounce?
+    pub fn bounce(&self) -> bool {
+        self.contacts.contacts.iter().any(LinkContact::bounces)
+    }
+
+    /// No island of a contact that bounces has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let islands = self.contacts.contacts.iter().filter(|contact| contact.bounces());
+        islands.map(|contact| contact.strike.island as usize + 1).max().unwrap_or(0)
+    }
+
+    /// The contacts that hit in this round.
+    pub fn struck(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.struck)
+    }
+
+    /// Notes how the contacts move at the end of a substep, before forces act in the next.
+    pub fn note_velocities(&mut self, velocities: &mut [BodyState]) {
+        let (numbers, contacts, actors) = self.bouncing(velocities);
+        for contact in contacts.bouncing() {
+            for point in &mut contact.points {
+                point.blow.last = numbers.velocity(&point.normal, &actors);
+            }
+        }
+    }
+
+    /// Begins a substep: takes the impulses of the last one off, as `impacts/mod.rs` does with those of bodies, and notes
+    /// what they bear. Until [`Self::end_impact`].
+    pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
+        self.note_loaded(&mut bodies.before);
+        for moving in &mut self.moving {
+            moving.bear(-1.0);
+        }
+        let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing() {
+            contact.strike.was_struck = false;
+            for Point { normal, blow, .. } in &mut contact.points {
+                blow.begin(numbers.velocity(normal, &actors), pass);
+            }
+        }
+    }
+
+    /// Gives the impulses of the last substep back.
+    pub fn end_impact(&mut self) {
+        for moving in &mut self.moving {
+            moving.bear(1.0);
+        }
+    }
+
+    /// Notes how contacts move with the impulses of the last substep.
+    fn note_loaded(&mut self, loaded: &mut [BodyState]) {
+        let (numbers, contacts, actors) = self.bouncing(loaded);
+        for Point { normal, blow, .. } in
+            contacts.bouncing().flat_map(|contact| &mut contact.points)
+        {
+            blow.loaded = numbers.velocity(normal, &actors);
+        }
+        // What inertia does is reckoned with where the links are moved on to where they are hit.
+        let before_flight = |moving: &mut Moving| {
+            let before = moving.motion.rates_before_flight();
+            core::mem::replace(&mut moving.motion.rates, before)
+        };
+        let flying: Vec<_> = actors.multibodies.iter_mut().map(before_flight).collect();
+        for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
+            point.blow.accelerated = numbers.velocity(&point.normal, &actors) - point.blow.last;
+        }
+        for (moving, rates) in actors.multibodies.iter_mut().zip(flying) {
+            moving.motion.rates = rates;
+        }
+    }
+
+    /// Begins a round: finds the points that hit before the substep ends, and how they are to part.
+    pub fn mark_struck(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        pass: &ImpactPass,
+    ) {
+        let (numbers, contacts, mut actors) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing() {
+            contact.strike.struck = false;
+            for Point { normal, blow, separation, .. } in &mut contact.points {
+                let velocity = numbers.velocity(normal, &actors) + blow.borne;
+                let separation = *separation + numbers.displacement(normal, &actors);
+                blow.impulse = 0.0;
+                blow.mass = 0.0;
+                let earliest = if numbers.goes_back(normal, &actors) { -pass.step } else { 0.0 };
+                if blow.find_time(velocity, separation, earliest, pass.substep) {
+                    blow.mass = normal.mass;
+                    contact.strike.struck |= blow.mass > 0.0;
+                    numbers.note_time(normal, blow.time, &mut actors);
+                }
+            }
+            contact.strike.was_struck |= contact.strike.struck;
+        }
+        self.go_where_struck(place, bodies, pass.substep);
+        let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            for Point { normal, blow, .. } in &mut contact.points {
+                if blow.mass > 0.0 {
+                    blow.mass = normal.mass;
+                    let velocity = numbers.velocity(normal, &actors) + blow.borne;
+                    blow.aim(velocity, contact.restitution, pass);
+                }
+            }
+        }
+    }
+
+    /// Moves the multibodies that are hit to where they are then, and makes the rows of their blows there.
+    fn go_where_struck(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        h: Real,
+    ) {
+        for moving in &mut self.moving {
+            let [sum, count] = core::mem::take(&mut moving.before_blow.times);
+            if count > 0.0 {
+                moving.move_on(sum / count, h);
+            }
+        }
+        for position in 0..self.contacts.contacts.len() {
+            if self.contacts.contacts[position].strike.struck {
+                self.follow_contact(position, place, bodies);
+            }
+        }
+    }
+
+    /// Visits the points that hit, in turn: pushes until they part as they are to.
+    pub fn visit_struck(&mut self, states: &mut [BodyState]) {
+        let (numbers, contacts, mut actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            contact.strike.moving = false;
+            for sweep in 0..SWEEPS {
+                for Point { normal, blow, .. } in &mut contact.points {
+                    let missing = blow.target - blow.borne - numbers.velocity(normal, &actors);
+                    let new = (blow.impulse + blow.mass * missing).max(0.0);
+                    let change = new - blow.impulse;
+                    blow.impulse = new;
+                    numbers.strike(normal, change, &mut actors);
+                    let little = -(blow.mass * blow.approach * SETTLED);
+                    contact.strike.moving |= sweep == 0 && change.abs() > little;
+                }
+            }
+        }
+    }
+
+    /// Ends a round: does the accounts of its energy, and tells bodies and multibodies when they were hit.
+    pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
+        let (numbers, contacts, actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+            let allowed = contact.restitution.max(1.0);
+            (contact.strike.stopped, contact.strike.surplus) = (0.0, 0.0);
+            for Point { normal, blow, .. } in &mut contact.points {
+                let velocity = numbers.velocity(normal, &actors) + blow.borne;
+                contact.strike.stopped += blow.impulse * blow.approach;
+                contact.strike.surplus += blow.impulse * (velocity + allowed * blow.approach) * 0.5;
+                blow.given += blow.impulse;
+                numbers.note_blow(normal, [blow.impulse, blow.time], delays);
+            }
+        }
+    }
+
+    /// Puts the points aside that come fast and do not arrive in this substep.
+    pub fn put_aside(&mut self) {
+        for contact in self.contacts.bouncing() {
+            contact.points.iter_mut().for_each(|point| point.is_aside = point.blow.waits);
+        }
+    }
+
+    /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
+    pub fn rub_struck(&mut self, states: &mut [BodyState]) {
+        let (numbers, contacts, mut actors) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.was_struck) {
+            for point in contact.points.iter_mut().filter(|point| point.blow.given > 0.0) {
+                point.total += point.blow.given;
+                let most = contact.friction * point.blow.given;
+                let none = [0.0; DIM - 1];
+                let rubbed = point.friction_under(most, none, numbers, &actors);
+                for (row, impulse) in point.tangents.iter().zip(rubbed) {
+                    numbers.strike(row, impulse, &mut actors);
+                }
+            }
+        }
+    }
+
+    /// Remembers how the multibodies move when a round begins.
+    pub fn begin_round(&mut self) {
+        for moving in &mut self.moving {
+            let BeforeBlow { rates, outside, .. } = &mut moving.before_blow;
+            rates.clone_from(&moving.motion.rates);
+            *outside = moving.motion.outside();
+        }
+    }
+
+    /// Takes over what an impact did to the velocities since the round began, or as much of it as `share` says for an island: see
+    /// [`SolverBodies::accept_impact`].
+    pub fn accept_impact(&mut self, h: Real, share: impl Fn(u32) -> Real) {
+        for moving in &mut self.moving {
+            moving.accept_impact(h, share(moving.island));
+        }
+    }
+
+    fn bouncing<'a>(
+        &'a mut self,
+        states: &'a mut [BodyState],
+    ) -> (&'a Numbers, &'a mut LinkContacts, Actors<'a>) {
+        let Self { numbers, contacts, moving, .. } = self;
+        (numbers, contacts, Actors { multibodies: moving, states })
+    }
+}
+
+impl LinkContacts {
+    /// Those that bounce.
+    fn bouncing(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.iter_mut().filter(|contact| contact.bounces())
+    }
+}
+
+impl Strike {
+    /// For a contact of this island.
+    pub fn of(island: u32) -> Self {
+        Self { island, ..Self::default() }
+    }
+}
+
+impl LinkContact {
+    fn bounces(&self) -> bool {
+        self.restitution != 0.0 && self.strike.island != NONE
+    }
+
+    /// Leaves it as it is for the rest of the round.
+    pub fn let_be(&mut self) {
+        self.points.iter_mut().for_each(|point| point.blow.mass = 0.0);
+    }
+}
+
+impl Point {
+    /// Where it is for all passes but those of impacts.
+    pub fn shown_separation(&self) -> Real {
+        if self.is_aside { FAR } else { self.separation }
+    }
+}
+
+impl Blow {
+    /// Begins a substep in which the point moves like this under forces alone.
+    fn begin(&mut self, free: Real, pass: &ImpactPass) {
+        let forced = free - self.last;
+        self.borne = (self.loaded - free).min(-forced).max(0.0);
+        let now = free + self.borne;
+        let at_rest = if now.max(self.last) >= -pass.threshold { now.min(0.0) } else { 0.0 };
+        self.limit = at_rest - pass.threshold * NOTICED;
+        let most = forced.abs().max(pass.fall);
+        self.accelerated = self.accelerated.max(-most).min(most);
+        self.given = 0.0;
+    }
+
+    /// Does the point hit? Then it is known when.
+    fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
+        let comes = velocity < self.limit;
+        let arrives = separation + velocity * h < 0.0;
+        self.waits = comes && !arrives;
+        if comes {
+            self.time = (separation / -velocity).max(earliest).min(h);
+        }
+        comes && arrives
+    }
+
+    /// Finds how it is to part.
+    fn aim(&mut self, velocity: Real, restitution: Real, pass: &ImpactPass) {
+        let speed = (-velocity).max(0.0);
+        let most = speed * BEND_MAX;
+        let bend = self.accelerated * (self.time * pass.inv_substep - 0.5);
+        let bend = bend.max(-most).min(most);
+        self.approach = bend + bend - speed;
+        self.target = (restitution * (speed - bend) - bend).max(0.0);
+    }
+}
+
+impl Moving {
+    /// Do all links turn and go together?
+    pub(super) fn moves_as_one(&self) -> bool {
+        self.motion.rates.len() <= self.motion.root_dofs().max(1)
+    }
+
+    /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
+    fn move_on(&mut self, time: Real, h: Real) {
+        let rates = self.motion.rates.clone();
+        self.motion.fly_back(0.5 * h - time);
+        self.displace(&rates, time);
+        self.motion.resist(h);
+        self.before_blow.ahead = Some(time);
+    }
+
+    /// Ends a round of a substep of `h` seconds.
+    fn accept_impact(&mut self, h: Real, share: Real) {
+        let ahead = self.before_blow.ahead.take();
+        let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
+        if *before != self.motion.rates {
+            for (rate, old) in self.motion.rates.iter_mut().zip(before) {
+                *rate = *old + (*rate - *old) * share;
+            }
+            self.motion.share_outside(outside, share);
+        }
+        if let Some(time) = ahead {
+            self.motion.fly_on(0.5 * h - time);
+            let rates = self.motion.rates.clone();
+            self.displace(&rates, -time);
+        }
+    }
+
+    /// Moves the links for `time` seconds, which may be negative, at these rates.
+    fn displace(&mut self, rates: &[Real], time: Real) {
+        for (shift, rate) in self.shift.iter_mut().zip(rates) {
+            *shift += rate * time;
+        }
+        self.motion.displace(&mut self.multibody, rates, time);
+        self.note_travel_at(rates, time.abs());
+    }
+}

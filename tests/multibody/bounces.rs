@@ -1,0 +1,261 @@
+//! Links bounce as bodies do.
+
+use crate::dim::{hinge, vec};
+use crate::suite::joints::stage::bob;
+use crate::suite::physics::stage::{G, RATES, add_ground, run, steps, substep, weightless, world};
+use crate::suite::physics::table::Table;
+use rapier::prelude::*;
+
+const RADIUS: Real = 0.25;
+
+/// A ball that bounces by `restitution`, whatever it meets, without friction.
+fn ball(restitution: Real) -> ColliderBuilder {
+    let ball = ColliderBuilder::ball(RADIUS).restitution(restitution).friction(0.0);
+    let ball = ball.restitution_combine_rule(CoefficientCombineRule::Max);
+    ball.friction_combine_rule(CoefficientCombineRule::Min)
+}
+
+/// How a ball belongs to a multibody.
+#[derive(Copy, Clone, Debug)]
+enum Belongs {
+    /// As the bob of an arm that lies level when the ball touches the ground.
+    Bob,
+    /// As the free root, with another ball welded on.
+    Root,
+    /// As what is welded on a free root.
+    Weld,
+}
+
+/// A world with ground and a ball that falls on it from `height`.
+fn drop(
+    rate: u32,
+    belongs: Belongs,
+    height: Real,
+    restitution: Real,
+) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = world(rate);
+    add_ground(&mut world, 0.0);
+    let at = vec(0.0, RADIUS + height);
+    let (body, other) = match belongs {
+        Belongs::Bob => {
+            let length: Real = 4.0;
+            let angle = (height / length).asin();
+            let post = vec(-length, RADIUS);
+            let root = world.insert_body(RigidBodyBuilder::fixed().translation(post));
+            let at = post + vec(angle.cos(), angle.sin()) * length;
+            let body = bob(1.0, 0.1).translation(at).rotation(crate::dim::about_z(angle));
+            let body = world.insert_body(body);
+            world.insert_collider(ball(restitution).density(0.0), Some(body));
+            let joint = hinge().local_anchor2(vec(-length, 0.0));
+            world.multibody_joints.insert(root, body, joint, true).expect("it fits");
+            return (world, body);
+        }
+        Belongs::Root => (at, at + vec(1.0, 0.0)),
+        Belongs::Weld => (at + vec(1.0, 0.0), at),
+    };
+    let [root, link] = [body, other]
+        .map(|at| world.insert(RigidBodyBuilder::dynamic().translation(at), ball(restitution)).0);
+    let weld = FixedJointBuilder::new().local_anchor1(other - body);
+    world.multibody_joints.insert(root, link, weld, true).expect("it fits");
+    (world, if matches!(belongs, Belongs::Root) { root } else { link })
+}
+
+/// How high the ball gets after its first bounce, above where it touches the ground.
+fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
+    let (mut apex, mut rose): (Real, bool) = (0.0, false);
+    for _ in 0..steps(&world, 2.0) {
+        world.step();
+        let body = &world.bodies[body];
+        rose |= body.linvel().y > 0.0;
+        if rose {
+            apex = apex.max(body.translation().y - RADIUS);
+            if body.linvel().y < 0.0 {
+                break;
+            }
+        }
+    }
+    apex
+}
+
+/// What falls from the height `H` bounces back up to `e² H`, as a link does as a body of its own.
+#[test]
+fn links_rise_to_where_bodies_do() {
+    let columns = ["rate", "link", "restitution", "apex", "formula", "error"];
+    let mut table = Table::new("links that fall by 1 m", &columns);
+    for rate in RATES {
+        for belongs in [Belongs::Bob, Belongs::Root, Belongs::Weld] {
+            for restitution in [0.0, 0.5, 1.0] {
+                let (world, body) = drop(rate, belongs, 1.0, restitution);
+                let (apex, formula) = (apex(world, body), restitution * restitution);
+                table.row([
+                    rate.to_string(),
+                    format!("{belongs:?}"),
+                    restitution.to_string(),
+                    format!("{apex:.4}"),
+                    format!("{formula:.4}"),
+                    format!("{:+.4}", apex - formula),
+                ]);
+                // Bounces are right to second order: an error of the height `(g h)²/2g`, and the apex is between two steps.
+                let between = G * (1.0 / rate as Real).powi(2) / 8.0;
+                table.check("the apex", apex, formula, 0.005 + between);
+            }
+        }
+    }
+}
+
+/// The energy of all bodies (J): with the heights of the middle of the last substep, when they had their velocities.
+fn energy(world: &PhysicsWorld) -> Real {
+    let half = 0.5 * substep(world);
+    let of = |(_, body): (RigidBodyHandle, &RigidBody)| {
+        let height = body.center_of_mass().y - half * body.linvel().y;
+        body.kinetic_energy() + body.mass() * world.gravity.length() * height
+    };
+    world.bodies.iter().filter(|(_, body)| body.is_dynamic()).map(of).sum()
+}
+
+/// Chains that fall on ground, or swing against it, and bounce as they came gain no energy.
+#[test]
+fn chains_that_bounce_gain_no_energy() {
+    let mut table = Table::new("elastic chains, 3 s", &["rate", "chain", "gain", "left"]);
+    for rate in RATES {
+        for (name, hangs) in [("free", false), ("hanging", true)] {
+            let mut world = world(rate);
+            add_ground(&mut world, 0.0);
+            let mut parent = None;
+            if hangs {
+                let post = RigidBodyBuilder::fixed().translation(vec(-0.6, 1.5));
+                parent = Some(world.insert_body(post));
+            }
+            for k in 0..5 {
+                let at = vec(0.6 * k as Real, 1.5 + if hangs { 0.0 } else { 0.1 * k as Real });
+                let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
+                let (body, _) = world.insert(body, ball(1.0).mass(1.0));
+                if let Some(parent) = parent {
+                    let first = hangs && k == 0;
+                    let apart = vec(0.6, if hangs { 0.0 } else { 0.1 });
+                    let joint =
+                        hinge().local_anchor1(if first { Vector::ZERO } else { apart * 0.5 });
+                    let joint = joint.local_anchor2(apart * if first { -1.0 } else { -0.5 });
+                    world.multibody_joints.insert(parent, body, joint, true).expect("it fits");
+                }
+                parent = Some(body);
+            }
+            for index in world.bodies.iter().map(|(body, _)| body).collect::<Vec<_>>() {
+                let link = world.multibody_joints.rigid_body_link(index).copied();
+                let index = link.expect("a link").multibody;
+                let multibody = world.multibody_joints.get_multibody_mut(index).expect("there");
+                multibody.set_self_contacts_enabled(false);
+            }
+            let (first, mut most) = (energy(&world), energy(&world));
+            for _ in 0..steps(&world, 3.0) {
+                world.step();
+                most = most.max(energy(&world));
+            }
+            let fall = 5.0 * G * (1.5 - RADIUS);
+            let (gain, left) = ((most - first) / fall, 1.0 + (energy(&world) - first) / fall);
+            table.row([
+                rate.to_string(),
+                name.to_string(),
+                format!("{gain:+.4}"),
+                format!("{left:.4}"),
+            ]);
+            // Blows are right to second order in the angle by which links turn in a substep, at some 20 rad/s.
+            let tolerance = 0.03 + (10.0 / rate as Real).powi(2);
+            table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
+        }
+    }
+}
+
+/// A striker of two welded bodies, of mass 1 together, hits a row of balls of mass 1, one of which may be a link as well: the
+/// last one leaves as fast as the striker came.
+#[test]
+fn links_pass_on_a_blow() {
+    let columns = ["rate", "link in the row", "last", "others", "energy"];
+    let mut table = Table::new("row of balls hit by a link at 3 m/s", &columns);
+    for rate in RATES {
+        for link in [None, Some(2), Some(4)] {
+            let mut world = weightless(rate);
+            let mut insert = |x: Real, v: Real, is_pair: bool| {
+                let mass = if is_pair { 0.5 } else { 1.0 };
+                let body = |x: Real| {
+                    RigidBodyBuilder::dynamic().translation(vec(x, 0.0)).linvel(vec(v, 0.0))
+                };
+                let (first, _) = world.insert(body(x), ball(1.0).mass(mass));
+                if is_pair {
+                    let second = world
+                        .insert_body(bob(mass, 0.1).translation(vec(x, 0.0)).linvel(vec(v, 0.0)));
+                    let weld = FixedJointBuilder::new();
+                    world.multibody_joints.insert(second, first, weld, true).expect("it fits");
+                }
+                first
+            };
+            insert(-2.0 * 2.0 * RADIUS, 3.0, true);
+            let balls: Vec<_> =
+                (0..5).map(|k| insert(2.0 * RADIUS * k as Real, 0.0, link == Some(k))).collect();
+            run(&mut world, 0.4);
+            let speed = |k: usize| world.bodies[balls[k]].linvel().x;
+            let others = (0..4).map(|k| speed(k).abs()).fold(0.0, Real::max);
+            let energy: Real = world.bodies.iter().map(|(_, body)| body.kinetic_energy()).sum();
+            table.row([
+                rate.to_string(),
+                format!("{link:?}"),
+                format!("{:.4}", speed(4)),
+                format!("{others:.4}"),
+                format!("{:+.2e}", energy / 4.5 - 1.0),
+            ]);
+            // What approaches by less than a centimetre per second is stopped without a bounce.
+            table.check("the last one's speed", speed(4), 3.0, 0.03);
+            table.require(energy < 4.5 * 1.0001, "the energy does not rise");
+        }
+    }
+}
+
+/// Newton's cradle of arms, each a multibody of its own or all branches of one: the last ball leaves, the others stay.
+#[test]
+fn a_cradle_of_links() {
+    let columns = ["rate", "roots", "speeds a tenth of a second after the blow"];
+    let mut table = Table::new("cradle of 5 links at 2 m/s", &columns);
+    let (length, angle): (Real, Real) = (2.0, -0.1);
+    for rate in RATES {
+        for is_one in [false, true] {
+            let mut world = world(rate);
+            let beam = world.insert_body(RigidBodyBuilder::fixed().translation(vec(0.0, length)));
+            let mut balls = Vec::new();
+            for k in 0..5 {
+                let angle = if k == 0 { angle } else { 0.0 };
+                let post = vec(2.0 * RADIUS * k as Real, length);
+                let fallen = 2.0 * G * length * (1.0 - angle.cos());
+                let spin = if k == 0 { (4.0 - fallen).sqrt() / length } else { 0.0 };
+                let body = RigidBodyBuilder::dynamic()
+                    .translation(post + vec(angle.sin(), -angle.cos()) * length)
+                    .rotation(crate::dim::about_z(angle))
+                    .linvel(vec(angle.cos(), angle.sin()) * (spin * length))
+                    .angvel(crate::dim::about_z(spin))
+                    .can_sleep(false);
+                let (body, _) = world.insert(body, ball(1.0).mass(1.0));
+                let root = if is_one {
+                    beam
+                } else {
+                    world.insert_body(RigidBodyBuilder::fixed().translation(post))
+                };
+                let at = if is_one { post - vec(0.0, length) } else { Vector::ZERO };
+                let joint = hinge().local_anchor1(at).local_anchor2(vec(0.0, length));
+                world.multibody_joints.insert(root, body, joint, true).expect("it fits");
+                balls.push(body);
+            }
+            run(&mut world, 0.2);
+            let speeds: Vec<_> =
+                balls.iter().map(|&ball| world.bodies[ball].linvel().length()).collect();
+            let listed: Vec<_> = speeds.iter().map(|speed| format!("{speed:.3}")).collect();
+            table.row([
+                rate.to_string(),
+                if is_one { "one" } else { "five" }.to_string(),
+                listed.join(" "),
+            ]);
+            // A tenth of a second later a ball has climbed by 2 cm, which takes 0.1 m/s off its speed.
+            for (k, speed) in speeds.into_iter().enumerate() {
+                table.check("the speed", speed, if k == 4 { 1.9 } else { 0.0 }, 0.1);
+            }
+        }
+    }
+}
