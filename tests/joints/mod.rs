@@ -17,3 +17,4 @@ mod nonsense;
 pub mod pendulum;
 mod sliding;
 mod springs;
+mod twice;

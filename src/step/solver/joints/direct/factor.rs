@@ -5,11 +5,32 @@
 //!
 //! Blocks have room for a joint that locks all axes, and those of others stand in their first rows and columns. They
 //! are kept by columns: innermost is always a loop over a whole column, whose length the compiler knows.
+//!
+//! ## What is held twice
+//! Three hinges hold a door in more ways than it can move: some impulses `n` do nothing to the bodies, `A n = 0` with
+//! `A = J M⁻¹ Jᵀ`, and `A λ = b` says nothing of their share in `λ`. What is left there is rounding, divided by next to
+//! nothing: hinges that strain against each other with a thousand times what they bear. Loops alone can do that; for
+//! components that have some, of all impulses which do what they should the least are wanted. They minimise `λᵀ D λ`, where
+//! `D` holds the inverse masses that each row moves, without its levers: equal joints bear equal loads, wherever they are.
+//!
+//! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped matrix are those
+//! that solve it. One more turn with them takes away what the first one found where it should find nothing:
+//!
+//! ```text
+//! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
+//! ```
+//!
+//! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a = 0`
+//! nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned, goes away. For
+//! `a ≫ δ` it is `b/a`: what is well determined gives way by `δ D λ` of velocity, which is rounding. (The first turn alone
+//! leaves `b/δ` for `a = 0`. With `δ` large enough to make that small, bridges sag.) The idea is that of the proximal
+//! method (Rockafellar, "Monotone operators and the proximal point algorithm", 1976), turned round: its steps go to
+//! the solution from the last impulses, these go from the solution to none.
 
 use super::memory::RowMemory;
 use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
 /// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
@@ -20,6 +41,12 @@ const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 
 /// chains under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their links
 /// about. It slows the correction of errors down, and adds none: at rest, nothing is left to correct.
 const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
+
+/// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
+/// make of zero, below what heavy weights on light chains make of one.
+const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-10;
+/// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
+const SHARE_MIN: f64 = 1.0e-3;
 
 /// A number for each row of a joint.
 type Column = [f64; SPATIAL_DIM];
@@ -39,6 +66,18 @@ struct Rows {
 
 impl Rows {
     const EMPTY: Self = Self { jacobians: [ZERO; 2], responses: [ZERO; 2] };
+
+    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
+    fn without_levers(&self, row: usize) -> f64 {
+        let share = |components: core::ops::Range<usize>| {
+            let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
+                components.clone().map(move |k| j[k][row] * response[row][k])
+            });
+            products.sum::<f64>()
+        };
+        let linear = share(0..DIM);
+        if linear > 0.0 { linear } else { share(DIM..SPATIAL_DIM) }
+    }
 }
 
 /// The matrix of a component, and the buffers to solve it.
@@ -56,8 +95,12 @@ pub(super) struct Factor {
     below: Vec<Block>,
     /// By member: where the blocks of its column begin.
     first_below: Vec<usize>,
+    /// By member: `δ D` of components with loops.
+    damping: Vec<Column>,
     /// By member: right-hand side, then solution.
     x: Vec<Column>,
+    /// By member: right-hand side of the second turn.
+    again: Vec<Column>,
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
@@ -81,6 +124,11 @@ impl Factor {
             self.made_with = Some(yields);
         }
         self.load_rates(component, memory);
+        if component.has_loops {
+            self.again.clone_from(&self.x);
+            self.substitute(component);
+            self.load_shares(component, memory);
+        }
         self.substitute(component);
         // SAFETY: the caller's promise.
         unsafe { self.push_bodies(component, states) };
@@ -125,6 +173,17 @@ impl Factor {
         }
     }
 
+    /// Puts the right-hand side of the second turn in place of the first one's solution.
+    fn load_shares(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+        for (at, member) in component.members.iter().enumerate() {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (row, axis) in locked_axes(member).enumerate() {
+                let impulse = f64::from(from.impulses[axis].0[lane]) + self.x[at][row];
+                self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
+            }
+        }
+    }
+
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
     fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         let blocks = component.columns.iter().map(Vec::len).sum();
@@ -133,18 +192,25 @@ impl Factor {
         self.below.clear();
         self.below.resize(blocks, ZERO);
         self.own.clear();
+        self.damping.clear();
         self.first_below.clear();
         let mut next = 0;
         for (at, member) in component.members.iter().enumerate() {
             let block = &mut self.diagonal[at];
             couple(component.members, &self.rows, [at, at], block);
             let yields = yields_of(member, memory);
-            let mut own = [0.0; SPATIAL_DIM];
-            for (row, own) in own.iter_mut().enumerate() {
-                *own = block[row][row];
-                block[row][row] += (yields + DAMPING) * *own;
+            let (mut own, mut damping) = ([0.0; SPATIAL_DIM], [0.0; SPATIAL_DIM]);
+            for row in 0..member.row_count() {
+                own[row] = block[row][row];
+                damping[row] = if component.has_loops {
+                    SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
+                } else {
+                    DAMPING * own[row]
+                };
+                block[row][row] += yields * own[row] + damping[row];
             }
             self.own.push(own);
+            self.damping.push(damping);
             self.first_below.push(next);
             for &row in &component.columns[at] {
                 let block = &mut self.below[next];

@@ -71,10 +71,16 @@ pub(super) struct Pattern {
     members: Vec<Member>,
     /// By member: what impulses do to its bodies as they stand now.
     masses: Vec<[InverseMass; 2]>,
-    components: Vec<Range<usize>>,
+    components: Vec<Part>,
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
     search: Search,
+}
+
+/// Where a component's members stand, and what is known of it.
+struct Part {
+    members: Range<usize>,
+    has_loops: bool,
 }
 
 /// One component.
@@ -84,6 +90,8 @@ pub(super) struct Component<'a> {
     pub masses: &'a [[InverseMass; 2]],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
+    /// Are there two ways from one of its bodies to another, or to what cannot move?
+    pub has_loops: bool,
 }
 
 /// Buffers of the search.
@@ -94,6 +102,10 @@ struct Search {
     of_body: Vec<u32>,
     visited: Vec<bool>,
     order: Vec<u32>,
+    /// How many bodies these joints hold.
+    body_count: usize,
+    /// By body: has it been counted?
+    seen: Vec<bool>,
     /// By member: its position in its component.
     position: Vec<u32>,
 }
@@ -127,11 +139,12 @@ impl Pattern {
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
-        let range = self.components[index].clone();
+        let Part { members: range, has_loops } = &self.components[index];
         Component {
             members: &self.members[range.clone()],
             masses: &self.masses[range.clone()],
-            columns: &self.columns[range],
+            columns: &self.columns[range.clone()],
+            has_loops: *has_loops,
         }
     }
 
@@ -194,7 +207,8 @@ impl Pattern {
             }
         };
         if fill(columns, neighbours) {
-            self.components.push(start..start + count);
+            let has_loops = self.search.has_loops(members);
+            self.components.push(Part { members: start..start + count, has_loops });
         } else {
             self.members.truncate(start);
         }
@@ -222,6 +236,8 @@ impl Search {
         }
         self.visited.clear();
         self.visited.resize(members.len(), false);
+        self.seen.clear();
+        self.seen.resize(body_count, false);
         self.position.clear();
         self.position.resize(members.len(), 0);
     }
@@ -242,15 +258,26 @@ impl Search {
         LOOSE.contains(&self.order.len()) && is_loose && most <= EVEN * least
     }
 
+    /// Has the component that was collected loops? All that cannot move is one body here. A connected graph without loops
+    /// has one edge less than it has nodes.
+    fn has_loops(&self, members: &[Member]) -> bool {
+        let mut component = self.order.iter().map(|&index| &members[index as usize]);
+        let is_held = component.any(|member| member.movable().count() < 2);
+        self.order.len() + 1 > self.body_count + usize::from(is_held)
+    }
+
     /// Breadth first from a member: all that are connected to it.
     fn collect(&mut self, root: usize, members: &[Member]) {
         self.order.clear();
         self.order.push(root as u32);
         self.visited[root] = true;
+        self.body_count = 0;
         let mut next = 0;
         while let Some(&index) = self.order.get(next) {
             next += 1;
             for (_, body) in members[index as usize].movable() {
+                let is_new = !core::mem::replace(&mut self.seen[body as usize], true);
+                self.body_count += usize::from(is_new);
                 let range = self.first[body as usize]..self.first[body as usize + 1];
                 for k in range {
                     let other = self.of_body[k as usize];
