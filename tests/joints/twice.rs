@@ -64,7 +64,15 @@ impl Shared {
             };
             let from = beam.unwrap_or_else(|| {
                 let anchor = vec(0.0, 0.1);
-                post(&mut world, middle + if joint.locked_axes == JointAxesMask::LOCKED_FIXED_AXES { anchor } else { along })
+                post(
+                    &mut world,
+                    middle
+                        + if joint.locked_axes == JointAxesMask::LOCKED_FIXED_AXES {
+                            anchor
+                        } else {
+                            along
+                        },
+                )
             });
             joints.push(world.insert_impulse_joint(from, body, joint));
         }
@@ -128,9 +136,10 @@ fn joints_that_do_the_same_bear_the_same() {
                 format!("{across:.4}"),
                 format!("{moves:e}"),
             ]);
-            let hold = scene.joints.iter().all(|&joint| {
-                scene.world.impulse_joints[joint].data.is_enabled()
-            });
+            let hold = scene
+                .joints
+                .iter()
+                .all(|&joint| scene.world.impulse_joints[joint].data.is_enabled());
             table.require(hold, "breaks");
             table.check("sum of the forces", sum_off, 0.0, 0.01 * MASS * G);
             table.check("the least share", least, 1.0, 0.05);

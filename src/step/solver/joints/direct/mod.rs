@@ -28,6 +28,7 @@
 mod factor;
 mod masses;
 mod memory;
+mod order;
 mod pattern;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
 use super::masses::InverseMass;
+use super::order::{Ordering, products};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::Real;
 use crate::dim::state::READ_ONLY;
@@ -8,10 +9,9 @@ use crate::model::island::NONE;
 use crate::model::joint::GenericJoint;
 use core::ops::{Range, RangeInclusive};
 
-/// Most blocks below the diagonal in one column, and on average over a component: beyond that the sweeps are
-/// cheaper.
-const COLUMN_MAX: usize = 32;
-const MEAN_MAX: usize = 12;
+/// Most products of blocks for a joint of a component with loops, on average: beyond that the sweeps are so much cheaper
+/// that they may leave errors.
+const MEAN_MAX: usize = 2000;
 
 /// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
 /// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
@@ -75,6 +75,7 @@ pub(super) struct Pattern {
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
     search: Search,
+    ordering: Ordering,
 }
 
 /// Where a component's members stand, and what is known of it.
@@ -187,9 +188,14 @@ impl Pattern {
 
     /// Adds the component that the search has just collected.
     fn add_component(&mut self, members: &[Member]) {
-        let start = self.members.len();
+        let has_loops = self.search.has_loops(members);
         // The last ones found are the leaves.
-        for (position, &index) in self.search.order.iter().rev().enumerate() {
+        self.search.order.reverse();
+        if has_loops && !self.reorder(members) {
+            return;
+        }
+        let start = self.members.len();
+        for (position, &index) in self.search.order.iter().enumerate() {
             self.search.position[index as usize] = position as u32;
             self.members.push(members[index as usize]);
         }
@@ -201,17 +207,41 @@ impl Pattern {
         columns.iter_mut().for_each(Vec::clear);
         let (search, members_here) = (&self.search, &self.members[start..]);
         let neighbours = |at: usize, column: &mut Vec<u32>| {
-            for (_, body) in members_here[at].movable() {
-                let others = search.joints_of(body).iter();
-                column.extend(others.map(|&other| search.position[other as usize]));
-            }
+            search.add_neighbours(&members_here[at], column);
         };
-        if fill(columns, neighbours) {
-            let has_loops = self.search.has_loops(members);
+        if fill(columns, neighbours, MEAN_MAX * count) {
+            if std::env::var("DBG").is_ok() {
+                let w: usize =
+                    self.columns[start..start + count].iter().map(|c| products(c.len())).sum();
+                let m: usize = self.columns[start..start + count].iter().map(|c| c.len()).sum();
+                eprintln!(
+                    "DBG joints {count} work {} blocks {}",
+                    w as f64 / count as f64,
+                    m as f64 / count as f64
+                );
+            }
             self.components.push(Part { members: start..start + count, has_loops });
         } else {
             self.members.truncate(start);
         }
+    }
+
+    /// Puts the joints that were collected in an order that is good for loops. No if there are too many of these.
+    fn reorder(&mut self, members: &[Member]) -> bool {
+        let search = &mut self.search;
+        for (position, &index) in search.order.iter().enumerate() {
+            search.position[index as usize] = position as u32;
+        }
+        let neighbours = |at: usize, list: &mut Vec<u32>| {
+            search.add_neighbours(&members[search.order[at] as usize], list);
+        };
+        let count = search.order.len();
+        let is_worth_it = self.ordering.find(count, neighbours, MEAN_MAX * count);
+        for position in &mut self.ordering.order {
+            *position = search.order[*position as usize];
+        }
+        core::mem::swap(&mut search.order, &mut self.ordering.order);
+        is_worth_it
     }
 }
 
@@ -240,6 +270,14 @@ impl Search {
         self.seen.resize(body_count, false);
         self.position.clear();
         self.position.resize(members.len(), 0);
+    }
+
+    /// Adds the positions of all joints that share a body with one.
+    fn add_neighbours(&self, member: &Member, list: &mut Vec<u32>) {
+        for (_, body) in member.movable() {
+            let others = self.joints_of(body).iter();
+            list.extend(others.map(|&other| self.position[other as usize]));
+        }
     }
 
     fn joints_of(&self, body: u32) -> &[u32] {
@@ -290,20 +328,21 @@ impl Search {
     }
 }
 
-/// Finds the blocks of each column, those that elimination adds among them. No if there are too many.
+/// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work` products of
+/// blocks.
 ///
 /// A column's blocks reach the column of the first of them when it is eliminated (George and Liu, "Computer
 /// Solution of Large Sparse Positive Definite Systems", 1981).
-fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>)) -> bool {
-    let (mut total, bound) = (0, MEAN_MAX * columns.len());
+fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>), work: usize) -> bool {
+    let mut done = 0;
     for at in 0..columns.len() {
         let mut column = core::mem::take(&mut columns[at]);
         neighbours(at, &mut column);
         column.retain(|&row| row as usize > at);
         column.sort_unstable();
         column.dedup();
-        total += column.len();
-        if column.len() > COLUMN_MAX || total > bound {
+        done += products(column.len());
+        if done > work {
             return false;
         }
         if let [parent, rest @ ..] = column.as_slice() {
