@@ -30,6 +30,7 @@
 use super::memory::RowMemory;
 use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
@@ -115,12 +116,13 @@ impl Factor {
         component: Component<'_>,
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
+        simd: Simd,
     ) {
         let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
         if self.made_with != Some(yields) {
             self.load(component, memory);
             self.assemble(component, memory);
-            self.eliminate(component);
+            simd.run(Eliminate { factor: self, component });
             self.made_with = Some(yields);
         }
         self.load_rates(component, memory);
@@ -221,6 +223,7 @@ impl Factor {
     }
 
     /// `L D Lᵀ`, column by column: each one takes its part off those that follow.
+    #[inline(always)]
     fn eliminate(&mut self, component: Component<'_>) {
         self.inverses.clear();
         for (at, column) in component.columns.iter().enumerate() {
@@ -240,6 +243,7 @@ impl Factor {
     }
 
     /// Takes what the elimination of the column `at` does off the block of two of its rows.
+    #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
         let column = &component.columns[at];
         let (row, other) = (column[first] as usize, column[second] as usize);
@@ -256,11 +260,12 @@ impl Factor {
         let (of_row, of_column) = (&done[start + first], &done[start + second]);
         let (size, columns) =
             (component.members[at].row_count(), component.members[other].row_count());
-        for m in 0..size {
-            let inverse = self.inverses[at][m];
-            for (target, factor) in target[..columns].iter_mut().zip(&of_column[m]) {
-                add(target, &of_row[m], -(factor * inverse));
+        for (column, target) in target[..columns].iter_mut().enumerate() {
+            let mut sum = *target;
+            for m in 0..size {
+                add(&mut sum, &of_row[m], -(of_column[m][column] * self.inverses[at][m]));
             }
+            *target = sum;
         }
     }
 
@@ -330,6 +335,21 @@ impl Factor {
     }
 }
 
+/// See [`Factor::eliminate`]: most of the work, in the widest registers that the machine has.
+struct Eliminate<'a> {
+    factor: &'a mut Factor,
+    component: Component<'a>,
+}
+
+impl Kernel for Eliminate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        self.factor.eliminate(self.component);
+    }
+}
+
 /// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
 fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &mut Block) {
     let (of_row, of_column) = (&members[row], &members[column]);
@@ -348,6 +368,7 @@ fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &
 
 /// Factorises a diagonal block in place, and returns the inverse pivots. `own` is what stood on the diagonal before
 /// any elimination.
+#[inline(always)]
 fn factorise(d: &mut Block, own: &Column, size: usize) -> Column {
     let mut inverses = [0.0; SPATIAL_DIM];
     for j in 0..size {
@@ -365,6 +386,7 @@ fn factorise(d: &mut Block, own: &Column, size: usize) -> Column {
 }
 
 /// `block ← block L⁻ᵀ` for a diagonal block that is factorised.
+#[inline(always)]
 fn divide_right(block: &mut Block, d: &Block, size: usize) {
     for j in 1..size {
         let (done, rest) = block.split_at_mut(j);
@@ -375,6 +397,7 @@ fn divide_right(block: &mut Block, d: &Block, size: usize) {
 }
 
 /// Adds a multiple of a column to another.
+#[inline(always)]
 fn add(target: &mut Column, column: &Column, factor: f64) {
     for (target, value) in target.iter_mut().zip(column) {
         *target += value * factor;

@@ -39,6 +39,7 @@ pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
+use crate::base::wide::Simd;
 use crate::dim::state::BodyState;
 use factor::Factor;
 use pattern::Pattern;
@@ -111,6 +112,7 @@ impl Direct {
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
         wanted: impl Fn(&[Member], bool) -> bool + Sync,
+        simd: Simd,
         tasks: Tasks,
     ) {
         let count = self.pattern.component_count();
@@ -124,7 +126,7 @@ impl Direct {
                 // task.
                 unsafe {
                     let factor = factors.get_mut(index);
-                    factor.solve(pattern.component(index), read, &states);
+                    factor.solve(pattern.component(index), read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
                     if taut[index] {
                         factor.forget();

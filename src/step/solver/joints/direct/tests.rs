@@ -5,7 +5,7 @@ use super::masses::InverseMass;
 use super::memory::RowMemory;
 use super::pattern::{Member, Pattern};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{LANES, Lane};
+use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyState, READ_ONLY};
@@ -68,7 +68,7 @@ impl Net {
         // SAFETY: nobody else knows the states.
         unsafe {
             let shared = DisjointMut::new(&mut states);
-            factor.solve(pattern.component(0), &self.memory, &shared);
+            factor.solve(pattern.component(0), &self.memory, &shared, Simd::detect());
         }
         factor.write_changes(pattern.component(0), &mut self.memory);
         let errors = self.members.iter().map(|member| self.worst_error(member, &states));
