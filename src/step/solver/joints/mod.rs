@@ -317,7 +317,7 @@ impl SolverJoints {
         let wanted = |members: &[Member], _: bool| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, states, wanted, simd, tasks);
+        self.direct.solve(&mut self.memory, states, wanted, false, simd, tasks);
     }
 
     /// The bodies have been put elsewhere.
@@ -341,7 +341,14 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, |_, taut| taut || round < ROUNDS, simd, tasks);
+        self.direct.solve(
+            &mut self.memory,
+            states,
+            |_, taut| taut || round < ROUNDS,
+            again,
+            simd,
+            tasks,
+        );
         let memory = &self.memory;
         let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {

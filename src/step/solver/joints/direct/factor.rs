@@ -46,6 +46,9 @@ const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 /// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
 /// make of zero, below what heavy weights on light chains make of one.
 const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-10;
+/// The share of the first size of the rates below which taut joints need no further round.
+const DONE: f64 = 1.0e-4;
+
 /// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
 const SHARE_MIN: f64 = 1.0e-3;
 
@@ -102,27 +105,42 @@ pub(super) struct Factor {
     x: Vec<Column>,
     /// By member: right-hand side of the second turn.
     again: Vec<Column>,
+    /// How much the first solution of a substep had to do.
+    first_size: f64,
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
 
 impl Factor {
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do.
+    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`: not for the first
+    /// time in this visit.
     ///
     /// # Safety
     /// Nobody else may touch the states of the component's movable bodies meanwhile.
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
+        again: bool,
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
+        simd.run(Solve { factor: self, component, memory });
+        if !again {
+            self.first_size = self.size_of_rates(component, memory);
+        }
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// Finds the changes of the impulses.
+    #[inline(always)]
+    fn find_changes(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
         if self.made_with != Some(yields) {
             self.load(component, memory);
             self.assemble(component, memory);
-            simd.run(Eliminate { factor: self, component });
+            self.eliminate(component);
             self.made_with = Some(yields);
         }
         self.load_rates(component, memory);
@@ -132,8 +150,28 @@ impl Factor {
             self.load_shares(component, memory);
         }
         self.substitute(component);
-        // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
+        let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
+        if is_done {
+            self.x.fill([0.0; SPATIAL_DIM]);
+        }
+        is_done
+    }
+
+    /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
+    fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
+        let mut sum = 0.0;
+        for (member, own) in component.members.iter().zip(&self.own) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (own, axis) in own.iter().zip(locked_axes(member)) {
+                let rate = f64::from(from.rates[axis].0[lane]);
+                sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
+            }
+        }
+        sum
     }
 
     /// The bodies have moved: the matrix must be made anew.
@@ -142,6 +180,7 @@ impl Factor {
     }
 
     /// Reads the rows.
+    #[inline(always)]
     fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
@@ -187,6 +226,7 @@ impl Factor {
     }
 
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
+    #[inline(always)]
     fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         let blocks = component.columns.iter().map(Vec::len).sum();
         self.diagonal.clear();
@@ -270,6 +310,7 @@ impl Factor {
     }
 
     /// Forwards through `L`, divided by `D`, and back through `Lᵀ`.
+    #[inline(always)]
     fn substitute(&mut self, component: Component<'_>) {
         for (at, column) in component.columns.iter().enumerate() {
             let size = component.members[at].row_count();
@@ -335,22 +376,24 @@ impl Factor {
     }
 }
 
-/// See [`Factor::eliminate`]: most of the work, in the widest registers that the machine has.
-struct Eliminate<'a> {
+/// See [`Factor::find_changes`]: in the widest registers that the machine has.
+struct Solve<'a> {
     factor: &'a mut Factor,
     component: Component<'a>,
+    memory: &'a [RowMemory],
 }
 
-impl Kernel for Eliminate<'_> {
+impl Kernel for Solve<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        self.factor.eliminate(self.component);
+        self.factor.find_changes(self.component, self.memory);
     }
 }
 
 /// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
+#[inline(always)]
 fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &mut Block) {
     let (of_row, of_column) = (&members[row], &members[column]);
     for (side, body) in of_row.movable() {
@@ -404,6 +447,7 @@ fn add(target: &mut Column, column: &Column, factor: f64) {
     }
 }
 
+#[inline(always)]
 fn dot(a: &Column, b: &Column) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

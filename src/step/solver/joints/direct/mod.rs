@@ -112,6 +112,7 @@ impl Direct {
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
         wanted: impl Fn(&[Member], bool) -> bool + Sync,
+        again: bool,
         simd: Simd,
         tasks: Tasks,
     ) {
@@ -125,8 +126,11 @@ impl Direct {
                 // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
                 // task.
                 unsafe {
-                    let factor = factors.get_mut(index);
-                    factor.solve(pattern.component(index), read, &states, simd);
+                    let (factor, component) = (factors.get_mut(index), pattern.component(index));
+                    if again && taut[index] && factor.has_converged(component, read) {
+                        continue;
+                    }
+                    factor.solve(component, again, read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
                     if taut[index] {
                         factor.forget();
