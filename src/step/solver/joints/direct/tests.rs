@@ -159,6 +159,28 @@ fn what_is_held_twice_is_held_once() {
     assert!(found < ROUNDING, "{found}");
 }
 
+/// Of joints that are the same joint, each bears the same.
+#[test]
+fn what_is_held_twice_is_shared() {
+    let mut net = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL);
+    for copy in 1..3 {
+        for axis in 0..SPATIAL_DIM {
+            let (from, to) = (net.memory[0].clone(), &mut net.memory[copy]);
+            to.rates[axis].0[copy] = from.rates[axis].0[0];
+            for (side, k) in (0..2).flat_map(|side| (0..SPATIAL_DIM).map(move |k| (side, k))) {
+                to.rows[axis][side][k].0[copy] = from.rows[axis][side][k].0[0];
+            }
+        }
+    }
+    assert!(net.solve() < ROUNDING);
+    for axis in 0..SPATIAL_DIM {
+        let changes = [0, 1, 2].map(|copy| net.memory[copy].changes[axis].0[copy]);
+        let (most, least) = (changes.map(Real::abs).into_iter().fold(0.0, Real::max), 1.0e-4);
+        assert!((changes[1] - changes[0]).abs() < least * most, "{changes:?}");
+        assert!((changes[2] - changes[0]).abs() < least * most, "{changes:?}");
+    }
+}
+
 #[test]
 fn contradictions_leave_numbers_behind() {
     // Asserts that they are finite.
@@ -172,6 +194,26 @@ fn trees_get_no_blocks_but_their_own() {
     let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
     // Joints at one body have a block for each two of them: at bodies 1 to 8.
     assert_eq!(blocks, 1 + 3 + 3 + 1 + 1 + 1);
+}
+
+/// A dozen legs of four joints, each a loop from a hub to a light wheel: the joints at these two are coupled with each other, 24
+/// at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all would be coupled with all.
+#[test]
+fn legs_go_before_their_hubs() {
+    const LEGS: u32 = 12;
+    let (hub, wheel) = (0, 1);
+    let leg = |k: u32| {
+        let [upper, lower, knee] = [2, 3, 4].map(|part| part + 3 * k);
+        [[hub, upper], [wheel, upper], [hub, lower], [wheel, lower], [upper, knee], [lower, knee]]
+    };
+    let joints: Vec<_> = (0..LEGS).flat_map(leg).chain([[hub, wheel]]).collect();
+    let pattern = Net::new(&joints, |_| ALL).pattern();
+    assert_eq!(pattern.component_count(), 1);
+    let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
+    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of twice that. The
+    // joints of the legs have a handful each.
+    let (at_hubs, of_legs) = (2 * (2 * LEGS as usize + 1), 6 * LEGS as usize);
+    assert!(blocks < at_hubs * at_hubs / 2 + 4 * of_legs, "{blocks}");
 }
 
 #[test]
