@@ -119,7 +119,7 @@ fn telescopes_stop_at_their_limits_and_do_not_sag() {
             for load in [0.0, 10.0] {
                 let mut world = world(rate);
                 let sections = telescope(&mut world, axis, from, load);
-                run(&mut world, 5.0);
+                run(&mut world, 10.0);
                 let [mut along, mut beside]: [Real; 2] = [0.0; 2];
                 for _ in 0..rate {
                     world.step();
