@@ -108,7 +108,7 @@ const BLOCKS_PER_TASK: usize = 8;
 /// How many turns before it is needed a joint's record is asked for: they are spread over memory.
 const TURNS_AHEAD: usize = 4;
 /// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
-/// taut components, which are projected from afar, take four.
+/// taut components, which are projected from afar, take up to four.
 const ROUNDS: usize = 2;
 const TAUT_ROUNDS: usize = 4;
 

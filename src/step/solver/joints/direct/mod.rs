@@ -11,14 +11,17 @@
 //! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. A
 //! block stands where two joints share a body that can move. Joints are eliminated from the leaves to the root of
 //! a breadth-first search: a tree then gets no blocks beyond these (Baraff, "Linear-time dynamics using Lagrange
-//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more. What would
-//! get too many (a net, a cloth of joints) is left to the sweeps.
+//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more, as few as a good
+//! order lets them (`order.rs`). What would get too many (a net, a cloth of joints) is left to the sweeps.
 //!
 //! The matrix depends on where the bodies are, so it is made once per substep: the relax pass and the solve pass
 //! of the next substep share it, unless they soften it differently.
 //!
-//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
-//! held already gets no impulse.
+//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
+//! (`factor.rs`).
+//!
+//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round. So their
+//! rounds end when there is nothing left to do.
 //!
 //! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
 //! of even masses. A ragdoll bears no load for long.
