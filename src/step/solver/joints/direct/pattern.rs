@@ -15,6 +15,8 @@ const WORK: usize = 200;
 /// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even masses. Sweeps
 /// let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by 10 are not.
 const WORK_OF_NETS: usize = 40;
+/// Most joints for each body of a net: those of cubes that are braced. A board on 25 pins is none.
+const NET_JOINTS: usize = 6;
 
 /// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
 /// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
@@ -291,9 +293,10 @@ impl Search {
         LOOSE.contains(&self.order.len()) && is_loose && self.is_even(members)
     }
 
-    /// Do all its joints hold nothing but points together, and is none of its bodies heavy?
+    /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
     fn is_net(&self, members: &[Member]) -> bool {
-        self.component(members).all(|member| member.is_pin) && self.is_even(members)
+        let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
+        is_wide && self.component(members).all(|member| member.is_pin) && self.is_even(members)
     }
 
     fn is_even(&self, members: &[Member]) -> bool {

@@ -113,6 +113,9 @@ fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
 /// Rounding of the velocities, a few units in size, times the numbers of a row.
 const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
 
+/// The same where there are loops, with what their damping leaves: 1e-10, times impulses of up to a hundred.
+const DAMPED: f64 = ROUNDING + 1.0e-8;
+
 /// A chain that hangs on a fixed body and forks in its middle.
 const TREE: [[u32; 2]; 9] =
     [[FIXED, 1], [1, 2], [2, 3], [3, 4], [4, 5], [3, 6], [6, 7], [7, 8], [2, 9]];
@@ -131,7 +134,7 @@ fn loops_are_solved() {
         [[FIXED, 1], [1, 2], [2, 3], [3, 4], [5, 6], [6, 7], [7, 8], [1, 5], [2, 6], [4, 8]];
     // Eight bodies have twice as many axes as these joints lock.
     let found = Net::new(&ladder, |slot| if slot % 2 == 0 { 1 } else { 2 }).solve();
-    assert!(found < ROUNDING, "{found}");
+    assert!(found < DAMPED, "{found}");
 }
 
 #[test]
@@ -156,7 +159,7 @@ fn what_is_held_twice_is_held_once() {
         }
     }
     let found = net.solve();
-    assert!(found < ROUNDING, "{found}");
+    assert!(found < DAMPED, "{found}");
 }
 
 /// Of joints that are the same joint, each bears the same.
@@ -172,7 +175,7 @@ fn what_is_held_twice_is_shared() {
             }
         }
     }
-    assert!(net.solve() < ROUNDING);
+    assert!(net.solve() < DAMPED);
     for axis in 0..SPATIAL_DIM {
         let changes = [0, 1, 2].map(|copy| net.memory[copy].changes[axis].0[copy]);
         let (most, least) = (changes.map(Real::abs).into_iter().fold(0.0, Real::max), 1.0e-4);
