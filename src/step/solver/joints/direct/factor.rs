@@ -45,7 +45,7 @@ const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 
 /// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
 /// make of zero, below what heavy weights on light chains make of one.
-const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-10;
+const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
 /// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
 const SHARE_MIN: f64 = 1.0e-3;
 

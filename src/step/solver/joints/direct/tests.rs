@@ -113,8 +113,8 @@ fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
 /// Rounding of the velocities, a few units in size, times the numbers of a row.
 const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
 
-/// The same where there are loops, with what their damping leaves: 1e-10, times impulses of up to a hundred.
-const DAMPED: f64 = ROUNDING + 1.0e-8;
+/// The same where there are loops, with what their damping leaves: 10⁻⁸, times impulses of up to a hundred.
+const DAMPED: f64 = ROUNDING + 1.0e-6;
 
 /// A chain that hangs on a fixed body and forks in its middle.
 const TREE: [[u32; 2]; 9] =
