@@ -39,7 +39,7 @@ const CORE_TOLERANCE: Real = 0.05;
 /// hundreds of times the thickness.
 const MAX_JUMPS: usize = 256;
 /// A rotation vector this long is still integrated as one.
-const SMALL_TURN: Real = 0.5;
+const SMALL_TURN: Real = 0.25;
 
 /// The motion of a shape through a step, at constant velocity, as far as `stop`.
 #[derive(Copy, Clone, Debug)]

@@ -27,6 +27,8 @@ pub(crate) struct FastMotion {
     pub shift: Vector,
     /// The rotation vector of its turn (rad).
     pub turn: AngVector,
+    /// What forces have added to its velocities.
+    pub gain: (Vector, AngVector),
 }
 
 impl FastMotion {

@@ -18,3 +18,4 @@ mod nonsense;
 pub mod pendulum;
 mod sliding;
 mod springs;
+mod twice;

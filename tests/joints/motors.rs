@@ -1,6 +1,6 @@
 //! Motors turn as their torque lets them, and get where they should.
 
-use super::stage::{bob, inertia, post};
+use super::stage::{bob, falls_through_zero, inertia, period, post};
 use crate::dim::{about_z, angle, hinge, vec, z_of};
 use crate::suite::physics::stage::{RATES, run, steps, weightless, world};
 use rapier::prelude::*;
@@ -72,6 +72,27 @@ fn acceleration_motors_do_not_care_for_the_mass() {
         angle(world.bodies[wheel].rotation())
     };
     assert!((swing(0.1) - swing(50.0)).abs() < 1.0e-3);
+}
+
+/// The mass that an acceleration is multiplied by is that of the motor's own two bodies: with a second wheel of the same inertia
+/// welded to the first, `ω² = k / 2`.
+#[test]
+fn acceleration_motors_count_their_own_bodies() {
+    let (stiffness, start): (Real, Real) = (30.0, 0.3);
+    for welded in [0, 1, 3] {
+        let mut world = weightless(240);
+        let wheel = wheel(&mut world, hinge().motor_position(start, stiffness, 0.0));
+        for _ in 0..welded {
+            let other = world.insert_body(bob(2.0, 0.5));
+            world.insert_impulse_joint(wheel, other, FixedJointBuilder::new());
+        }
+        let exact = (stiffness / (1 + welded) as Real).sqrt();
+        let turn = |world: &PhysicsWorld| start - angle(world.bodies[wheel].rotation());
+        let found =
+            core::f64::consts::TAU as Real / period(&falls_through_zero(&mut world, 4, turn));
+        // Welds pass on what the motor does a visit later.
+        assert!((found / exact - 1.0).abs() < 0.02, "{found} instead of {exact}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::stage::{bob, post};
 use crate::dim::{about_z, angle, cuboid, vec};
 use crate::suite::physics::stage::{G, RATES, run, world};
+use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
 #[test]
@@ -60,6 +61,82 @@ fn what_is_fixed_stays_as_one() {
         let (tip, bend) = (world.bodies[last].translation(), angle(world.bodies[last].rotation()));
         println!("cantilever of 5 planks at {rate} Hz: sags {}, bends {bend}", -tip.y);
         assert!(tip.y > -0.02 && bend.abs() < 0.01, "{tip} at {rate} Hz");
+    }
+}
+
+/// Sections of a telescope, and how far each comes out of the one before.
+const SECTIONS: usize = 5;
+const TRAVEL: Real = 0.5;
+
+/// A telescope on a post: sections of mass 1 that slide in each other along `axis` from 0 to [`TRAVEL`], `out` by now, and a
+/// load at the last one's middle.
+fn telescope(
+    world: &mut PhysicsWorld,
+    axis: Vector,
+    out: Real,
+    load: Real,
+) -> Vec<RigidBodyHandle> {
+    let mut last = post(world, Vector::ZERO);
+    let mut sections = Vec::new();
+    for k in 1..=SECTIONS {
+        let mass = if k == SECTIONS { 1.0 + load } else { 1.0 };
+        let section = world.insert_body(bob(mass, 0.3).translation(axis * (out * k as Real)));
+        let joint = PrismaticJointBuilder::new(axis).limits([0.0, TRAVEL]);
+        world.insert_impulse_joint(last, section, joint);
+        sections.push(section);
+        last = section;
+    }
+    sections
+}
+
+/// How far the sections are, at worst and for each of them, from where a telescope that is `out` has them; and how far they
+/// are beside its axis.
+fn off(world: &PhysicsWorld, sections: &[RigidBodyHandle], axis: Vector, out: Real) -> [Real; 2] {
+    let [mut along, mut beside]: [Real; 2] = [0.0; 2];
+    for (k, &section) in (1..).zip(sections) {
+        let at = world.bodies[section].translation();
+        let way = at.dot(axis);
+        along = along.max((way / k as Real - out).abs());
+        beside = beside.max((at - axis * way).length());
+    }
+    [along, beside]
+}
+
+/// Hanging, standing and lying, alone and with a load: every section stops at its limit, and none sags.
+#[test]
+fn telescopes_stop_at_their_limits_and_do_not_sag() {
+    let columns = ["rate", "axis", "load", "off per section (m)", "sag (m)"];
+    let mut table = Table::new("a telescope of five sections", &columns);
+    // From where it starts, and where it should come to rest.
+    let ways = [
+        (vec(0.0, -1.0), 0.1, TRAVEL),
+        (vec(0.0, 1.0), 0.1, 0.0),
+        (vec(0.6, -0.8), 0.1, TRAVEL),
+        (vec(1.0, 0.0), TRAVEL, TRAVEL),
+    ];
+    for rate in RATES {
+        for (axis, from, to) in ways {
+            for load in [0.0, 10.0] {
+                let mut world = world(rate);
+                let sections = telescope(&mut world, axis, from, load);
+                run(&mut world, 10.0);
+                let [mut along, mut beside]: [Real; 2] = [0.0; 2];
+                for _ in 0..rate {
+                    world.step();
+                    let off = off(&world, &sections, axis, to);
+                    (along, beside) = (along.max(off[0]), beside.max(off[1]));
+                }
+                table.row([
+                    rate.to_string(),
+                    format!("{axis}"),
+                    load.to_string(),
+                    format!("{along:e}"),
+                    format!("{beside:e}"),
+                ]);
+                table.check("a section", along, 0.0, 5.0e-4);
+                table.check("the sag", beside, 0.0, 1.0e-4);
+            }
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What joints do in space alone: swing, twist, hinges about any axis.
 
 use crate::suite::joints::stage::{bob, post};
-use crate::suite::physics::stage::{RATES, run, steps, weightless, world};
+use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
 /// Half a degree.
@@ -122,4 +122,94 @@ fn universal_joints_lock_the_twist_alone() {
         assert!(world.bodies[arm].rotation().x.abs() < 2.0e-3);
     }
     assert!(swing(&world, [post, arm]) > 0.5);
+}
+
+/// The force along `axis` that each of three hinges on one line gives a door, and the largest across, in shares of the weight.
+fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
+    const MASS: Real = 20.0;
+    let mut world = world(rate);
+    let wall = post(&mut world, Vector::ZERO);
+    let shape = ColliderBuilder::cuboid(0.45, 1.0, 0.02).mass(MASS);
+    let turn = Rotation::from_rotation_arc(Vector::Y, axis);
+    let pose = Pose::from_parts(turn * (Vector::X * 0.45), turn);
+    let (door, _) = world.insert(RigidBodyBuilder::dynamic().pose(pose).can_sleep(false), shape);
+    let share = MASS * G / 3.0;
+    let mut joints = Vec::new();
+    for height in [-0.9, 0.0, 0.9] {
+        let mut joint: GenericJoint = RevoluteJointBuilder::new(Vector::Y).build().into();
+        joint.set_local_anchor2(Vector::new(-0.45, height, 0.0));
+        joint.local_frame1 = pose * joint.local_frame2;
+        // Those above and below also hold against tipping: a quarter of the weight each.
+        joint.set_break_thresholds(3.0 * share, Real::INFINITY);
+        joints.push(world.insert_impulse_joint(wall, door, joint));
+    }
+    let [mut least, mut most, mut across] = [Real::INFINITY, 0.0, 0.0];
+    for _ in 0..steps(&world, 5.0) {
+        world.step();
+        for &joint in &joints {
+            let force = world.impulse_joints[joint].force() / share;
+            (least, most) = (force.dot(axis).min(least), force.dot(axis).max(most));
+            across = (force - axis * force.dot(axis)).length().max(across);
+        }
+    }
+    assert!(joints.iter().all(|&joint| world.impulse_joints[joint].data.is_enabled()));
+    ([least, most], across)
+}
+
+/// Held along its axis by one hinge of three and against tipping by one of them, as mechanics would have it, or by any two: all
+/// share.
+#[test]
+fn three_hinges_of_a_door_bear_a_third_each() {
+    for rate in RATES {
+        let ([least, most], across) = hinges_of_a_door(rate, Vector::Y);
+        println!(
+            "door at {rate} Hz: each hinge bears {least} to {most} of its share, {across} across"
+        );
+        assert!(least > 0.95 && most < 1.05, "{least} to {most} at {rate} Hz");
+        // The moment m g b/2 held by the two outer hinges alone, 1.8 m apart, is a force of m g / 4 across: 0.75 shares. Where
+        // the hinges' own torques help it is less.
+        assert!(across < 0.8, "{across} at {rate} Hz");
+    }
+}
+
+/// Two cranks and a coupler on four hinges with parallel axes: three of the twenty equations say what the others say. It hangs
+/// like a swing; each crank bears half of the coupler.
+#[test]
+fn a_four_bar_of_hinges_does_not_strain() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let bar = |world: &mut PhysicsWorld, at: Vector, half: Vector, mass: Real| {
+            let shape = ColliderBuilder::cuboid(half.x, half.y, half.z).mass(mass);
+            let shape = shape.collision_groups(InteractionGroups::none());
+            let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
+            world.insert(body, shape).0
+        };
+        let frame = post(&mut world, Vector::ZERO);
+        let axis = Vector::new(0.36, 0.48, 0.8);
+        let (along, down) = (axis.cross(Vector::Y).normalize(), Vector::Y * -1.0);
+        let coupler = bar(&mut world, down, Vector::splat(0.05), 4.0);
+        let mut hinges = Vec::new();
+        for side in [-0.7, 0.7] {
+            let top = along * side;
+            let crank = bar(&mut world, top + down * 0.5, Vector::splat(0.04), 0.5);
+            let hinge = |from: Vector, to: Vector| {
+                RevoluteJointBuilder::new(axis).local_anchor1(from).local_anchor2(to)
+            };
+            let upper = hinge(top, down * -0.5);
+            hinges.push((world.insert_impulse_joint(frame, crank, upper), 2.5));
+            let lower = hinge(down * 0.5, top);
+            hinges.push((world.insert_impulse_joint(crank, coupler, lower), 2.0));
+        }
+        let mut worst: Real = 0.0;
+        for _ in 0..steps(&world, 5.0) {
+            world.step();
+            for &(joint, mass) in &hinges {
+                let force = world.impulse_joints[joint].force();
+                // The axis is not level: some of this is along it.
+                worst = worst.max((force.length() - mass * G).abs() / (mass * G));
+            }
+        }
+        println!("four-bar at {rate} Hz: forces off by {worst}");
+        assert!(worst < 0.02, "{worst} at {rate} Hz");
+    }
 }

@@ -7,8 +7,9 @@ use crate::dim::math::Real;
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum MotorModel {
-    /// They are accelerations: multiplied by the mass (or inertia) that the motor has to move. The motion
-    /// is the same whatever hangs on the joint.
+    /// They are accelerations: multiplied by the mass (or inertia) of the joint's own two bodies, as the joint lets them
+    /// move. The motion is the same whatever these weigh. What other joints hang on them is not counted: the motor at
+    /// the root of an arm whose inertia is `n` times that of its first link needs `n` times the stiffness and damping.
     #[default]
     AccelerationBased,
     /// They are forces (or torques). Heavier bodies move more slowly.

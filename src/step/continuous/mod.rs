@@ -1,14 +1,16 @@
 //! # Continuous — nothing passes through
 //!
 //! Reads:   how fast bodies moved, colliders, enlarged boxes, joints, hooks
-//! Writes:  poses of fast bodies that hit something on their way
+//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
-//! Never:   changes a velocity, or looks at a body that is not fast, but for those in its way
+//! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than about half its
 //! thickness in one step ([`FAST`]) could be on the other side before it ever touched. So its path is searched, from
 //! where its colliders still are to where the solver has put it, and it is stopped where it would get through
-//! something: the next step finds it there, in contact, and with all its velocity. The rest of its time is lost.
+//! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
+//! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
+//! have more energy than it fell from.
 //!
 //! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
 //! bullets included: see [`bullets`]. Links of multibodies are not stopped: where a link is, the coordinates of its
@@ -85,6 +87,9 @@ pub(crate) fn stop(
     for (motion, &share) in fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0) {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         body.pose = motion.sweep(motion.start, share).at(share);
+        let lost = 1.0 - share;
+        body.linvel -= motion.gain.0 * lost;
+        body.angvel -= motion.gain.1 * lost;
         body.update_world_mass_properties();
         counters.num_substeps += 1;
     }

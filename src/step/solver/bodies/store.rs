@@ -54,7 +54,7 @@ impl SolverBodies {
                         move_to(body, body.next_pose, params.dt)
                     }
                     _ => {
-                        let motion = commit(handle, body, state, motion);
+                        let motion = commit(handle, body, state, motion, params.dt);
                         let bound = bound_of(motion.shift, motion.turn, body.extent);
                         if bound > FAST * body.thickness && body.is_dynamic() {
                             let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
@@ -82,6 +82,7 @@ fn commit(
     body: &mut RigidBody,
     state: &BodyState,
     motion: &Motion,
+    dt: Real,
 ) -> FastMotion {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
@@ -98,7 +99,7 @@ fn commit(
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         let (shift, turn) = (Vector::ZERO, ANG_ZERO);
-        return FastMotion { body: handle, start, center, shift, turn };
+        return FastMotion { body: handle, start, center, shift, turn, gain: (shift, turn) };
     };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
@@ -106,7 +107,8 @@ fn commit(
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
     let rounded = body.mprops.world_com - center;
     let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
-    FastMotion { body: handle, start, center, shift, turn }
+    let gain = (motion.linear_acceleration * dt, motion.angular_acceleration * dt);
+    FastMotion { body: handle, start, center, shift, turn, gain }
 }
 
 /// Puts a position-based kinematic body where the user wants it.

@@ -23,10 +23,33 @@
 //! ## Limits
 //! A limit is a contact along the axis: it pushes only, and from afar it lets the axis come as near as it gets
 //! in one substep.
+//!
+//! Limits that press on each other, as those of a telescope do, are solved in sweeps. One between bodies of the mass `m` that
+//! holds a load `M` answers to the load's velocity as if it were as light: by `m (v + β C)` in each of the two visits of a
+//! substep, for which the load moves by
+//!
+//! ```text
+//! v‴ + a v″ + a/h (v′ + β v) = 0          a = 2 m / (M h)
+//! ```
+//!
+//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a telescope that holds
+//! ten times its sections' mass shakes them by a fifth of a metre; with [`LIMIT_SHARE`] it comes to rest. A limit can be
+//! patient: it has little to undo, because it stops what comes before that is too far.
+//!
+//! ## What an acceleration is
+//! A motor that is given accelerations multiplies them by the mass that it moves in its own joint: of the two bodies, held by
+//! the joint's locked axes. What else hangs on these it does not know. At the root of an arm whose inertia is `n` times
+//! that of the first link it is `n` times too weak, and swings `√n` times too slowly. (The matrix of the exact solution knows
+//! that inertia, but only without motors and limits, whose neighbours in turn may hold or let go.)
 
 use super::block::{AxisRow, MotorRow};
 use crate::base::wide::Wide;
+use crate::dim::math::Real;
 use crate::model::params::JointPass;
+
+/// The share of a limit's error that a substep removes: see the module's head. Five sections under ten times their mass come
+/// to rest with 0.02, with 0.05 they nearly do not.
+const LIMIT_SHARE: Real = 0.02;
 
 /// A free axis at the moment when it is solved.
 pub(super) struct FreeAxis<W> {
@@ -96,7 +119,7 @@ fn limited<W: Wide, const AHEAD: bool>(
     let zero = W::zero();
     let apart = zero.lt(distance);
     let closing = distance * W::splat(pass.inv_substep);
-    let opening = if AHEAD { distance * W::splat(pass.softness.bias_rate) } else { zero };
+    let opening = if AHEAD { distance * W::splat(LIMIT_SHARE * pass.inv_substep) } else { zero };
     let wanted = axis.inverse * (rate + W::select(apart, closing, opening));
     (old - wanted).max(zero)
 }

@@ -114,7 +114,7 @@ struct Seat {
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
 /// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
-/// taut components, which are projected from afar, take four.
+/// taut components, which are projected from afar, take up to four.
 const ROUNDS: usize = 2;
 const TAUT_ROUNDS: usize = 4;
 
@@ -236,7 +236,7 @@ impl SolverJoints {
         let wanted = |members: &[Member], _: bool| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, shared, wanted, tasks);
+        self.direct.solve(&mut self.memory, shared, wanted, false, simd, tasks);
         let memory = &self.memory;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| simd.run(Count { range, blocks, memory }));
         for (state, start) in states.iter_mut().zip(start) {
@@ -266,7 +266,14 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
         });
-        self.direct.solve(&mut self.memory, states, |_, taut| taut || round < ROUNDS, tasks);
+        self.direct.solve(
+            &mut self.memory,
+            states,
+            |_, taut| taut || round < ROUNDS,
+            again,
+            simd,
+            tasks,
+        );
         let memory = &self.memory;
         let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {

@@ -5,11 +5,33 @@
 //!
 //! Blocks have room for a joint that locks all axes, and those of others stand in their first rows and columns. They
 //! are kept by columns: innermost is always a loop over a whole column, whose length the compiler knows.
+//!
+//! ## What is held twice
+//! Three hinges hold a door in more ways than it can move: some impulses `n` do nothing to the bodies, `A n = 0` with
+//! `A = J M⁻¹ Jᵀ`, and `A λ = b` says nothing of their share in `λ`. What is left there is rounding, divided by next to
+//! nothing: hinges that strain against each other with a thousand times what they bear. Loops alone can do that; for
+//! components that have some, of all impulses which do what they should the least are wanted. They minimise `λᵀ D λ`, where
+//! `D` holds the inverse masses that each row moves, without its levers: equal joints bear equal loads, wherever they are.
+//!
+//! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped matrix are those
+//! that solve it. One more turn with them takes away what the first one found where it should find nothing:
+//!
+//! ```text
+//! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
+//! ```
+//!
+//! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a = 0`
+//! nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned, goes away. For
+//! `a ≫ δ` it is `b/a`: what is well determined gives way by `δ D λ` of velocity, which is rounding. (The first turn alone
+//! leaves `b/δ` for `a = 0`. With `δ` large enough to make that small, bridges sag.) The idea is that of the proximal
+//! method (Rockafellar, "Monotone operators and the proximal point algorithm", 1976), turned round: its steps go to
+//! the solution from the last impulses, these go from the solution to none.
 
 use super::memory::RowMemory;
 use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::base::wide::{Kernel, Simd, Wide};
+use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
 /// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
@@ -20,6 +42,17 @@ const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 
 /// chains under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their links
 /// about. It slows the correction of errors down, and adds none: at rest, nothing is left to correct.
 const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
+
+/// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
+/// make of zero, below what heavy weights on light chains make of one.
+const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
+/// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
+const SHARE_MIN: f64 = 1.0e-3;
+
+/// When taut joints are done: the share that the size of their rates, an energy, has of what it was in the first round. A
+/// round leaves the square of what it finds, so that a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹; for a chain
+/// that hangs at rest 10⁻⁵ is rounding.
+const DONE: f64 = 1.0e-4;
 
 /// A number for each row of a joint.
 type Column = [f64; SPATIAL_DIM];
@@ -39,6 +72,18 @@ struct Rows {
 
 impl Rows {
     const EMPTY: Self = Self { jacobians: [ZERO; 2], responses: [ZERO; 2] };
+
+    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
+    fn without_levers(&self, row: usize) -> f64 {
+        let share = |components: core::ops::Range<usize>| {
+            let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
+                components.clone().map(move |k| j[k][row] * response[row][k])
+            });
+            products.sum::<f64>()
+        };
+        let linear = share(0..DIM);
+        if linear > 0.0 { linear } else { share(DIM..SPATIAL_DIM) }
+    }
 }
 
 /// The matrix of a component, and the buffers to solve it.
@@ -56,23 +101,43 @@ pub(super) struct Factor {
     below: Vec<Block>,
     /// By member: where the blocks of its column begin.
     first_below: Vec<usize>,
+    /// By member: `δ D` of components with loops.
+    damping: Vec<Column>,
     /// By member: right-hand side, then solution.
     x: Vec<Column>,
+    /// By member: right-hand side of the second turn.
+    again: Vec<Column>,
+    /// How much the first solution of a substep had to do.
+    first_size: f64,
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
 
 impl Factor {
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do.
+    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`: not for the first
+    /// time in this visit.
     ///
     /// # Safety
     /// Nobody else may touch the states of the component's movable bodies meanwhile.
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
+        again: bool,
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
+        simd: Simd,
     ) {
+        simd.run(Solve { factor: self, component, memory });
+        if !again {
+            self.first_size = self.size_of_rates(component, memory);
+        }
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// Finds the changes of the impulses.
+    #[inline(always)]
+    fn find_changes(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
         if self.made_with != Some(yields) {
             self.load(component, memory);
@@ -81,9 +146,34 @@ impl Factor {
             self.made_with = Some(yields);
         }
         self.load_rates(component, memory);
+        if component.has_loops {
+            self.again.clone_from(&self.x);
+            self.substitute(component);
+            self.load_shares(component, memory);
+        }
         self.substitute(component);
-        // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
+        let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
+        if is_done {
+            self.x.fill([0.0; SPATIAL_DIM]);
+        }
+        is_done
+    }
+
+    /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
+    fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
+        let mut sum = 0.0;
+        for (member, own) in component.members.iter().zip(&self.own) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (own, axis) in own.iter().zip(locked_axes(member)) {
+                let rate = f64::from(from.rates[axis].0[lane]);
+                sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
+            }
+        }
+        sum
     }
 
     /// The bodies have moved: the matrix must be made anew.
@@ -92,6 +182,7 @@ impl Factor {
     }
 
     /// Reads the rows.
+    #[inline(always)]
     fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
@@ -125,7 +216,19 @@ impl Factor {
         }
     }
 
+    /// Puts the right-hand side of the second turn in place of the first one's solution.
+    fn load_shares(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+        for (at, member) in component.members.iter().enumerate() {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (row, axis) in locked_axes(member).enumerate() {
+                let impulse = f64::from(from.impulses[axis].0[lane]) + self.x[at][row];
+                self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
+            }
+        }
+    }
+
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
+    #[inline(always)]
     fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         let blocks = component.columns.iter().map(Vec::len).sum();
         self.diagonal.clear();
@@ -133,18 +236,25 @@ impl Factor {
         self.below.clear();
         self.below.resize(blocks, ZERO);
         self.own.clear();
+        self.damping.clear();
         self.first_below.clear();
         let mut next = 0;
         for (at, member) in component.members.iter().enumerate() {
             let block = &mut self.diagonal[at];
             couple(component.members, &self.rows, [at, at], block);
             let yields = yields_of(member, memory);
-            let mut own = [0.0; SPATIAL_DIM];
-            for (row, own) in own.iter_mut().enumerate() {
-                *own = block[row][row];
-                block[row][row] += (yields + DAMPING) * *own;
+            let (mut own, mut damping) = ([0.0; SPATIAL_DIM], [0.0; SPATIAL_DIM]);
+            for row in 0..member.row_count() {
+                own[row] = block[row][row];
+                damping[row] = if component.has_loops {
+                    SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
+                } else {
+                    DAMPING * own[row]
+                };
+                block[row][row] += yields * own[row] + damping[row];
             }
             self.own.push(own);
+            self.damping.push(damping);
             self.first_below.push(next);
             for &row in &component.columns[at] {
                 let block = &mut self.below[next];
@@ -155,6 +265,7 @@ impl Factor {
     }
 
     /// `L D Lᵀ`, column by column: each one takes its part off those that follow.
+    #[inline(always)]
     fn eliminate(&mut self, component: Component<'_>) {
         self.inverses.clear();
         for (at, column) in component.columns.iter().enumerate() {
@@ -174,6 +285,7 @@ impl Factor {
     }
 
     /// Takes what the elimination of the column `at` does off the block of two of its rows.
+    #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
         let column = &component.columns[at];
         let (row, other) = (column[first] as usize, column[second] as usize);
@@ -190,15 +302,17 @@ impl Factor {
         let (of_row, of_column) = (&done[start + first], &done[start + second]);
         let (size, columns) =
             (component.members[at].row_count(), component.members[other].row_count());
-        for m in 0..size {
-            let inverse = self.inverses[at][m];
-            for (target, factor) in target[..columns].iter_mut().zip(&of_column[m]) {
-                add(target, &of_row[m], -(factor * inverse));
+        for (column, target) in target[..columns].iter_mut().enumerate() {
+            let mut sum = *target;
+            for m in 0..size {
+                add(&mut sum, &of_row[m], -(of_column[m][column] * self.inverses[at][m]));
             }
+            *target = sum;
         }
     }
 
     /// Forwards through `L`, divided by `D`, and back through `Lᵀ`.
+    #[inline(always)]
     fn substitute(&mut self, component: Component<'_>) {
         for (at, column) in component.columns.iter().enumerate() {
             let size = component.members[at].row_count();
@@ -264,7 +378,24 @@ impl Factor {
     }
 }
 
+/// See [`Factor::find_changes`]: in the widest registers that the machine has.
+struct Solve<'a> {
+    factor: &'a mut Factor,
+    component: Component<'a>,
+    memory: &'a [RowMemory],
+}
+
+impl Kernel for Solve<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        self.factor.find_changes(self.component, self.memory);
+    }
+}
+
 /// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
+#[inline(always)]
 fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &mut Block) {
     let (of_row, of_column) = (&members[row], &members[column]);
     for (side, body) in of_row.movable() {
@@ -282,6 +413,7 @@ fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &
 
 /// Factorises a diagonal block in place, and returns the inverse pivots. `own` is what stood on the diagonal before
 /// any elimination.
+#[inline(always)]
 fn factorise(d: &mut Block, own: &Column, size: usize) -> Column {
     let mut inverses = [0.0; SPATIAL_DIM];
     for j in 0..size {
@@ -299,6 +431,7 @@ fn factorise(d: &mut Block, own: &Column, size: usize) -> Column {
 }
 
 /// `block ← block L⁻ᵀ` for a diagonal block that is factorised.
+#[inline(always)]
 fn divide_right(block: &mut Block, d: &Block, size: usize) {
     for j in 1..size {
         let (done, rest) = block.split_at_mut(j);
@@ -309,12 +442,14 @@ fn divide_right(block: &mut Block, d: &Block, size: usize) {
 }
 
 /// Adds a multiple of a column to another.
+#[inline(always)]
 fn add(target: &mut Column, column: &Column, factor: f64) {
     for (target, value) in target.iter_mut().zip(column) {
         *target += value * factor;
     }
 }
 
+#[inline(always)]
 fn dot(a: &Column, b: &Column) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -11,14 +11,17 @@
 //! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. A
 //! block stands where two joints share a body that can move. Joints are eliminated from the leaves to the root of
 //! a breadth-first search: a tree then gets no blocks beyond these (Baraff, "Linear-time dynamics using Lagrange
-//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more. What would
-//! get too many (a net, a cloth of joints) is left to the sweeps.
+//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more, as few as a good
+//! order lets them (`order.rs`). What would get too many (a net, a cloth of joints) is left to the sweeps.
 //!
 //! The matrix depends on where the bodies are, so it is made once per substep: the relax pass and the solve pass
 //! of the next substep share it, unless they soften it differently.
 //!
-//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; what a pivot says is
-//! held already gets no impulse.
+//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
+//! (`factor.rs`).
+//!
+//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round. So their
+//! rounds end when there is nothing left to do.
 //!
 //! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
 //! of even masses. A ragdoll bears no load for long.
@@ -28,6 +31,7 @@
 mod factor;
 mod masses;
 mod memory;
+mod order;
 mod pattern;
 #[cfg(test)]
 mod tests;
@@ -38,6 +42,7 @@ pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
+use crate::base::wide::Simd;
 use crate::dim::state::BodyState;
 use factor::Factor;
 use pattern::Pattern;
@@ -110,6 +115,8 @@ impl Direct {
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
         wanted: impl Fn(&[Member], bool) -> bool + Sync,
+        again: bool,
+        simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
@@ -122,8 +129,11 @@ impl Direct {
                 // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
                 // task.
                 unsafe {
-                    let factor = factors.get_mut(index);
-                    factor.solve(pattern.component(index), read, &states);
+                    let (factor, component) = (factors.get_mut(index), pattern.component(index));
+                    if again && taut[index] && factor.has_converged(component, read) {
+                        continue;
+                    }
+                    factor.solve(component, again, read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
                     if taut[index] {
                         factor.forget();
