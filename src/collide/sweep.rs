@@ -15,10 +15,11 @@
 //! thing spins; jumps need no features, so that everything with a support function takes part.
 //!
 //! ## Cores
-//! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it. What
-//! must never happen is that a body gets through. So it is its *core* that is searched with first: the shape
-//! without an outer layer ([`CORE_DEPTH`] of its thickness). Where the core would hit, the body is stopped, and then
-//! not so late but where its surface touches, if it did not do so from the beginning.
+//! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it; and what
+//! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
+//! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
+//! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
+//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
 
 use super::parts::{Near, Part, Parts};
 use crate::base::closest::{Closest, closest};
@@ -26,20 +27,19 @@ use crate::dim::math::{
     ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
 };
 use parry::bounding_volume::{Aabb, BoundingVolume};
-use parry::shape::{Ball, Shape, SupportMap, TypedShape};
+use parry::shape::{Shape, SupportMap, TypedShape};
 
-/// How deep below its surface a shape's core begins, as a share of the shape's thickness. What gets no deeper is
-/// pushed out to the side from which it came.
-const CORE_DEPTH: Real = 0.5;
-/// The same for a core that was inside something from the beginning.
-const LAST_DEPTH: Real = 0.95;
+/// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
+/// capsule its axis, of a board a thin one.
+const CORE_DEPTH: Real = 0.98;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
 /// hundreds of times the thickness.
 const MAX_JUMPS: usize = 256;
-/// A rotation vector this long is still integrated as one.
-const SMALL_TURN: Real = 0.25;
+/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this length.
+const WHOLE_TURN: Real = 1.0;
+const PIECE: Real = 0.25;
 
 /// The motion of a shape through a step, at constant velocity, as far as `stop`.
 #[derive(Copy, Clone, Debug)]
@@ -61,7 +61,7 @@ pub(crate) struct Sweep {
 pub(crate) struct SweepGoal {
     /// The gap at which shapes touch (length units).
     pub gap: Real,
-    /// Is what is inside something from the beginning stopped, too, before its middle is?
+    /// Is what is in contact from the beginning stopped, too, before its middle gets in?
     pub on_penetration: bool,
 }
 
@@ -112,12 +112,12 @@ impl Sweep {
 
 /// The rotation after it was turned by a rotation vector of any length (rad, world space).
 pub(crate) fn turned(rotation: Rotation, angle: AngVector) -> Rotation {
-    let (mut angle, mut halvings) = (angle, 0);
-    while ang_length_squared(angle) > SMALL_TURN * SMALL_TURN && halvings < 64 {
-        (angle, halvings) = (angle * 0.5, halvings + 1);
-    }
-    if halvings == 0 {
+    if ang_length_squared(angle) <= WHOLE_TURN * WHOLE_TURN {
         return integrate_rotation(rotation, angle);
+    }
+    let (mut angle, mut halvings) = (angle, 0);
+    while ang_length_squared(angle) > PIECE * PIECE && halvings < 64 {
+        (angle, halvings) = (angle * 0.5, halvings + 1);
     }
     let mut turn = integrate_rotation(Rotation::IDENTITY, angle);
     for _ in 0..halvings {
@@ -174,27 +174,18 @@ fn impact_of_parts(
 ) -> Option<Real> {
     let sweeps = [sweep1, sweep2];
     let thickness = thickness_of(part1.shape);
-    let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
-    let core_goal = Goal { gap: 0.0, tolerance };
-    let core_hit = |depth: Real| {
-        let (core, other) =
-            (Body::core(part1.shape, depth * thickness)?, Body::whole(part2.shape)?);
-        Some(advance([&core, &other], sweeps, core_goal, until))
-    };
-    let latest = match core_hit(CORE_DEPTH)? {
-        Meeting::Never => return None,
-        Meeting::At(share) => share,
-        Meeting::FromTheBeginning if !goal.on_penetration => return None,
-        Meeting::FromTheBeginning => match core_hit(LAST_DEPTH)? {
-            Meeting::At(share) => share,
-            Meeting::Never | Meeting::FromTheBeginning => return None,
-        },
-    };
     let (whole, other) = (Body::whole(part1.shape)?, Body::whole(part2.shape)?);
-    let goal = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap };
-    match advance([&whole, &other], sweeps, goal, latest) {
+    let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
+    let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
+    let core_goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
+    let Meeting::At(latest) = advance([&core, &other], sweeps, core_goal, until) else {
+        return None;
+    };
+    let goal_of_whole = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap, counts_at_once: false };
+    match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
-        Meeting::Never | Meeting::FromTheBeginning => Some(latest),
+        Meeting::Never => Some(latest),
+        Meeting::FromTheBeginning => goal.on_penetration.then_some(latest),
     }
 }
 
@@ -203,6 +194,8 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
+    /// Does it count as a meeting, if parts that are near from the beginning come nearer?
+    counts_at_once: bool,
 }
 
 /// How two parts come together.
@@ -231,14 +224,14 @@ fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep; 2], goal: Goal, until: Real)
         let Some((normal, dist)) = bodies[0].distance(bodies[1], &poses, reach, last_normal) else {
             return Meeting::Never;
         };
-        if dist <= goal.gap + goal.tolerance {
-            return if share == 0.0 { Meeting::FromTheBeginning } else { Meeting::At(share) };
-        }
         last_normal = normal;
         let across = poses[0].rotation * normal;
-        let closing = shift_left(sweeps[0], share).dot(across)
-            - shift_left(sweeps[1], share).dot(across)
-            + turning;
+        let nearing = (shift_left(sweeps[0], share) - shift_left(sweeps[1], share)).dot(across);
+        if dist <= goal.gap + goal.tolerance {
+            let counts = share > 0.0 || goal.counts_at_once && dist > goal.gap && nearing > 0.0;
+            return if counts { Meeting::At(share) } else { Meeting::FromTheBeginning };
+        }
+        let closing = nearing + turning;
         share += (dist - goal.gap) / closing.max(0.0);
         // Not if they part, and the quotient is infinite.
         if !(share < until) {
@@ -257,6 +250,8 @@ fn shift_left(sweep: &Sweep, share: Real) -> Vector {
 struct Body<'a> {
     sharp: Sharp<'a>,
     radius: Real,
+    /// The part, if nothing was taken off.
+    whole: Option<&'a dyn Shape>,
 }
 
 #[derive(Copy, Clone)]
@@ -286,37 +281,39 @@ impl SupportMap for Shrunk<'_> {
 
 impl<'a> Body<'a> {
     /// A part as it is; `None` if nothing is known of where it ends.
-    fn whole(shape: &'a dyn Shape) -> Option<Self> {
-        let (shape, radius): (&dyn SupportMap, Real) = match shape.as_typed_shape() {
-            TypedShape::HalfSpace(plane) => {
-                return Some(Self { sharp: Sharp::Plane(plane.normal), radius: 0.0 });
-            }
-            TypedShape::Ball(ball) => return Some(Self::point(ball)),
-            TypedShape::Capsule(capsule) => (&capsule.segment, capsule.radius),
-            _ => (shape.as_support_map()?, 0.0),
+    fn whole(part: &'a dyn Shape) -> Option<Self> {
+        let center = Vector::ZERO;
+        let sharp = |shape, scale| Sharp::Convex(Shrunk { shape, center, scale });
+        let (sharp, radius) = match part.as_typed_shape() {
+            TypedShape::HalfSpace(plane) => (Sharp::Plane(plane.normal), 0.0),
+            TypedShape::Ball(ball) => (sharp(ball, Vector::ZERO), ball.radius),
+            TypedShape::Capsule(capsule) => (sharp(&capsule.segment, Vector::ONE), capsule.radius),
+            _ => (sharp(part.as_support_map()?, Vector::ONE), 0.0),
         };
-        let (center, scale) = (Vector::ZERO, Vector::ONE);
-        Some(Self { sharp: Sharp::Convex(Shrunk { shape, center, scale }), radius })
+        Some(Self { sharp, radius, whole: Some(part) })
     }
 
-    fn point(ball: &'a Ball) -> Self {
-        let (center, scale) = (Vector::ZERO, Vector::ZERO);
-        Self { sharp: Sharp::Convex(Shrunk { shape: ball, center, scale }), radius: ball.radius }
+    /// The point that is left of a ball, or of the core of one.
+    fn as_point(&self) -> Option<Vector> {
+        match &self.sharp {
+            Sharp::Convex(shape) if shape.scale == Vector::ZERO => Some(shape.center),
+            _ => None,
+        }
     }
 
     /// A part without its outer layer of this depth.
     fn core(shape: &'a dyn Shape, depth: Real) -> Option<Self> {
-        let Self { sharp, radius } = Self::whole(shape)?;
+        let Self { sharp, radius, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
         if depth <= radius {
-            return Some(Self { sharp, radius: radius - depth });
+            return Some(Self { sharp, radius: radius - depth, whole: None });
         }
         let half_extents = shape.compute_local_aabb().half_extents();
         let scale = (half_extents - Vector::splat(depth)).max(Vector::ZERO) / half_extents;
         // Along an axis in which the shape has no thickness there is nothing to take off.
         let scale = Vector::select(half_extents.cmpgt(Vector::ZERO), scale, Vector::ONE);
         let sharp = Sharp::Convex(Shrunk { center: middle(shrunk.shape), scale, ..shrunk });
-        Some(Self { sharp, radius: 0.0 })
+        Some(Self { sharp, radius: 0.0, whole: None })
     }
 
     /// The direction to another body, in the frame of this one, and the distance; `None` if it is farther than `reach`.
@@ -329,6 +326,12 @@ impl<'a> Body<'a> {
     ) -> Option<(Vector, Real)> {
         let radius = self.radius + other.radius;
         let pos12 = pose.inv_mul(other_pose);
+        if let Some((point, shape)) = self.as_point().zip(other.whole) {
+            let found = nearest(&pos12, point, shape, last_normal);
+            return Some(found)
+                .filter(|&(_, dist)| dist - self.radius <= reach)
+                .map(|(normal, dist)| (normal, dist - self.radius));
+        }
         let (normal, dist) = match (&self.sharp, &other.sharp) {
             (Sharp::Convex(shape1), Sharp::Convex(shape2)) => {
                 match closest(&pos12, shape1, shape2, reach + radius, last_normal) {
@@ -360,6 +363,16 @@ impl<'a> Body<'a> {
         let square: Real = farthest.chunks(2).map(|pair| pair[0].max(pair[1])).map(|r| r * r).sum();
         square.sqrt() + self.radius
     }
+}
+
+/// The direction from a point to a part at `pos12`, and its distance: exact where a search of closest points has its
+/// tolerances. 0 if it is inside.
+fn nearest(pos12: &Pose, point: Vector, part: &dyn Shape, last_normal: Vector) -> (Vector, Real) {
+    let local = pos12.inverse_transform_point(point);
+    let way = part.project_local_point(local, true).point - local;
+    let dist = way.length();
+    let normal = if dist > 0.0 { pos12.rotation * (way / dist) } else { last_normal };
+    (normal, dist)
 }
 
 /// The axes, there and back.

@@ -62,17 +62,21 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     rotation.angle()
 }
 
-/// Rotates `rotation` by the small angle `angle` (radians), to first order in the angle and
-/// renormalised: `q ← normalize(q + i·angle·q)`.
-///
-/// This turns by `atan(θ)` instead of `θ`; scaling by `1 + θ²/3` first leaves an error of fifth
-/// order. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
+/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
+pub const TURN_MAX: Real = 1.0e4;
+
+/// Rotates `rotation` by the angle `angle` (radians): by `2 atan(t)`, where `t` is the tangent of half the angle to
+/// fifth order, `θ/2 (1 + θ²/12 + θ⁴/120)`. At 1 rad 0.0007 rad are missing, and no angle turns by more than a turn.
+/// The exponential map would cost a sine and a cosine, whose last bits differ between machines.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
-    let angle = angle * (1.0 + angle * angle / 3.0);
+    let square = (angle * angle).min(TURN_MAX);
+    let t = angle * (0.5 + square * (1.0 / 24.0 + square * (1.0 / 240.0)));
+    let scale = 1.0 / (1.0 + t * t);
+    let (cos, sin) = ((1.0 - t * t) * scale, (t + t) * scale);
     Rotation::from_cos_sin_unchecked(
-        rotation.re - angle * rotation.im,
-        rotation.im + angle * rotation.re,
+        cos * rotation.re - sin * rotation.im,
+        cos * rotation.im + sin * rotation.re,
     )
     .normalize()
 }

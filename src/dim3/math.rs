@@ -63,15 +63,16 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     if rotation.w < 0.0 { (-*rotation).to_scaled_axis() } else { rotation.to_scaled_axis() }
 }
 
-/// Rotates `rotation` by the small world-space angle `angle` (radians), to first order in the angle
-/// and renormalised: `q ← normalize(q + ½ (angle, 0) q)`.
-///
-/// This turns by `2 atan(θ/2)` instead of `θ`; scaling by `1 + θ²/12` first leaves an error of fifth
-/// order. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
+/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
+pub const TURN_MAX: Real = 1.0e4;
+
+/// Rotates `rotation` by the world-space rotation vector `angle` (radians): by `2 atan(t)`, where `t` is the tangent of
+/// half the angle to fifth order, `θ/2 (1 + θ²/12 + θ⁴/120)`. At 1 rad 0.0007 rad are missing, and no angle turns by more
+/// than a turn. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
-    let correction = 1.0 + angle.length_squared() / 12.0;
-    let (q, a) = (rotation, angle * (0.5 * correction));
+    let square = angle.length_squared().min(TURN_MAX);
+    let (q, a) = (rotation, angle * (0.5 + square * (1.0 / 24.0 + square * (1.0 / 240.0))));
     Rotation::from_xyzw(
         q.x + (a.x * q.w + a.y * q.z - a.z * q.y),
         q.y + (a.y * q.w + a.z * q.x - a.x * q.z),

@@ -1,6 +1,5 @@
 //! What stages tell each other during a step.
 
-use crate::collide::Sweep;
 use crate::dim::math::{AngVector, Pose, Real, Vector};
 use crate::model::body::RigidBodyHandle;
 use crate::model::contact::PairId;
@@ -27,14 +26,21 @@ pub(crate) struct FastMotion {
     pub shift: Vector,
     /// The rotation vector of its turn (rad).
     pub turn: AngVector,
-    /// What forces have added to its velocities.
-    pub gain: (Vector, AngVector),
+    /// By how much forces accelerate it.
+    pub acceleration: Vector,
 }
 
 impl FastMotion {
-    /// The same motion of something on the body that was at `start`, as far as `stop`.
-    pub fn sweep(&self, start: Pose, stop: Real) -> Sweep {
-        Sweep::new(start, self.center, self.shift, self.turn).until(stop)
+    /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is
+    /// left, they have not done yet.
+    pub fn velocity_before(&self, left: Real, end: Vector) -> Vector {
+        let square = end.length_squared();
+        let earlier = square - 2.0 * left * self.acceleration.dot(self.shift);
+        if square > 0.0 && earlier.is_finite() {
+            end * (earlier.max(0.0) / square).sqrt()
+        } else {
+            end
+        }
     }
 }
 

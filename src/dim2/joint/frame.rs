@@ -1,16 +1,17 @@
 //! Frames and levers as the bodies turn, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM, TURN_MAX};
 use crate::dim2::wide::{WideAngVector, WideRotation, WideVector};
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
 #[inline(always)]
 fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
-    let one = W::splat(1.0);
-    let tan = turn * (one + turn * turn / W::splat(3.0));
-    let cos = one / (one + tan * tan).sqrt();
-    WideRotation { re: cos, im: tan * cos }
+    let (one, square) = (W::splat(1.0), (turn * turn).min(W::splat(TURN_MAX)));
+    let correction = W::splat(1.0 / 24.0) + square * W::splat(1.0 / 240.0);
+    let t = turn * (W::splat(0.5) + square * correction);
+    let scale = one / (one + t * t);
+    WideRotation { re: (one - t * t) * scale, im: (t + t) * scale }
 }
 
 /// A lever of a body after the body has turned.

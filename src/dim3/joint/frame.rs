@@ -1,15 +1,16 @@
 //! Frames and levers as the bodies turn, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM, TURN_MAX};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
-/// Half the rotation vector, lengthened so that the quaternion `(this, 1)` turns by the whole angle to fifth
+/// Half the rotation vector, lengthened so that the quaternion `(this, 1)` turns by the whole angle to seventh
 /// order: see [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
 #[inline(always)]
 fn half_turn<W: Wide>(turn: WideAngVector<W>) -> WideVector<W> {
-    let correction = W::splat(1.0) + turn.dot(turn) / W::splat(12.0);
-    turn * (W::splat(0.5) * correction)
+    let square = turn.dot(turn).min(W::splat(TURN_MAX));
+    let correction = W::splat(1.0 / 24.0) + square * W::splat(1.0 / 240.0);
+    turn * (W::splat(0.5) + square * correction)
 }
 
 /// A lever of a body after the body has turned.

@@ -5,8 +5,8 @@
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
 //! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
 //!
-//! The solver looks at contacts where bodies are when a step begins. A body that moves farther than about half its
-//! thickness in one step ([`FAST`]) could be on the other side before it ever touched. So its path is searched, from
+//! The solver looks at contacts where bodies are when a step begins. A body that moves farther than a quarter of
+//! its thickness in one step ([`FAST`]) could be on the other side before it ever touched. So its path is searched, from
 //! where its colliders still are to where the solver has put it, and it is stopped where it would get through
 //! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
 //! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
@@ -33,7 +33,7 @@ use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::FastMotion;
 use bullets::Bullets;
-use path::Path;
+use path::{Path, sweep_of};
 
 /// Fast bodies that are worth being searched for by another thread.
 const BODIES_PER_TASK: usize = 2;
@@ -86,10 +86,8 @@ pub(crate) fn stop(
     counters.num_substeps = 0;
     for (motion, &share) in fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0) {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
-        body.pose = motion.sweep(motion.start, share).at(share);
-        let lost = 1.0 - share;
-        body.linvel -= motion.gain.0 * lost;
-        body.angvel -= motion.gain.1 * lost;
+        body.pose = sweep_of(motion, motion.start, share).at(share);
+        body.linvel = motion.velocity_before(1.0 - share, body.linvel);
         body.update_world_mass_properties();
         counters.num_substeps += 1;
     }

@@ -2,7 +2,7 @@
 
 use super::Surroundings;
 use crate::collide::{Sweep, SweepGoal, first_impact};
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
 use crate::model::hooks::PairFilterContext;
@@ -32,7 +32,7 @@ impl<'a> Path<'a> {
     /// The path of a fast body, as far as it is known to come.
     pub fn of(around: Surroundings<'a>, motion: &FastMotion, stop: Real) -> Option<Self> {
         let body = around.bodies.get(motion.body)?;
-        let sweep = |collider: &Collider| motion.sweep(collider.pose, stop);
+        let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
         Some(Self { body, movers: movers(around, body, sweep) })
     }
 
@@ -144,6 +144,11 @@ fn movers<'a>(
         is_solid.then(|| Mover { handle, collider, sweep: sweep(collider) })
     });
     solid.collect()
+}
+
+/// The motion of something on a fast body that was at `start`, as far as `stop`.
+pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep {
+    Sweep::new(start, motion.center, motion.shift, motion.turn).until(stop)
 }
 
 /// From where the collider still is to where its body is.

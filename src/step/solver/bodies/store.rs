@@ -18,9 +18,9 @@ use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
 use std::sync::{Mutex, PoisonError};
 
-/// A body is fast if it moves farther than this share of its thickness in one step: it might begin on one side of
-/// something thin and end on the other.
-const FAST: Real = 0.5;
+/// A body is fast if it moves farther than this share of its thickness in one step. What was not in contact might else
+/// end with its middle on the other side of something thin, and what is pressed into something get there in a few steps.
+const FAST: Real = 0.25;
 
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
@@ -54,7 +54,7 @@ impl SolverBodies {
                         move_to(body, body.next_pose, params.dt)
                     }
                     _ => {
-                        let motion = commit(handle, body, state, motion, params.dt);
+                        let motion = commit(handle, body, state, motion);
                         let bound = bound_of(motion.shift, motion.turn, body.extent);
                         if bound > FAST * body.thickness && body.is_dynamic() {
                             let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
@@ -82,7 +82,6 @@ fn commit(
     body: &mut RigidBody,
     state: &BodyState,
     motion: &Motion,
-    dt: Real,
 ) -> FastMotion {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
@@ -99,7 +98,8 @@ fn commit(
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         let (shift, turn) = (Vector::ZERO, ANG_ZERO);
-        return FastMotion { body: handle, start, center, shift, turn, gain: (shift, turn) };
+        let acceleration = Vector::ZERO;
+        return FastMotion { body: handle, start, center, shift, turn, acceleration };
     };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
@@ -107,8 +107,8 @@ fn commit(
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
     let rounded = body.mprops.world_com - center;
     let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
-    let gain = (motion.linear_acceleration * dt, motion.angular_acceleration * dt);
-    FastMotion { body: handle, start, center, shift, turn, gain }
+    let acceleration = motion.linear_acceleration;
+    FastMotion { body: handle, start, center, shift, turn, acceleration }
 }
 
 /// Puts a position-based kinematic body where the user wants it.

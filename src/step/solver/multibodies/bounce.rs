@@ -36,7 +36,7 @@ pub struct Blow {
     loaded: Real,
     /// By how much forces and what bears them have changed its velocity in this substep.
     accelerated: Real,
-    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    /// What the impulses of the last substep on a body do to its velocity.
     borne: Real,
     /// It hits where its velocity is below this.
     limit: Real,
@@ -115,26 +115,18 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a substep: takes the impulses of the last one off, as `impacts/mod.rs` does with those of bodies, and notes
-    /// what they bear. Until [`Self::end_impact`].
+    /// Begins a substep: notes how contacts move, and what forces did to that.
+    ///
+    /// Bodies move without the impulses of the last substep in impacts, multibodies with theirs: what these of the body do to
+    /// a contact is a constant of the substep.
     pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
         self.note_loaded(&mut bodies.before);
-        for moving in &mut self.moving {
-            moving.bear(-1.0);
-        }
         let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
             contact.strike.was_struck = false;
             for Point { normal, blow, .. } in &mut contact.points {
                 blow.begin(numbers.velocity(normal, &actors), pass);
             }
-        }
-    }
-
-    /// Gives the impulses of the last substep back.
-    pub fn end_impact(&mut self) {
-        for moving in &mut self.moving {
-            moving.bear(1.0);
         }
     }
 
@@ -334,15 +326,12 @@ impl Point {
 }
 
 impl Blow {
-    /// Begins a substep in which the point moves like this under forces alone.
+    /// Begins a substep in which the point moves like this without the last impulses on a body.
     fn begin(&mut self, free: Real, pass: &ImpactPass) {
-        let forced = free - self.last;
-        self.borne = (self.loaded - free).min(-forced).max(0.0);
-        let now = free + self.borne;
-        let at_rest = if now.max(self.last) >= -pass.threshold { now.min(0.0) } else { 0.0 };
+        self.borne = self.loaded - free;
+        let at_rest = if self.loaded >= -pass.threshold { self.loaded.min(0.0) } else { 0.0 };
         self.limit = at_rest - pass.threshold * NOTICED;
-        let most = forced.abs().max(pass.fall);
-        self.accelerated = self.accelerated.max(-most).min(most);
+        self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
         self.given = 0.0;
     }
 

@@ -302,14 +302,6 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    /// Adds the impulses of the last substep to what they did already, this many times.
-    fn bear(&mut self, times: Real) {
-        for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
-            *rate += pushed * times;
-        }
-        self.motion.note_outside(&self.root_pushed, times);
-    }
-
     fn advance(&mut self, h: Real, speed_max: Real) {
         for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
             *shift += rate * h;
