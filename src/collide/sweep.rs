@@ -232,7 +232,8 @@ fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep; 2], goal: Goal, until: Real)
             return if counts { Meeting::At(share) } else { Meeting::FromTheBeginning };
         }
         let closing = nearing + turning;
-        share += (dist - goal.gap) / closing.max(0.0);
+        // Not so far that they would touch: closest points of what touches are not always found.
+        share += (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         // Not if they part, and the quotient is infinite.
         if !(share < until) {
             return Meeting::Never;
@@ -384,10 +385,16 @@ fn directions() -> [Vector; 2 * DIM] {
     })
 }
 
-/// A point inside a convex shape.
+/// A point inside a convex shape, in the middle of what has one: the mean of its farthest points along all diagonals.
+/// (Along the axes the farthest points of a box are whole faces, and it may say any of their corners.)
 fn middle(shape: &dyn SupportMap) -> Vector {
-    let points = directions().map(|direction| shape.local_support_point(direction));
-    points.into_iter().sum::<Vector>() / points.len() as Real
+    let corners = 1 << DIM;
+    let diagonal = |corner: usize| {
+        let mut direction = Vector::ONE;
+        (0..DIM).filter(|k| corner >> k & 1 == 1).for_each(|k| direction[k] = -1.0);
+        shape.local_support_point(direction)
+    };
+    (0..corners).map(diagonal).sum::<Vector>() / corners as Real
 }
 
 /// How deep one can get into a part at most, roughly.
