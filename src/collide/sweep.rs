@@ -99,6 +99,14 @@ impl Sweep {
         }
     }
 
+    /// A box around everything that a shape's core passes, and no larger than the shape's own: what lies on a floor does not
+    /// find it.
+    pub fn region_of_core(&self, shape: &dyn Shape) -> Aabb {
+        let region = self.region(shape);
+        let less = Vector::splat(layer_of(shape)).min(region.half_extents());
+        Aabb::new(region.mins + less, region.maxs - less)
+    }
+
     /// A box around everything that a shape passes.
     pub fn region(&self, shape: &dyn Shape) -> Aabb {
         let reach = reach_about(shape, self.local_center);
@@ -401,6 +409,17 @@ fn middle(shape: &dyn SupportMap) -> Vector {
 fn thickness_of(shape: &dyn Shape) -> Real {
     let thickness = shape.ccd_thickness();
     if thickness.is_finite() { thickness } else { 0.0 }
+}
+
+/// How much smaller a box around a shape's core is at least on all sides, with what the search tolerates.
+fn layer_of(shape: &dyn Shape) -> Real {
+    let share = match shape.as_typed_shape() {
+        TypedShape::Ball(_) | TypedShape::Capsule(_) | TypedShape::Cuboid(_) => CORE_DEPTH,
+        TypedShape::HalfSpace(_) => 0.0,
+        // Drawn together towards the middle, which need not be that of its box.
+        _ => 0.5 * CORE_DEPTH,
+    };
+    ((share - CORE_TOLERANCE) * thickness_of(shape)).max(0.0)
 }
 
 /// How far a shape reaches from a point of its frame.

@@ -38,6 +38,8 @@ pub struct BroadPhaseBvh {
     moved_bits: Vec<u64>,
     /// Has any collider of a fixed body ever asked for pairs with others of its kind?
     fixed_meet: bool,
+    /// Has any collider ever been on a kinematic body?
+    has_kinematics: bool,
 }
 
 impl BroadPhaseBvh {
@@ -122,6 +124,11 @@ impl BroadPhaseBvh {
         for slot in self.moved.drain(..) {
             self.moved_bits[slot as usize / 64] = 0;
         }
+    }
+
+    /// May any movable collider be on a kinematic body?
+    pub(crate) fn has_kinematics(&self) -> bool {
+        self.has_kinematics
     }
 
     /// Must a collider of this kind look for neighbours among those of the other?

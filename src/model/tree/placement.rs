@@ -20,6 +20,7 @@ impl BroadPhaseBvh {
             return self.remove(handle.into_raw_parts().0, &mut collider.proxy);
         }
         let kind = kind_of(body);
+        self.has_kinematics |= body.is_some_and(RigidBody::is_kinematic);
         if kind == TreeKind::Fixed {
             let types = collider.active_collision_types();
             self.fixed_meet |= types.intersects(ActiveCollisionTypes::FIXED_FIXED);

@@ -53,8 +53,9 @@ impl<'a> Path<'a> {
     pub fn first_stop(&self, around: Surroundings<'_>) -> Real {
         let mut first = 1.0;
         for mover in &self.movers {
-            let region = mover.sweep.region(mover.collider.shape());
-            for kind in [TreeKind::Fixed, TreeKind::Movable] {
+            let region = mover.sweep.region_of_core(mover.collider.shape());
+            let movable = around.trees.has_kinematics().then_some(TreeKind::Movable);
+            for kind in movable.into_iter().chain([TreeKind::Fixed]) {
                 around.trees.for_each_overlapping(kind, &region, |slot| {
                     let Some((handle, collider)) = around.colliders.at_slot(slot) else { return };
                     let body = collider.parent().and_then(|body| around.bodies.get(body));

@@ -41,6 +41,7 @@ impl SolverBodies {
             self.indices[slot as usize] = WORLD;
         }
         self.indices.resize(slot_count.max(self.indices.len()), WORLD);
+        self.listed.clear();
         self.listed.resize(count + 1, NONE);
         self.poses.resize(count + 1, BodyPose::WORLD);
         self.states.resize(count + 1, BodyState::default());
@@ -49,7 +50,7 @@ impl SolverBodies {
         self.shares.resize(count + 1, 1.0);
         self.islands.resize(count + 1, NONE);
         // SAFETY: a place is there, and nobody else has any.
-        unsafe { self.places().fill(0, NONE, Place::NOBODY) };
+        unsafe { self.places().at(0).clear() };
     }
 
     pub(super) fn places(&mut self) -> Places<'_> {
@@ -80,13 +81,17 @@ impl SolverBodies {
                     around.bodies.prefetch(later.into_raw_parts().0);
                 }
                 let handle = order[position];
+                let slot = handle.into_raw_parts().0;
                 // SAFETY: the order names each body once, and places are as many as bodies and one.
                 unsafe {
-                    let place = match around.bodies.get_mut(handle.0) {
-                        Some(body) => Place::of(body, handle, around, h),
-                        None => Place::NOBODY,
-                    };
-                    places.fill(position + 1, handle.into_raw_parts().0, place);
+                    let place = places.at(position + 1);
+                    match around.bodies.get_mut(handle.0) {
+                        Some(body) if !around.multibodies.moves(slot) => {
+                            place.fill(body, around, h);
+                            places.list(position + 1, body, slot);
+                        }
+                        _ => place.clear(),
+                    }
                 }
             }
         });
@@ -101,55 +106,43 @@ struct Around<'a> {
     params: &'a IntegrationParameters,
 }
 
-/// What [`SolverBodies`] knows of one body.
-struct Place {
-    /// [`READ_ONLY`] unless constraints may move the body; none for nobody, who is not found by a slot.
-    flags: Option<u32>,
-    pose: BodyPose,
-    state: BodyState,
-    motion: Motion,
-    share: Real,
-    island: u32,
+/// What [`SolverBodies`] knows of one body, to be filled.
+struct Place<'a> {
+    pose: &'a mut BodyPose,
+    state: &'a mut BodyState,
+    before: &'a mut BodyState,
+    motion: &'a mut Motion,
+    share: &'a mut Real,
+    island: &'a mut u32,
 }
 
-impl Place {
-    const NOBODY: Self = Self {
-        flags: None,
-        pose: BodyPose::WORLD,
-        state: BodyState::AT_REST,
-        motion: Motion::AT_REST,
-        share: 1.0,
-        island: NONE,
-    };
+impl Place<'_> {
+    /// Nobody is there.
+    fn clear(self) {
+        *self.pose = BodyPose::WORLD;
+        (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
+        (*self.motion, *self.share, *self.island) = (Motion::AT_REST, 1.0, NONE);
+    }
 
-    /// `h` is the substep with which the body is solved.
-    fn of(body: &mut RigidBody, handle: RigidBodyHandle, around: &Around<'_>, h: Real) -> Self {
-        if around.multibodies.moves(handle.into_raw_parts().0) {
-            return Self::NOBODY;
-        }
+    /// A body that is solved with the substep `h`.
+    fn fill(self, body: &mut RigidBody, around: &Around<'_>, h: Real) {
         if body.body_type == RigidBodyType::KinematicPositionBased {
             let velocity = body.velocity_to_next_position(around.params.inv_dt());
             (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
         }
-        let share = if body.substep > h { h / body.substep } else { 1.0 };
+        *self.share = if body.substep > h { h / body.substep } else { 1.0 };
         body.substep = h;
-        let motion = if body.is_dynamic() {
+        *self.motion = if body.is_dynamic() {
             Motion::of(body, around.gravity, h)
         } else {
             Motion { rotation: body.pose.rotation, ..Motion::AT_REST }
         };
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
-        // Colours keep constraints apart at bodies with an island, and at no others.
-        let writable = body.link.island != NONE;
-        Self {
-            flags: Some(if writable { 0 } else { READ_ONLY }),
-            pose: BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia),
-            state: BodyState::new(body.linvel, body.angvel),
-            motion,
-            share,
-            island: body.link.island,
-        }
+        *self.pose = BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia);
+        *self.state = BodyState::new(body.linvel, body.angvel);
+        *self.before = *self.state;
+        *self.island = body.link.island;
     }
 }
 
@@ -166,23 +159,35 @@ pub(super) struct Places<'a> {
 }
 
 impl Places<'_> {
-    /// Fills the place with an index; the body stands in `slot`.
+    /// The place with an index.
     ///
     /// # Safety
-    /// The index must be one of a place, and nobody else may use this place or slot meanwhile.
-    unsafe fn fill(&self, index: usize, slot: u32, place: Place) {
-        // SAFETY: the caller's promise; a known body's slot has an index.
+    /// The index must be one of a place, and nobody else may use it meanwhile.
+    unsafe fn at(&self, index: usize) -> Place<'_> {
+        // SAFETY: the caller's promise.
         unsafe {
-            *self.listed.get_mut(index) = if place.flags.is_some() { slot } else { NONE };
-            if let Some(flags) = place.flags {
-                *self.indices.get_mut(slot as usize) = index as u32 | flags;
+            Place {
+                pose: self.poses.get_mut(index),
+                state: self.states.get_mut(index),
+                before: self.before.get_mut(index),
+                motion: self.motions.get_mut(index),
+                share: self.shares.get_mut(index),
+                island: self.islands.get_mut(index),
             }
-            *self.poses.get_mut(index) = place.pose;
-            *self.states.get_mut(index) = place.state;
-            *self.before.get_mut(index) = place.state;
-            *self.motions.get_mut(index) = place.motion;
-            *self.shares.get_mut(index) = place.share;
-            *self.islands.get_mut(index) = place.island;
+        }
+    }
+
+    /// Lets a body be found by its slot.
+    ///
+    /// # Safety
+    /// As [`Self::at`], and nobody else may use the slot, which must be one of a body.
+    unsafe fn list(&self, index: usize, body: &RigidBody, slot: u32) {
+        // Colours keep constraints apart at bodies with an island, and at no others.
+        let flags = if body.link.island == NONE { READ_ONLY } else { 0 };
+        // SAFETY: the caller's promise.
+        unsafe {
+            *self.listed.get_mut(index) = slot;
+            *self.indices.get_mut(slot as usize) = index as u32 | flags;
         }
     }
 }

@@ -7,20 +7,18 @@ use crate::base::tasks::Tasks;
 use crate::collide::turned;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
 use crate::dim::state::BodyState;
-use crate::model::body::{
-    RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType, RigidBodyVelocity,
-};
+use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A body is fast if it moves farther than this share of its thickness in one step. What was not in contact might else
-/// end with its middle on the other side of something thin, and what is pressed into something get there in a few steps.
-const FAST: Real = 0.25;
+/// A body is fast if it moves farther than this share of its thickness in one step: what was not in contact might else
+/// end with its middle on the other side of something thin.
+const FAST: Real = 0.5;
 
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
@@ -54,11 +52,14 @@ impl SolverBodies {
                         move_to(body, body.next_pose, params.dt)
                     }
                     _ => {
-                        let motion = commit(handle, body, state, motion);
-                        let bound = bound_of(motion.shift, motion.turn, body.extent);
+                        let (start, center) = (body.pose, body.mprops.world_com);
+                        let (shift, turn) = commit(body, state, motion);
+                        let bound = bound_of(shift, turn, body.extent);
                         if bound > FAST * body.thickness && body.is_dynamic() {
-                            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-                            found.push((position, motion));
+                            let (body, acceleration) = (handle, motion.linear_acceleration);
+                            let fast =
+                                FastMotion { body, start, center, shift, turn, acceleration };
+                            lock(&found).push((position, fast));
                         }
                         bound
                     }
@@ -67,29 +68,25 @@ impl SolverBodies {
                 unsafe { *bounds.get_mut(slot as usize) = bound };
             }
         });
-        let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let found = &mut *lock(&found);
         found.sort_unstable_by_key(|&(position, _)| position);
-        fast.extend(found.into_iter().map(|(_, motion)| motion));
+        fast.extend(found.drain(..).map(|(_, motion)| motion));
     }
 }
 
-/// Gives a body the pose and velocity that the solver found. Returns how it moved.
+/// Gives a body the pose and velocity that the solver found. Returns how far its centre moved,
+/// and its turn.
 ///
 /// A body whose numbers overflowed stays where it was and comes to rest: one lost body is better than
 /// a world of NaN.
-fn commit(
-    handle: RigidBodyHandle,
-    body: &mut RigidBody,
-    state: &BodyState,
-    motion: &Motion,
-) -> FastMotion {
+fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> (Vector, AngVector) {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
     let rotation = match motion.gyroscope {
         Some(_) => motion.rotation.normalize(),
         None => turned(motion.rotation, turn),
     };
-    let (start, center) = (body.pose, body.mprops.world_com);
+    let center = body.mprops.world_com;
     let local_center = body.mprops.local.local_com;
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);
     let velocity = RigidBodyVelocity::new(linvel, angvel);
@@ -97,9 +94,7 @@ fn commit(
     let Some(pose) = checked_pose(pose).filter(|_| velocity.is_usable()) else {
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
-        let (shift, turn) = (Vector::ZERO, ANG_ZERO);
-        let acceleration = Vector::ZERO;
-        return FastMotion { body: handle, start, center, shift, turn, acceleration };
+        return (Vector::ZERO, ANG_ZERO);
     };
     (body.linvel, body.angvel) = (linvel, angvel);
     body.pose = pose;
@@ -107,8 +102,7 @@ fn commit(
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
     let rounded = body.mprops.world_com - center;
     let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
-    let acceleration = motion.linear_acceleration;
-    FastMotion { body: handle, start, center, shift, turn, acceleration }
+    (shift, turn)
 }
 
 /// Puts a position-based kinematic body where the user wants it.
@@ -118,6 +112,10 @@ fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> Real {
     body.update_world_mass_properties();
     let (shift, turn) = (body.mprops.world_com - old_center, body.angvel * dt);
     bound_of(shift, turn, body.extent)
+}
+
+fn lock<T>(found: &Mutex<T>) -> MutexGuard<'_, T> {
+    found.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The centre moved by `shift`; a point at the distance `extent` from it moved by no more than the
