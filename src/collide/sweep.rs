@@ -20,7 +20,7 @@
 //! without an outer layer ([`CORE_DEPTH`] of its thickness). Where the core would hit, the body is stopped, and then
 //! not so late but where its surface touches, if it did not do so from the beginning.
 
-use super::parts::{Near, Part, Parts};
+use super::parts::{Line, Near, Part, Parts};
 use crate::base::closest::{Closest, closest};
 use crate::dim::math::{
     ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
@@ -142,7 +142,7 @@ pub(crate) fn first_impact(
     };
     let [parts1, parts2] = shapes.map(Parts::of);
     // What of one shape may be met by the whole of the other.
-    let near = |side: usize| Near::Inside(path_of_other(shapes, sweeps, side));
+    let near = |side: usize| path_of_other(shapes, sweeps, side);
     parts1.for_each_part(&near(0), &mut |part1| {
         let sweep1 = sweeps[0].of_part(&part1.pose());
         parts2.for_each_part(&near(1), &mut |part2| {
@@ -153,17 +153,24 @@ pub(crate) fn first_impact(
     first
 }
 
-/// A box, in the frame of the shape on a side, around all places of the other shape.
-fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep; 2], side: usize) -> Aabb {
+/// A region, in the frame of the shape on a side, around all places of the other shape.
+fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep; 2], side: usize) -> Near {
     let (own, other, shape) = (sweeps[side], sweeps[1 - side], shapes[1 - side]);
-    if own.shift == Vector::ZERO && ang_length_squared(own.turn) == 0.0 {
-        return other.region(shape).transform_by(&own.start.inverse());
+    let stays = own.shift == Vector::ZERO;
+    if ang_length_squared(own.turn) == 0.0 && (stays || own.stop == other.stop) {
+        let region = other.region(shape).loosened(own.shift.length());
+        let region = region.transform_by(&own.start.inverse());
+        let start = own.start.inverse_transform_point(other.center);
+        let way = own.start.rotation.inverse() * ((other.shift - own.shift) * other.stop);
+        let radius = reach_about(shape, other.local_center);
+        let line = Line::new(start, way, radius, region);
+        return line.map_or(Near::Inside(region), Near::Along);
     }
     // As seen from something that turns, the other moves by no more than both do.
     let away = own.start.inverse_transform_point(other.center).length() + other.shift.length();
     let turn = ang_length_squared(own.turn).sqrt() * (away + own.local_center.length());
     let region = other.region(shape).loosened(own.shift.length());
-    region.transform_by(&own.start.inverse()).loosened(turn)
+    Near::Inside(region.transform_by(&own.start.inverse()).loosened(turn))
 }
 
 /// When the first part is stopped by the second.
