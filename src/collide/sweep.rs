@@ -247,8 +247,9 @@ fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep; 2], goal: Goal, until: Real)
             - shift_left(sweeps[1], share).dot(across)
             + turning;
         share += (dist - goal.gap) / closing.max(0.0);
-        // Not if they part, and the quotient is infinite.
-        if !(share < until) {
+        // Not if they part, and the quotient is infinite; nor if it is no number.
+        let may_meet = share < until;
+        if !may_meet {
             return Meeting::Never;
         }
     }

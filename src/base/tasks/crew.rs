@@ -74,7 +74,7 @@ impl Crew {
     pub fn new(threads: usize) -> Self {
         Self {
             threads: threads.clamp(1, MAX_THREADS),
-            shares: [const { Share::EMPTY }; MAX_THREADS],
+            shares: [const { Share::empty() }; MAX_THREADS],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
             hired: AtomicU64::new(1),
@@ -118,7 +118,9 @@ impl Crew {
             pause.wait();
         }
         let panic = self.panic.lock().unwrap_or_else(PoisonError::into_inner).take();
-        panic.into_iter().for_each(|panic| resume_unwind(panic));
+        if let Some(panic) = panic {
+            resume_unwind(panic);
+        }
     }
 
     fn fill_vacancies(&self, hire: &dyn Fn(usize)) {
@@ -200,7 +202,9 @@ impl Drop for Owner<'_> {
 struct Share(AtomicU64);
 
 impl Share {
-    const EMPTY: Self = Self(AtomicU64::new(0));
+    const fn empty() -> Self {
+        Self(AtomicU64::new(0))
+    }
 
     fn pack(pieces: Range<usize>) -> u64 {
         (pieces.start as u64) << 32 | pieces.end as u64
