@@ -4,7 +4,8 @@
 //! that every list of the engine is reordered. What is compared is every bit of every pose and velocity.
 //! Without the feature `parallel` all thread counts are one; the gate runs this with the feature too.
 
-use crate::dim;
+use crate::dim::grounds::GROUNDS;
+use crate::dim::{self, cuboid, vec};
 use rapier::prelude::*;
 
 const STEPS: usize = 150;
@@ -61,6 +62,106 @@ fn world() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     heap(&mut world, Vector::ZERO);
     world
+}
+
+/// All that the heap lacks: chains and nets of joints, some of which break, links, bullets, a mesh, and sleepers.
+fn workshop() -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    GROUNDS[1].1(&mut world, Pose::IDENTITY, 0.5);
+    let bob = |at: Vector| RigidBodyBuilder::dynamic().translation(at);
+    let ball = |radius| ColliderBuilder::ball(radius).restitution(0.1);
+    for k in 0..40_u8 {
+        let column = Real::from(k);
+        world.insert(bob(vec(column - 1.0, 0.2)), cuboid(0.3, 0.2));
+        let bullet = bob(vec(column - 1.0, 4.0 + 0.3 * column)).ccd_enabled(k % 2 == 0);
+        world.insert(bullet.linvel(vec(20.0 - column, -200.0)), ball(0.1));
+    }
+    for k in 0..20_usize {
+        let hook = vec(2.0 * k as Real, 6.0);
+        let mut last = world.insert_body(RigidBodyBuilder::fixed().translation(hook));
+        for link in 0..6 {
+            let at = hook + vec(0.4 * (link + 1) as Real, 0.0);
+            let (next, _) = world.insert(bob(at), ball(0.12));
+            let mut joint = dim::loose_joint(k, vec(0.2, 0.0), vec(-0.2, 0.0));
+            if k % 3 == 0 && world.insert_multibody_joint(last, next, joint).is_some() {
+                last = next;
+                continue;
+            }
+            if k % 3 == 1 {
+                joint.set_motor_velocity(JointAxis::AngX, 3.0, 0.1);
+                joint.set_break_thresholds(2.0 + k as Real, Real::INFINITY);
+            }
+            world.insert_impulse_joint(last, next, joint);
+            last = next;
+        }
+    }
+    net(&mut world, vec(10.0, 9.0));
+    world
+}
+
+/// A net of pins that hangs on two of its corners.
+fn net(world: &mut PhysicsWorld, corner: Vector) {
+    const SIDE: usize = 14;
+    let mut knots: Vec<RigidBodyHandle> = Vec::new();
+    for k in 0..SIDE * SIDE {
+        let (i, j) = (k % SIDE, k / SIDE);
+        let at = corner + vec(0.3 * i as Real, 0.3 * j as Real);
+        let hangs = j == 0 && (i == 0 || i == SIDE - 1);
+        let kind = if hangs { RigidBodyType::Fixed } else { RigidBodyType::Dynamic };
+        let knot = RigidBodyBuilder::new(kind).translation(at);
+        let (knot, _) = world.insert(knot, ColliderBuilder::ball(0.05));
+        let mut tie = |other: usize, along: Vector| {
+            let joint = dim::loose_joint(0, along * 0.15, along * -0.15);
+            world.insert_impulse_joint(knots[other], knot, joint);
+        };
+        if i > 0 {
+            tie(k - 1, vec(1.0, 0.0));
+        }
+        if j > 0 {
+            tie(k - SIDE, vec(0.0, 1.0));
+        }
+        knots.push(knot);
+    }
+}
+
+/// Steps the workshop on some threads, and takes down what hangs there.
+fn run_workshop() -> Vec<u64> {
+    let mut world = workshop();
+    let (mut slept, mut stopped) = (false, 0);
+    world.physics_pipeline.counters.enable();
+    for step in 0..STEPS {
+        if step % 10 == 9 {
+            let body = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
+            let body = body.map(|(handle, _)| handle).nth(7 * step / 10);
+            world.remove_body(body.expect("there are hundreds"));
+        }
+        world.step();
+        slept |= world.bodies.iter().any(|(_, body)| body.is_sleeping());
+        stopped += world.physics_pipeline.counters.ccd.num_substeps;
+    }
+    let broke = world.impulse_joints.iter().any(|(_, joint)| !joint.data.is_enabled());
+    assert!(slept && stopped > 0 && broke, "{slept} {stopped} {broke}");
+    bits(&world)
+}
+
+#[test]
+fn determinism_of_joints_links_and_bullets_on_any_number_of_threads() {
+    let expected = run_workshop();
+    for threads in [1, 2, 3, 8, 80] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let found = pool.expect("a pool of threads").install(run_workshop);
+        assert_eq!(expected, found, "{threads} threads");
+    }
+}
+
+/// Worlds that are stepped at the same time in one pool, each by one of its threads and whoever is free.
+#[test]
+fn determinism_of_worlds_that_share_a_pool() {
+    use rayon::prelude::*;
+    let expected = run(world());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool of threads");
+    let found: Vec<_> = pool.install(|| (0..8).into_par_iter().map(|_| run(world())).collect());
+    assert!(found.iter().all(|bits| *bits == expected));
 }
 
 #[test]

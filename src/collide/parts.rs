@@ -4,6 +4,7 @@
 //! only part. Parts that are far from the other shape are never looked at.
 
 use super::voxels::{for_each_voxel, with_voxel};
+use crate::base::bvh::SlabProbe;
 use crate::dim::collide::{
     Flat, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_of, for_each_cell,
     for_each_free_cell, has_free_cells, with_cell,
@@ -150,7 +151,8 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Calls `f` with every part that may reach into `near`, always in the same order.
+    /// Calls `f` with every part that may reach into `near`, always in the same order; where something moves along a
+    /// line, perhaps more than once.
     pub fn for_each_part(&self, near: &Near, f: &mut dyn FnMut(Part<'_>)) {
         match *self {
             Self::Convex(shape) => f(Part::whole(shape)),
@@ -161,17 +163,14 @@ impl<'a> Parts<'a> {
                     });
                 }
             }
-            Self::Grid(_, field) => {
-                let Some(region) = near.clipped(field.local_aabb()) else { return };
-                for_each_cell(field, &region, &mut |id, shape, constraints| {
+            Self::Grid(_, field) => near.for_each_piece(field.local_aabb(), |region| {
+                for_each_cell(field, region, &mut |id, shape, constraints| {
                     f(Part { id, pose: None, shape, constraints });
                 });
-            }
-            Self::Voxels(_, voxels) => {
-                if let Some(region) = near.clipped(voxels.local_aabb()) {
-                    for_each_voxel(voxels, &region, f);
-                }
-            }
+            }),
+            Self::Voxels(_, voxels) => near.for_each_piece(voxels.local_aabb(), |region| {
+                for_each_voxel(voxels, region, f);
+            }),
         }
     }
 }
@@ -180,6 +179,8 @@ impl<'a> Parts<'a> {
 pub(super) enum Near {
     /// Inside a box.
     Inside(Aabb),
+    /// In the way of something that moves along a line.
+    Along(Line),
     /// Below a plane: where `normal · x ≤ offset`.
     Below {
         /// Unit normal of the plane.
@@ -205,6 +206,7 @@ impl Near {
     pub fn bounds(&self) -> Option<Aabb> {
         match self {
             Self::Inside(region) => Some(*region).filter(|region| region.extents().is_finite()),
+            Self::Along(line) => Some(line.region),
             Self::Below { .. } => None,
         }
     }
@@ -213,9 +215,12 @@ impl Near {
     #[inline]
     fn touches(&self, node: &BvhNode) -> bool {
         match self {
-            Self::Inside(region) => {
-                // parry has this test in lanes; but not where it could be inlined, and a call costs more.
-                node.mins().cmple(region.maxs).all() && node.maxs().cmpge(region.mins).all()
+            Self::Inside(region) => overlaps(node, region),
+            Self::Along(line) => {
+                overlaps(node, &line.region) && {
+                    let [start, end] = line.probe.span(&Aabb::new(node.mins(), node.maxs()));
+                    start <= end.min(1.0)
+                }
             }
             Self::Below { normal, offset } => {
                 let (mins, maxs) = (node.mins(), node.maxs());
@@ -229,8 +234,58 @@ impl Near {
     /// A box that covers what of `bounds` lies in the region; `None` if nothing does.
     fn clipped(&self, bounds: Aabb) -> Option<Aabb> {
         match self {
-            Self::Inside(region) => bounds.intersection(region),
+            Self::Inside(region) | Self::Along(Line { region, .. }) => bounds.intersection(region),
             Self::Below { .. } => Some(bounds),
         }
+    }
+
+    /// Calls `f` with boxes that cover what of `bounds` lies in the region.
+    fn for_each_piece(&self, bounds: Aabb, mut f: impl FnMut(&Aabb)) {
+        let Some(whole) = self.clipped(bounds) else { return };
+        let Self::Along(line) = self else { return f(&whole) };
+        let [start, end] = line.probe.span(&whole);
+        let (start, end) = (start.min(1.0), end.min(1.0));
+        let length = (end - start) * line.way.length();
+        let count = (length / (2.0 * line.radius)).ceil().clamp(1.0, MAX_PIECES);
+        let at = |k: Real| line.start + line.way * (start + (end - start) * (k / count));
+        for k in 0..count as usize {
+            let (from, to) = (at(k as Real), at(k as Real + 1.0));
+            let piece = Aabb::new(from.min(to), from.max(to)).loosened(line.radius);
+            whole.intersection(&piece).iter().for_each(&mut f);
+        }
+    }
+}
+
+#[inline]
+fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
+    // parry has this test in lanes; but not where it could be inlined, and a call costs more.
+    node.mins().cmple(region.maxs).all() && node.maxs().cmpge(region.mins).all()
+}
+
+/// Into how many boxes a line is divided at most.
+const MAX_PIECES: Real = 64.0;
+
+/// The way of something that moves along a line, whichever way it turns.
+///
+/// A box around a long way that is aslant holds nearly everything: all triangles of a terrain, of which a line passes
+/// some hundred.
+pub(super) struct Line {
+    start: Vector,
+    way: Vector,
+    radius: Real,
+    probe: SlabProbe,
+    region: Aabb,
+}
+
+impl Line {
+    /// The way of all points within `radius` of `start`; all of it lies in `region`. `None` if it is no longer than wide
+    /// and the region says enough, or has no end.
+    pub fn new(start: Vector, way: Vector, radius: Real, region: Aabb) -> Option<Self> {
+        let length = way.length();
+        let is_long = radius > 0.0 && length > 2.0 * radius;
+        (is_long && length.is_finite() && start.is_finite()).then(|| {
+            let probe = SlabProbe::new(start, way, Vector::splat(radius));
+            Self { start, way, radius, probe, region }
+        })
     }
 }

@@ -21,7 +21,7 @@
 //! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
 //! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
 
-use super::parts::{Near, Part, Parts};
+use super::parts::{Line, Near, Part, Parts};
 use crate::base::closest::{Closest, closest};
 use crate::dim::math::{
     ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
@@ -150,7 +150,7 @@ pub(crate) fn first_impact(
     };
     let [parts1, parts2] = shapes.map(Parts::of);
     // What of one shape may be met by the whole of the other.
-    let near = |side: usize| Near::Inside(path_of_other(shapes, sweeps, side));
+    let near = |side: usize| path_of_other(shapes, sweeps, side);
     parts1.for_each_part(&near(0), &mut |part1| {
         let sweep1 = sweeps[0].of_part(&part1.pose());
         parts2.for_each_part(&near(1), &mut |part2| {
@@ -161,17 +161,24 @@ pub(crate) fn first_impact(
     first
 }
 
-/// A box, in the frame of the shape on a side, around all places of the other shape.
-fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep; 2], side: usize) -> Aabb {
+/// A region, in the frame of the shape on a side, around all places of the other shape.
+fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep; 2], side: usize) -> Near {
     let (own, other, shape) = (sweeps[side], sweeps[1 - side], shapes[1 - side]);
-    if own.shift == Vector::ZERO && ang_length_squared(own.turn) == 0.0 {
-        return other.region(shape).transform_by(&own.start.inverse());
+    let stays = own.shift == Vector::ZERO;
+    if ang_length_squared(own.turn) == 0.0 && (stays || own.stop == other.stop) {
+        let region = other.region(shape).loosened(own.shift.length());
+        let region = region.transform_by(&own.start.inverse());
+        let start = own.start.inverse_transform_point(other.center);
+        let way = own.start.rotation.inverse() * ((other.shift - own.shift) * other.stop);
+        let radius = reach_about(shape, other.local_center);
+        let line = Line::new(start, way, radius, region);
+        return line.map_or(Near::Inside(region), Near::Along);
     }
     // As seen from something that turns, the other moves by no more than both do.
     let away = own.start.inverse_transform_point(other.center).length() + other.shift.length();
     let turn = ang_length_squared(own.turn).sqrt() * (away + own.local_center.length());
     let region = other.region(shape).loosened(own.shift.length());
-    region.transform_by(&own.start.inverse()).loosened(turn)
+    Near::Inside(region.transform_by(&own.start.inverse()).loosened(turn))
 }
 
 /// When the first part is stopped by the second.
@@ -242,8 +249,9 @@ fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep; 2], goal: Goal, until: Real)
         let closing = nearing + turning;
         // Not so far that they would touch: closest points of what touches are not always found.
         share += (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
-        // Not if they part, and the quotient is infinite.
-        if !(share < until) {
+        // Not if they part, and the quotient is infinite; nor if it is no number.
+        let may_meet = share < until;
+        if !may_meet {
             return Meeting::Never;
         }
     }

@@ -34,6 +34,7 @@ use crate::model::tree::BroadPhaseBvh;
 use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use solver::SolverScratch;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use user_changes::Digest;
 
 /// A world, taken apart.
@@ -201,7 +202,12 @@ fn move_bodies(
     parts.counters.stages.solver_time.pause();
 
     parts.counters.stages.ccd_time.resume();
-    stop_fast_bodies(tasks, parts, scratch);
+    // Bodies have moved: whatever a hook does, the rest of the world must follow them.
+    let search = AssertUnwindSafe(|| find_impacts(tasks, parts, scratch));
+    let found = catch_unwind(search);
+    let (fast, stops, counters) =
+        (&scratch.notes.fast, &scratch.continuous, &mut parts.counters.ccd);
+    continuous::stop(parts.bodies, fast, stops, counters);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -209,9 +215,10 @@ fn move_bodies(
     let scratch = &mut scratch.advance;
     advance::advance(tasks, bodies, colliders, islands, broad_phase, params, scratch);
     parts.counters.stages.update_time.pause();
+    found.unwrap_or_else(|panic| resume_unwind(panic));
 }
 
-fn stop_fast_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+fn find_impacts(tasks: Tasks<'_>, parts: &StepParts<'_>, scratch: &mut StepScratch) {
     let StepScratch { notes, continuous, .. } = scratch;
     let around = continuous::Surroundings {
         bodies: parts.bodies,
@@ -222,7 +229,6 @@ fn stop_fast_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut S
         hooks: parts.hooks,
     };
     continuous::find_impacts(tasks, around, &notes.fast, continuous);
-    continuous::stop(parts.bodies, &notes.fast, continuous, &mut parts.counters.ccd);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {

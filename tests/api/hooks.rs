@@ -3,6 +3,7 @@
 use super::stage::{Protocol, add_box, close, height, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Refuses all pairs it is asked about, and counts.
@@ -215,4 +216,29 @@ fn who_did_not_wish_it_is_not_modified() {
         world.step_with_events(&Change(|context| context.clear_contacts()), &());
     }
     close(height(&world, body), 0.5, 0.01);
+}
+
+/// Panics where a sensor is.
+struct Allergic;
+
+impl PhysicsHooks for Allergic {
+    fn filter_intersection_pair(&self, _: &PairFilterContext) -> bool {
+        panic!("a sensor");
+    }
+}
+
+/// What was found in a step that a hook broke off is told by the next.
+#[test]
+fn contacts_are_told_of_after_a_panic() {
+    let (mut world, ground) = world_with_ground();
+    world.gravity = Vector::ZERO;
+    let (_, collider) = add_box(&mut world, vec(0.0, 0.499), telling);
+    let wish = ActiveHooks::FILTER_INTERSECTION_PAIR;
+    world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(wish), None);
+    let step = AssertUnwindSafe(|| world.step_with_events(&Allergic, &()));
+    assert!(catch_unwind(step).is_err());
+    let heard = Protocol::default().of_steps(&mut world, 2);
+    assert_eq!(heard.iter().filter(|event| event.started() && !event.sensor()).count(), 1);
+    let touches = world.contact_pair(ground, collider).is_some_and(|p| p.has_any_active_contact);
+    assert!(touches);
 }

@@ -4,6 +4,7 @@ use super::listener::{listen, names};
 use super::scene::Scene;
 use super::values::{EDGES, edge_vectors};
 use super::world::check;
+use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -180,4 +181,61 @@ fn a_world_outlives_the_panics_of_hooks_and_handlers() {
         steps(&mut scene, &Hooks::default(), round % 4);
     }
     scene.steps(60);
+}
+
+/// Nothing gets through a plate because a hook panicked while its path was searched.
+#[test]
+fn nothing_passes_while_a_hook_panics() {
+    for at in 0..20 {
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(cuboid(50.0, 0.05), None);
+        let balls: [_; 8] = core::array::from_fn(|k| {
+            let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, 2.0));
+            let ball = ColliderBuilder::ball(0.1).active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS);
+            world.insert(body.linvel(vec(0.0, -300.0)).ccd_enabled(k % 2 == 0), ball).0
+        });
+        let calls = AtomicUsize::new(0);
+        let filter = || {
+            assert!(calls.fetch_add(1, Relaxed) != at, "a filter");
+            true
+        };
+        let hooks = Hooks { filter: Some(&filter), modify: None };
+        let mut step = || {
+            let step = AssertUnwindSafe(|| world.step_with_events(&hooks, &()));
+            catch_unwind(step).is_err()
+        };
+        assert_eq!((0..30).filter(|_| step()).count(), 1, "panics of call {at}");
+        for ball in balls {
+            let height = world.bodies[ball].translation().y;
+            assert!(height > 0.0, "at {height} after a panic of call {at}");
+        }
+    }
+}
+
+/// A hook may use the pool of the step, step another world, and ask the world that is stepped.
+#[test]
+fn hooks_may_do_all_that_is_parallel() {
+    let filter = || {
+        let mut other = PhysicsWorld::new();
+        other.insert_collider(cuboid(5.0, 0.5), None);
+        for k in 0..40 {
+            let at = vec(0.0, 1.0 + Real::from(k as u8));
+            other.insert(RigidBodyBuilder::dynamic().translation(at), ColliderBuilder::ball(0.4));
+        }
+        other.step();
+        let rays: Vec<Ray> = (0..200).map(|_| Ray::new(vec(0.0, 90.0), vec(0.0, -1.0))).collect();
+        let view = other.query_pipeline();
+        let hits = view.cast_rays(&rays, 1000.0, true);
+        let (left, right) = rayon::join(|| hits.len(), || rays.len());
+        left == right
+    };
+    let hooks = Hooks { filter: Some(&filter), modify: None };
+    let run = |hooks: &Hooks<'_>| {
+        let mut scene = scene();
+        steps(&mut scene, hooks, 10);
+        scene.bystanders_in_the_end()
+    };
+    let expected = run(&Hooks::default());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
+    assert_eq!(pool.install(|| run(&hooks)), expected);
 }

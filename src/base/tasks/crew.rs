@@ -7,7 +7,8 @@
 //!
 //! Each thread has a *share* of a loop's pieces and takes them from its front: always the same part of the blocks
 //! and bodies, which is in its cache from the last loop. Whoever has finished takes from the back of the others.
-//! The thread that opened the loop needs nobody: in a pool whose threads are all busy it does everything itself.
+//! The thread that opened the loop needs nobody: in a pool whose threads are all busy it does everything itself, and
+//! helpers who come too late find a crew that is dissolved: it belongs to all of them.
 //!
 //! The alternative that lost is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two cores, and
 //! pieces that wander from thread to thread. The way of Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024), workers
@@ -21,7 +22,7 @@
 
 use core::any::Any;
 use core::cell::{Cell, UnsafeCell};
-use core::mem::transmute;
+use core::mem::{forget, transmute};
 use core::ops::Range;
 use core::panic::AssertUnwindSafe;
 use core::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -60,6 +61,8 @@ struct Loop {
 // SAFETY: `current` is written by the owner of the crew alone and read by those who hold a piece of the open loop;
 // see the module's head. The work is `Sync`, and all else is made for sharing.
 unsafe impl Sync for Crew {}
+// SAFETY: as above; the last helper to leave drops the crew, and of the work only the address.
+unsafe impl Send for Crew {}
 
 // A thread that works for one step does not start helping with another: that one might wait for what it is doing.
 thread_local! {
@@ -71,7 +74,7 @@ impl Crew {
     pub fn new(threads: usize) -> Self {
         Self {
             threads: threads.clamp(1, MAX_THREADS),
-            shares: [const { Share::EMPTY }; MAX_THREADS],
+            shares: [const { Share::empty() }; MAX_THREADS],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
             hired: AtomicU64::new(1),
@@ -115,7 +118,9 @@ impl Crew {
             pause.wait();
         }
         let panic = self.panic.lock().unwrap_or_else(PoisonError::into_inner).take();
-        panic.into_iter().for_each(|panic| resume_unwind(panic));
+        if let Some(panic) = panic {
+            resume_unwind(panic);
+        }
     }
 
     fn fill_vacancies(&self, hire: &dyn Fn(usize)) {
@@ -168,7 +173,12 @@ impl Crew {
         };
         let range = piece * size..((piece + 1) * size).min(count);
         if let Err(panic) = catch_unwind(AssertUnwindSafe(|| work(range))) {
-            self.panic.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(panic);
+            let mut first = self.panic.lock().unwrap_or_else(PoisonError::into_inner);
+            match &*first {
+                None => *first = Some(panic),
+                // To drop it might panic again, and the piece would never be done.
+                Some(_) => forget(panic),
+            }
         }
         self.done.fetch_add(1, Ordering::Release);
     }
@@ -192,7 +202,9 @@ impl Drop for Owner<'_> {
 struct Share(AtomicU64);
 
 impl Share {
-    const EMPTY: Self = Self(AtomicU64::new(0));
+    const fn empty() -> Self {
+        Self(AtomicU64::new(0))
+    }
 
     fn pack(pieces: Range<usize>) -> u64 {
         (pieces.start as u64) << 32 | pieces.end as u64

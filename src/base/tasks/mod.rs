@@ -11,6 +11,8 @@ mod crew;
 use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
 use core::ops::Range;
+#[cfg(feature = "parallel")]
+use std::sync::Arc;
 
 /// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
 #[cfg(feature = "parallel")]
@@ -41,13 +43,14 @@ impl Tasks<'_> {
         if threads <= 1 {
             return work(Tasks::SERIAL);
         }
-        let crew = crew::Crew::new(threads);
-        let crew = &crew;
-        rayon::in_place_scope(|scope| {
-            let hire = |number| scope.spawn(move |_| crew.help(number));
-            let _owner = crew.own();
-            work(Tasks { crew: Some((crew, &hire)), unshared: PhantomData })
-        })
+        let crew = Arc::new(crew::Crew::new(threads));
+        // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
+        let hire = |number| {
+            let crew = Arc::clone(&crew);
+            rayon::spawn(move || crew.help(number));
+        };
+        let _owner = crew.own();
+        work(Tasks { crew: Some((&crew, &hire)), unshared: PhantomData })
     }
 
     /// Calls `work` with the calling thread alone: there are others with the feature `parallel`.
@@ -144,8 +147,10 @@ mod tests {
     #[cfg(feature = "parallel")]
     mod pools {
         use super::*;
-        use std::panic::{AssertUnwindSafe, catch_unwind};
+        use std::panic::{AssertUnwindSafe, catch_unwind, panic_any};
+        use std::sync::Arc;
         use std::sync::atomic::{AtomicUsize, Ordering};
+        use std::sync::mpsc::channel;
 
         fn pool(threads: usize) -> rayon::ThreadPool {
             rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
@@ -214,6 +219,53 @@ mod tests {
                             assert_eq!(sum.0 + sum.1, range.end);
                         });
                     }
+                });
+            });
+        }
+
+        /// All threads of the pool wait for the step that was opened outside: it must not wait for them.
+        #[test]
+        fn a_step_does_not_wait_for_threads_that_are_busy() {
+            let (release, gate) = channel::<()>();
+            let gate = Arc::new(Mutex::new(gate));
+            let (began, begun) = channel();
+            for _ in 0..rayon::current_num_threads() {
+                let (gate, began) = (Arc::clone(&gate), began.clone());
+                rayon::spawn(move || {
+                    began.send(()).unwrap();
+                    let _ = gate.lock().unwrap().recv();
+                });
+            }
+            (0..rayon::current_num_threads()).for_each(|_| begun.recv().unwrap());
+            let (done, end) = channel();
+            std::thread::spawn(move || {
+                Tasks::open(check_cover);
+                done.send(()).unwrap();
+            });
+            let in_time = end.recv_timeout(core::time::Duration::from_secs(20));
+            drop(release);
+            in_time.expect("the step waits for the pool");
+        }
+
+        /// What panics carry may panic when it is dropped. Nobody must wait for pieces that ended so.
+        #[test]
+        fn panics_may_carry_anything() {
+            struct Bomb;
+
+            impl Drop for Bomb {
+                fn drop(&mut self) {
+                    assert!(std::thread::panicking(), "dropped");
+                }
+            }
+
+            pool(2).install(|| {
+                Tasks::open(|tasks| {
+                    let work = |_| panic_any(Bomb);
+                    let panic =
+                        catch_unwind(AssertUnwindSafe(|| tasks.par_for(64, 1, work))).unwrap_err();
+                    assert!(panic.is::<Bomb>());
+                    core::mem::forget(panic);
+                    check_cover(tasks);
                 });
             });
         }

@@ -5,6 +5,7 @@ mod capsules;
 mod floors;
 mod fuzz;
 mod hulls;
+mod lines;
 mod matching;
 mod polytopes;
 mod small;

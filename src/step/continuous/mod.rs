@@ -68,7 +68,8 @@ pub(crate) fn find_impacts(
     if fast.is_empty() || around.params.max_ccd_substeps == 0 {
         return;
     }
-    stops.resize(fast.len(), 1.0);
+    // Whose path could not be searched because a hook panicked is not moved.
+    stops.resize(fast.len(), 0.0);
     tasks.par_fill(stops, BODIES_PER_TASK, |index| {
         let path = Path::of(around, &fast[index], 1.0);
         path.map_or(1.0, |path| path.first_stop(around))

@@ -18,6 +18,7 @@ use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::{PairChange, StepNotes};
 use smallvec::SmallVec;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// Pairs that are worth handing over to another thread together.
 const PAIRS_PER_TASK: usize = 16;
@@ -85,8 +86,17 @@ pub(crate) fn update(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) {
-    update_store(tasks, around, &mut narrow_phase.contacts, scratch, &mut notes.contacts);
-    update_store(tasks, around, &mut narrow_phase.intersections, scratch, &mut notes.intersections);
+    let NarrowPhase { contacts, intersections, .. } = narrow_phase;
+    let look = AssertUnwindSafe(|| {
+        update_store(tasks, around, contacts, scratch, &mut notes.contacts);
+        update_store(tasks, around, intersections, scratch, &mut notes.intersections);
+    });
+    if let Err(panic) = catch_unwind(look) {
+        // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
+        contacts.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
+        intersections.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
+        resume_unwind(panic);
+    }
 }
 
 /// A kind of pair, and how it is computed.
