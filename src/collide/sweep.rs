@@ -19,13 +19,15 @@
 //! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
 //! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
 //! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
-//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
+//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. What has no
+//! inside, a mesh or a segment, has no core and is not stopped.
 
 use super::parts::{Line, Near, Part, Parts};
 use crate::base::closest::{Closest, closest};
 use crate::dim::math::{
     ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
 };
+use crate::model::collider::thickness;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::{Shape, SupportMap, TypedShape};
 
@@ -188,7 +190,10 @@ fn impact_of_parts(
     until: Real,
 ) -> Option<Real> {
     let sweeps = [sweep1, sweep2];
-    let thickness = thickness_of(part1.shape);
+    let thickness = thickness(part1.shape);
+    if thickness == Real::INFINITY {
+        return None;
+    }
     let (whole, other) = (Body::whole(part1.shape)?, Body::whole(part2.shape)?);
     let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
@@ -413,21 +418,19 @@ fn middle(shape: &dyn SupportMap) -> Vector {
     (0..corners).map(diagonal).sum::<Vector>() / corners as Real
 }
 
-/// How deep one can get into a part at most, roughly.
-fn thickness_of(shape: &dyn Shape) -> Real {
-    let thickness = shape.ccd_thickness();
-    if thickness.is_finite() { thickness } else { 0.0 }
-}
-
 /// How much smaller a box around a shape's core is at least on all sides, with what the search tolerates.
 fn layer_of(shape: &dyn Shape) -> Real {
+    let thickness = thickness(shape);
+    if thickness == Real::INFINITY {
+        return 0.0;
+    }
     let share = match shape.as_typed_shape() {
         TypedShape::Ball(_) | TypedShape::Capsule(_) | TypedShape::Cuboid(_) => CORE_DEPTH,
         TypedShape::HalfSpace(_) => 0.0,
         // Drawn together towards the middle, which need not be that of its box.
         _ => 0.5 * CORE_DEPTH,
     };
-    ((share - CORE_TOLERANCE) * thickness_of(shape)).max(0.0)
+    ((share - CORE_TOLERANCE) * thickness).max(0.0)
 }
 
 /// How far a shape reaches from a point of its frame.

@@ -29,6 +29,7 @@ pub use active::{ActiveCollisionTypes, ActiveEvents, ActiveHooks};
 pub use builder::ColliderBuilder;
 pub(crate) use check::check_points;
 pub use error::InvalidCollider;
+pub(crate) use extent::thickness;
 pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
 pub(crate) use interact::may_interact;
