@@ -186,6 +186,37 @@ fn only_indexing_panics_and_names_the_handle() {
     }
 }
 
+/// The same before the first step. Each collider goes with its own body, on whatever thread.
+#[test]
+fn bodies_can_be_replaced_before_they_are_known() {
+    let mut world = PhysicsWorld::new();
+    world.gravity = Vector::ZERO;
+    let place = |k: usize| crate::dim::vec(4.0 * k as Real, 0.0);
+    let mut insert = |k: usize| {
+        let body = RigidBodyBuilder::dynamic().translation(place(k));
+        world.insert(body, ColliderBuilder::ball(0.5))
+    };
+    let made: Vec<_> = (0..4).map(&mut insert).collect();
+    world.bodies[made[1].0] = world.bodies[made[0].0].clone();
+    let (second, third) = world.bodies.get_pair_mut(made[2].0, made[3].0);
+    core::mem::swap(second.unwrap(), third.unwrap());
+    for _ in 0..3 {
+        for (body, _) in &made {
+            world.bodies[*body].set_linvel(crate::dim::vec(1.0, 0.0), true);
+        }
+        world.step();
+    }
+    for (body, collider) in made {
+        let (body, at) = (&world.bodies[body], world.colliders[collider].translation());
+        assert_eq!(body.colliders(), [collider]);
+        assert!(
+            (body.translation() - at).length() < 1.0e-6,
+            "{at} is not at {}",
+            body.translation()
+        );
+    }
+}
+
 /// Whoever holds a body by `&mut` can put another one in its place. The world must not mix them up.
 #[test]
 fn a_body_put_in_the_place_of_another_takes_that_place() {

@@ -187,6 +187,11 @@ impl RigidBodySet {
         core::mem::take(&mut self.notes.modified)
     }
 
+    /// The same list, as long as nobody has taken it.
+    pub(crate) fn modified(&self) -> &[RigidBodyHandle] {
+        &self.notes.modified
+    }
+
     /// Gives bodies that were put in the place of others the places of those, and returns their
     /// handles. They are to be looked at as if they were new.
     pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
