@@ -111,12 +111,13 @@ impl Sweep {
 
     /// A box around everything that a shape passes.
     pub fn region(&self, shape: &dyn Shape) -> Aabb {
-        let reach = reach_about(shape, self.local_center);
-        let end = self.center + self.shift * self.stop;
-        let path = Aabb::new(self.center.min(end), self.center.max(end)).loosened(reach);
-        let ends = shape.compute_aabb(&self.start).merged(&shape.compute_aabb(&self.at(1.0)));
         // Without much turning both ends say all.
-        if ang_length_squared(self.turn) < 1.0e-4 { ends } else { path }
+        if ang_length_squared(self.turn) < 1.0e-4 {
+            return shape.compute_aabb(&self.start).merged(&shape.compute_aabb(&self.at(1.0)));
+        }
+        let end = self.center + self.shift * self.stop;
+        let path = Aabb::new(self.center.min(end), self.center.max(end));
+        path.loosened(reach_about(shape, self.local_center))
     }
 }
 
@@ -150,12 +151,15 @@ pub(crate) fn first_impact(
             first = Some(share);
         }
     };
-    let [parts1, parts2] = shapes.map(Parts::of);
+    let parts = shapes.map(Parts::of);
     // What of one shape may be met by the whole of the other.
-    let near = |side: usize| path_of_other(shapes, sweeps, side);
-    parts1.for_each_part(&near(0), &mut |part1| {
+    let near = [0, 1].map(|side| match parts[side] {
+        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
+        _ => path_of_other(shapes, sweeps, side),
+    });
+    parts[0].for_each_part(&near[0], &mut |part1| {
         let sweep1 = sweeps[0].of_part(&part1.pose());
-        parts2.for_each_part(&near(1), &mut |part2| {
+        parts[1].for_each_part(&near[1], &mut |part2| {
             let sweep2 = sweeps[1].of_part(&part2.pose());
             visit([(&part1, &sweep1), (&part2, &sweep2)]);
         });

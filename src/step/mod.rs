@@ -202,9 +202,11 @@ fn move_bodies(
     parts.counters.stages.solver_time.pause();
 
     parts.counters.stages.ccd_time.resume();
+    parts.counters.ccd.toi_computation_time.resume();
     // Bodies have moved: whatever a hook does, the rest of the world must follow them.
     let search = AssertUnwindSafe(|| find_impacts(tasks, parts, scratch));
     let found = catch_unwind(search);
+    parts.counters.ccd.toi_computation_time.pause();
     let (fast, stops, counters) =
         (&scratch.notes.fast, &scratch.continuous, &mut parts.counters.ccd);
     continuous::stop(parts.bodies, fast, stops, counters);

@@ -12,6 +12,7 @@ use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::tree::TreeKind;
 use crate::step::notes::FastMotion;
 use core::cmp::Ordering;
+use parry::bounding_volume::Aabb;
 use std::collections::BinaryHeap;
 
 /// Buffers of the search.
@@ -138,18 +139,20 @@ impl Bullets {
         self.pairs.clear();
         self.by_slot.clear();
         self.boxes.clear();
-        for (position, motion) in fast.iter().enumerate() {
-            self.by_slot.push((motion.body.into_raw_parts().0, position as u32));
-            if let Some(path) = Path::of(around, motion, stops[position]) {
-                self.boxes.insert(&path.region(), position as u32);
+        let mut bullets = Vec::new();
+        for (position, motion) in (0..).zip(fast) {
+            self.by_slot.push((motion.body.into_raw_parts().0, position));
+            let path = Path::of(around, motion, stops[position as usize]);
+            let Some(path) = path.filter(|path| !path.movers.is_empty()) else { continue };
+            let region = path.region();
+            self.boxes.insert(&region, position);
+            if path.body.ccd_enabled {
+                bullets.push((position, region));
             }
         }
         self.by_slot.sort_unstable();
-        for (position, motion) in fast.iter().enumerate() {
-            let Some(path) = Path::of(around, motion, stops[position]) else { continue };
-            if path.body.ccd_enabled {
-                self.find_others(position as u32, &path, around, fast);
-            }
+        for (bullet, region) in bullets {
+            self.find_others(bullet, &region, around, fast);
         }
         self.pairs.sort_unstable();
         self.pairs.dedup();
@@ -158,13 +161,12 @@ impl Bullets {
     fn find_others(
         &mut self,
         bullet: u32,
-        path: &Path<'_>,
+        region: &Aabb,
         around: Surroundings<'_>,
         fast: &[FastMotion],
     ) {
-        let region = path.region();
         let Self { boxes, pairs, by_slot, .. } = self;
-        boxes.for_each_leaf(&BoxProbe(region), |other| {
+        boxes.for_each_leaf(&BoxProbe(*region), |other| {
             let body = around.bodies.get(fast[other as usize].body);
             let is_bullet = body.is_some_and(|body| body.ccd_enabled);
             // Of two bullets each finds the other.
@@ -172,7 +174,7 @@ impl Bullets {
                 pairs.push(Pair { bullet, other: Other::Fast(other) });
             }
         });
-        around.trees.for_each_overlapping(TreeKind::Movable, &region, |slot| {
+        around.trees.for_each_overlapping(TreeKind::Movable, region, |slot| {
             let parent = around.colliders.at_slot(slot).and_then(|(_, c)| c.parent());
             let Some(handle) = parent else { return };
             let is_fast =

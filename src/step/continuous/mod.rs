@@ -6,7 +6,7 @@
 //! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
-//! thickness in one step ([`FAST`]) could be on the other side before it ever touched. So its path is searched, from
+//! thickness in one step (`src/step/solver/bodies/store.rs`) could be on the other side before it ever touched. So its path is searched, from
 //! where its colliders still are to where the solver has put it, and it is stopped where it would get through
 //! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
 //! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would

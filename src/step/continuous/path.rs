@@ -6,6 +6,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
 use crate::model::hooks::PairFilterContext;
+use crate::model::island::NONE;
 use crate::model::tree::TreeKind;
 use crate::step::notes::FastMotion;
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -165,5 +166,5 @@ fn sweep_of_slow(around: Surroundings<'_>, body: &RigidBody, collider: &Collider
 }
 
 fn body_slot(collider: &Collider) -> u32 {
-    collider.parent().map_or(crate::model::island::NONE, |body| body.into_raw_parts().0)
+    collider.parent().map_or(NONE, |body| body.into_raw_parts().0)
 }

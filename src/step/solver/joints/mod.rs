@@ -238,7 +238,10 @@ impl SolverJoints {
         };
         self.direct.solve(&mut self.memory, shared, wanted, false, simd, tasks);
         let memory = &self.memory;
-        tasks.par_for(count, BLOCKS_PER_TASK, |range| simd.run(Count { range, blocks, memory }));
+        let end = End::Count;
+        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+            simd.run(Finish { range, blocks, memory, end });
+        });
         for (state, start) in states.iter_mut().zip(start) {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(old_v + v, old_w + w);
@@ -275,9 +278,9 @@ impl SolverJoints {
             tasks,
         );
         let memory = &self.memory;
-        let is_last = !AHEAD && pass.is_last_visit;
+        let end = End::Finish { is_last: !AHEAD && pass.is_last_visit };
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Finish { range, blocks, memory, is_last });
+            simd.run(Finish { range, blocks, memory, end });
         });
     }
 }
@@ -386,12 +389,21 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
     }
 }
 
-/// See [`direct::finish`].
+/// What becomes of the changes that an exact solution found.
+#[derive(Copy, Clone)]
+enum End {
+    /// See [`direct::finish`].
+    Finish { is_last: bool },
+    /// See [`direct::count`].
+    Count,
+}
+
+/// Ends an exact solution.
 struct Finish<'a> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
     memory: &'a [RowMemory],
-    is_last: bool,
+    end: End,
 }
 
 impl Kernel for Finish<'_> {
@@ -402,30 +414,11 @@ impl Kernel for Finish<'_> {
         for index in self.range {
             // SAFETY: each block belongs to one task.
             let block = unsafe { self.blocks.get_mut(index) };
-            if block.has_exact {
-                direct::finish::<W>(block, &self.memory[index], self.is_last);
-            }
-        }
-    }
-}
-
-/// See [`direct::count`].
-struct Count<'a> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, JointBlock>,
-    memory: &'a [RowMemory],
-}
-
-impl Kernel for Count<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task.
-            let block = unsafe { self.blocks.get_mut(index) };
-            if block.has_exact {
-                direct::count::<W>(block, &self.memory[index]);
+            let memory = &self.memory[index];
+            match self.end {
+                _ if !block.has_exact => {}
+                End::Finish { is_last } => direct::finish::<W>(block, memory, is_last),
+                End::Count => direct::count::<W>(block, memory),
             }
         }
     }
