@@ -25,6 +25,7 @@ pub use changes::RigidBodyChanges;
 pub use handle::RigidBodyHandle;
 pub use mass::{RigidBodyAdditionalMassProps, RigidBodyMassProps};
 pub use rigid_body::RigidBody;
+pub(crate) use set::BODIES_PER_TASK;
 pub use set::RigidBodySet;
 pub use velocity::RigidBodyVelocity;
 

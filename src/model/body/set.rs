@@ -1,10 +1,16 @@
 //! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
-use crate::base::arena::{Arena, SharedArena};
+use crate::base::arena::Arena;
 use crate::base::hash::FastHashMap;
+use crate::base::tasks::Tasks;
 use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
 use crate::model::island::BodyLink;
+
+/// Bodies that are worth handing over to another thread together.
+pub(crate) const BODIES_PER_TASK: usize = 64;
+/// How many turns before it is needed a body's record is asked for: they are spread over memory.
+const TURNS_AHEAD: usize = 3;
 
 /// What the step needs to know of a body that was removed: its colliders, which go with it (`None`: the
 /// colliders must be asked), and its place in the step's lists.
@@ -254,10 +260,27 @@ impl RigidBodySet {
         self.bodies.get_mut(handle.0)
     }
 
-    /// Bodies for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
-    /// indices in their handles.
-    pub(crate) fn share(&mut self) -> SharedArena<'_, RigidBody> {
-        self.bodies.share()
+    /// Visits bodies for the step's own use, on several threads, with their positions in the list: leaves no notes. `None`
+    /// for a handle that finds no body.
+    ///
+    /// # Safety
+    /// No handle may occur twice.
+    pub(crate) unsafe fn visit(
+        &mut self,
+        handles: &[RigidBodyHandle],
+        tasks: Tasks<'_>,
+        visit: impl Fn(usize, Option<&mut RigidBody>) + Sync,
+    ) {
+        let bodies = self.bodies.share();
+        tasks.par_for(handles.len(), BODIES_PER_TASK, |range| {
+            for position in range {
+                if let Some(later) = handles.get(position + TURNS_AHEAD) {
+                    bodies.prefetch(later.into_raw_parts().0);
+                }
+                // SAFETY: the caller's promise; each position belongs to one task.
+                visit(position, unsafe { bodies.get_mut(handles[position].0) });
+            }
+        });
     }
 
     /// Whatever body stands in a slot, with its handle.

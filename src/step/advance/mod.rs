@@ -6,6 +6,7 @@
 //! Never:   changes a velocity or the structure
 
 use crate::base::arena::SharedArena;
+use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RigidBody, RigidBodySet};
@@ -13,11 +14,6 @@ use crate::model::collider::{Collider, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{self, BroadPhaseBvh};
-
-/// Bodies that are worth handing over to another thread together.
-const BODIES_PER_TASK: usize = 64;
-/// How many turns before it is needed a body's record is asked for: they are spread over memory.
-const TURNS_AHEAD: usize = 3;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -37,21 +33,22 @@ pub(crate) fn advance(
     AdvanceScratch { leavers }: &mut AdvanceScratch,
 ) {
     let awake = islands.awake.as_slice();
+    leavers.clear();
     leavers.resize(awake.len(), false);
-    let (all_bodies, all_colliders) = (bodies.share(), colliders.share());
-    tasks.par_fill(leavers, BODIES_PER_TASK, |position| {
-        if let Some(later) = awake.get(position + TURNS_AHEAD) {
-            all_bodies.prefetch(later.into_raw_parts().0);
-        }
-        let handle = awake[position];
-        // SAFETY: the list names each body once.
-        let Some(body) = (unsafe { all_bodies.get_mut(handle.0) }) else { return false };
+    let (all_colliders, leaves) = (colliders.share(), DisjointMut::new(leavers));
+    let carry = |position: usize, body: Option<&mut RigidBody>| {
+        let Some(body) = body else { return };
         update_sleep_timer(body, params);
-        let motion = islands.motion_of(handle.into_raw_parts().0);
-        // SAFETY: each collider has one body.
-        motion > 0.0 && unsafe { carry_colliders(body, motion, &all_colliders, params) }
-    });
-    let left = awake.iter().zip(leavers).filter(|(_, leaves)| **leaves);
+        let motion = islands.motion_of(awake[position].into_raw_parts().0);
+        // SAFETY: each collider has one body, and each body a place.
+        unsafe {
+            *leaves.get_mut(position) =
+                motion > 0.0 && carry_colliders(body, motion, &all_colliders, params);
+        }
+    };
+    // SAFETY: the list names each body once.
+    unsafe { bodies.visit(awake, tasks, carry) };
+    let left = awake.iter().zip(&*leavers).filter(|(_, leaves)| **leaves);
     for body in left.filter_map(|(&handle, _)| bodies.get(handle)) {
         follow(body, colliders, tree, params);
     }

@@ -1,8 +1,7 @@
 //! From bodies to the places that the solver knows them by: once per step, on several threads.
 
 use super::motion::Motion;
-use super::{BODIES_PER_TASK, SolverBodies, TURNS_AHEAD, WORLD};
-use crate::base::arena::SharedArena;
+use super::{SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, Vector};
@@ -26,12 +25,12 @@ impl SolverBodies {
     ) {
         self.make_room(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let around = Around { bodies: bodies.share(), multibodies, gravity, params };
+        let around = Around { multibodies, gravity, params };
         let spectators = 0..groups.spectators();
-        self.load_members(order, spectators, &around, params.dt, tasks);
+        self.load_members((order, spectators), bodies, &around, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
-            self.load_members(order, group.members.clone(), &around, h, tasks);
+            self.load_members((order, group.members.clone()), bodies, &around, h, tasks);
         }
     }
 
@@ -41,7 +40,6 @@ impl SolverBodies {
             self.indices[slot as usize] = WORLD;
         }
         self.indices.resize(slot_count.max(self.indices.len()), WORLD);
-        self.listed.clear();
         self.listed.resize(count + 1, NONE);
         self.poses.resize(count + 1, BodyPose::WORLD);
         self.states.resize(count + 1, BodyState::default());
@@ -68,39 +66,35 @@ impl SolverBodies {
 
     fn load_members(
         &mut self,
-        order: &[RigidBodyHandle],
-        members: Range<usize>,
+        (order, members): (&[RigidBodyHandle], Range<usize>),
+        bodies: &mut RigidBodySet,
         around: &Around<'_>,
         h: Real,
         tasks: Tasks<'_>,
     ) {
-        let places = self.places();
-        tasks.par_for(members.len(), BODIES_PER_TASK, |range| {
-            for position in members.start + range.start..members.start + range.end {
-                if let Some(later) = order.get(position + TURNS_AHEAD) {
-                    around.bodies.prefetch(later.into_raw_parts().0);
-                }
-                let handle = order[position];
-                let slot = handle.into_raw_parts().0;
-                // SAFETY: the order names each body once, and places are as many as bodies and one.
-                unsafe {
-                    let place = places.at(position + 1);
-                    match around.bodies.get_mut(handle.0) {
-                        Some(body) if !around.multibodies.moves(slot) => {
-                            place.fill(body, around, h);
-                            places.list(position + 1, body, slot);
-                        }
-                        _ => place.clear(),
+        let (places, handles) = (self.places(), &order[members.clone()]);
+        let fill = |position: usize, body: Option<&mut RigidBody>| {
+            let slot = handles[position].into_raw_parts().0;
+            let index = members.start + position + 1;
+            // SAFETY: places are as many as bodies and one, and each position is visited once.
+            unsafe {
+                let place = places.at(index);
+                match body {
+                    Some(body) if !around.multibodies.moves(slot) => {
+                        place.fill(body, around, h);
+                        places.list(index, body, slot);
                     }
+                    _ => place.clear(),
                 }
             }
-        });
+        };
+        // SAFETY: the order names each body once.
+        unsafe { bodies.visit(handles, tasks, fill) };
     }
 }
 
 /// What bodies are loaded from.
 struct Around<'a> {
-    bodies: SharedArena<'a, RigidBody>,
     multibodies: &'a SolverMultibodies,
     gravity: Vector,
     params: &'a IntegrationParameters,

@@ -10,6 +10,7 @@ use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, ang_length_squared};
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
+use crate::model::body::BODIES_PER_TASK;
 use crate::model::contact::Placement;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
@@ -39,11 +40,6 @@ pub(super) struct SolverBodies {
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX;
-
-/// Bodies that are worth handing over to another thread together.
-const BODIES_PER_TASK: usize = 64;
-/// How many turns before it is needed a body's record is asked for: they are spread over memory.
-const TURNS_AHEAD: usize = 3;
 
 impl SolverBodies {
     /// From now on this group is solved; the others stand still.

@@ -1,7 +1,7 @@
 //! From the solver's states back to the bodies: once per step, on several threads.
 
+use super::SolverBodies;
 use super::motion::Motion;
-use super::{BODIES_PER_TASK, SolverBodies, TURNS_AHEAD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::collide::turned;
@@ -33,41 +33,29 @@ impl SolverBodies {
         let found = Mutex::new(Vec::new());
         let order = groups.order();
         let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
-        let bodies = bodies.share();
-        tasks.par_for(order.len(), BODIES_PER_TASK, |range| {
-            for position in range {
-                if let Some(later) = order.get(position + TURNS_AHEAD) {
-                    bodies.prefetch(later.into_raw_parts().0);
-                }
-                let handle = order[position];
-                let slot = handle.into_raw_parts().0;
-                // SAFETY: the order names each body once.
-                let Some(body) = (unsafe { bodies.get_mut(handle.0) }) else { continue };
-                if multibodies.moves(slot) {
-                    continue;
-                }
-                let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
-                let bound = match body.body_type {
-                    RigidBodyType::KinematicPositionBased => {
-                        move_to(body, body.next_pose, params.dt)
+        let store = |position: usize, body: Option<&mut RigidBody>| {
+            let slot = order[position].into_raw_parts().0;
+            let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
+            let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
+            let bound = match body.body_type {
+                RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
+                _ => {
+                    let (start, center) = (body.pose, body.mprops.world_com);
+                    let (shift, turn) = commit(body, state, motion);
+                    let bound = bound_of(shift, turn, body.extent);
+                    if bound > FAST * body.thickness && body.is_dynamic() {
+                        let (body, acceleration) = (order[position], motion.linear_acceleration);
+                        let fast = FastMotion { body, start, center, shift, turn, acceleration };
+                        lock(&found).push((position, fast));
                     }
-                    _ => {
-                        let (start, center) = (body.pose, body.mprops.world_com);
-                        let (shift, turn) = commit(body, state, motion);
-                        let bound = bound_of(shift, turn, body.extent);
-                        if bound > FAST * body.thickness && body.is_dynamic() {
-                            let (body, acceleration) = (handle, motion.linear_acceleration);
-                            let fast =
-                                FastMotion { body, start, center, shift, turn, acceleration };
-                            lock(&found).push((position, fast));
-                        }
-                        bound
-                    }
-                };
-                // SAFETY: every slot of a body has a bound, and it is this body's.
-                unsafe { *bounds.get_mut(slot as usize) = bound };
-            }
-        });
+                    bound
+                }
+            };
+            // SAFETY: every slot of a body has a bound, and it is this body's.
+            unsafe { *bounds.get_mut(slot as usize) = bound };
+        };
+        // SAFETY: the order names each body once.
+        unsafe { bodies.visit(order, tasks, store) };
         let found = &mut *lock(&found);
         found.sort_unstable_by_key(|&(position, _)| position);
         fast.extend(found.drain(..).map(|(_, motion)| motion));
