@@ -6,7 +6,7 @@
 //! means more than the milliseconds. With one thread only time on the processor counts.
 //!
 //! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps, no continuous collision
-//! detection (this engine has none yet), contact stiffness and recycling as each engine's own
+//! detection, contact stiffness and recycling as each engine's own
 //! defaults have them, the same compiler profile. Every step counts, the first one too.
 //!
 //! All engines are linked into one program. This engine and Rapier share the geometry crate, and

@@ -45,6 +45,7 @@ impl Template {
         let mut world = (self.build)().world;
         world.integration_parameters.dt = DT;
         world.integration_parameters.num_solver_iterations = SUBSTEPS;
+        world.integration_parameters.max_ccd_substeps = 0;
         for (_, body) in world.bodies.iter_mut() {
             *body.activation_mut() = RigidBodyActivation::cannot_sleep();
         }
@@ -109,6 +110,8 @@ impl crate::engine::Template for Template {
 
     fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)> {
         let mut world = self.fresh_world();
+        // Here no peer is beside it, and the stage is to be seen.
+        world.integration_parameters.max_ccd_substeps = 1;
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
         for done in 1..=steps {
             world.step();
