@@ -1,7 +1,6 @@
 //! The sparse solution in its dense equations, and what is solved sparsely.
 
 use super::factor::Factor;
-use super::masses::InverseMass;
 use super::memory::RowMemory;
 use super::pattern::{Member, Pattern};
 use crate::base::disjoint::DisjointMut;
@@ -53,7 +52,7 @@ impl Net {
         pattern.build(&self.members, self.body_count);
         for member in &self.members {
             let at = [member.block, member.lane].map(|number| number as usize);
-            pattern.place(member.slot, at, || [InverseMass::ONE; 2]);
+            pattern.place(member.slot, at);
         }
         pattern
     }
@@ -97,6 +96,10 @@ impl Net {
 
 fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
     let mut memory = RowMemory::EMPTY;
+    for side in 0..2 {
+        memory.inv_mass[side].set_lane(lane, Vector::ONE);
+        set_symmetric_lane(&mut memory.inv_inertia[side], lane, &unit_inertia());
+    }
     for axis in 0..SPATIAL_DIM {
         for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
             for k in 0..SPATIAL_DIM {
