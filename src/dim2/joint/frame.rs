@@ -32,6 +32,15 @@ pub(crate) fn turned_frame<W: Wide>(
     }
 }
 
+/// The angle after a further turn.
+#[inline(always)]
+pub(crate) fn turned_further<W: Wide>(
+    turn: WideAngVector<W>,
+    by: WideAngVector<W>,
+) -> WideAngVector<W> {
+    turn + by
+}
+
 /// The inverse inertia of a body after the body has turned: the same in 2D.
 #[inline(always)]
 pub(crate) fn turned_inertia<W: Wide>(

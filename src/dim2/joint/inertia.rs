@@ -11,3 +11,9 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
 pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true
 }
+
+/// The inertia of a body whose moment is 1.
+#[cfg(test)]
+pub(crate) fn unit_inertia() -> AngularInertia {
+    1.0
+}

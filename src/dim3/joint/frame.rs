@@ -1,7 +1,7 @@
 //! Frames and levers as the bodies turn, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM, TURN_MAX};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
 
 /// Half the rotation vector, lengthened so that the quaternion `(this, 1)` turns by the whole angle to fifth
@@ -40,6 +40,18 @@ pub(crate) fn turned_frame<W: Wide>(
         z: turned.z * scale,
         w: turned.w * scale,
     }
+}
+
+/// The rotation vector after a further turn: see [`turn_further`](crate::dim3::math::turn_further), which this repeats.
+#[inline(always)]
+pub(crate) fn turned_further<W: Wide>(
+    turn: WideAngVector<W>,
+    by: WideAngVector<W>,
+) -> WideAngVector<W> {
+    let across = cross(by, turn);
+    let correction = across * W::splat(0.5) + cross(by - turn, across) * W::splat(1.0 / 12.0);
+    let is_small = turn.dot(turn).lt(W::splat(TURN_MAX * TURN_MAX));
+    turn + by + WideVector::select(is_small, correction, WideVector::zero())
 }
 
 /// The inverse inertia of a body after the body has turned: `R I⁻¹ Rᵀ`.

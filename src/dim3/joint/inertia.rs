@@ -19,3 +19,9 @@ pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
         differences.into_iter().fold(0.0, |largest: Real, value| largest.max(value.abs()));
     largest <= ROUNDNESS * (m.m11 + m.m22 + m.m33)
 }
+
+/// The inertia of a body whose moments are all 1.
+#[cfg(test)]
+pub(crate) fn unit_inertia() -> AngularInertia {
+    AngularInertia { m11: 1.0, m22: 1.0, m33: 1.0, ..AngularInertia::zero() }
+}

@@ -6,7 +6,7 @@ use super::geometry::Geometry;
 use super::rows::{Factored, Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
-use crate::dim::joint::{angular_to_frame, angular_to_world, turned_inertia};
+use crate::dim::joint::{angular_to_frame, angular_to_world, turned_further, turned_inertia};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
 use crate::dim::wide::{
@@ -462,7 +462,7 @@ fn advanced<W: Wide>(
 ) -> WideMotion<W> {
     WideMotion {
         linear: displacement.linear + velocity.linear * h,
-        angular: displacement.angular + velocity.angular * h,
+        angular: turned_further(displacement.angular, velocity.angular * h),
     }
 }
 

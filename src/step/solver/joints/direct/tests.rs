@@ -5,9 +5,11 @@ use super::memory::RowMemory;
 use super::pattern::{Member, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::joint::unit_inertia;
+use crate::dim::math::{Real, SPATIAL_DIM, Vector};
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyState, READ_ONLY};
+use crate::dim::wide::set_symmetric_lane;
 
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
