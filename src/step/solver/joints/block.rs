@@ -64,8 +64,11 @@ pub(super) struct JointBlock {
     /// Is any lane solved exactly, and any in sweeps?
     pub has_exact: bool,
     pub has_swept: bool,
-    /// Does any body turn so much that its inertia must turn with it?
-    pub tumbles: bool,
+    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
+    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    pub tumbles: [Lane; 2],
+    /// Is there any?
+    pub has_tumbling: bool,
 }
 
 impl JointBlock {
@@ -97,7 +100,8 @@ impl JointBlock {
             row_count: 0,
             has_exact: false,
             has_swept: false,
-            tumbles: false,
+            tumbles: [zero; 2],
+            has_tumbling: false,
         }
     };
 

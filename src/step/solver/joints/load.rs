@@ -248,7 +248,10 @@ fn load_lane(
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &end.inv_inertia);
         block.levers[side].set_lane(lane, end.lever);
         block.frames[side].set_lane(lane, &end.frame);
-        block.tumbles |= end.tumbles;
+        if end.tumbles {
+            block.tumbles[side].0[lane] = 1.0;
+            block.has_tumbling = true;
+        }
     }
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);

@@ -196,7 +196,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    if !AHEAD && block.tumbles {
+    if !AHEAD && block.has_tumbling {
         turn_inertia::<W>(block, &bodies.displacements);
     }
     let masses = Masses::load(block);
@@ -245,7 +245,8 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 fn turn_inertia<W: Wide>(block: &mut JointBlock, displacements: &[WideMotion<W>; 2]) {
     for side in 0..2 {
         let start = load_symmetric::<W>(&block.start_inertia[side]);
-        let turned = turned_inertia(start, displacements[side].angular);
+        let turned =
+            turned_inertia(start, displacements[side].angular * W::load(&block.tumbles[side]));
         store_symmetric(turned, &mut block.inv_inertia[side]);
     }
 }

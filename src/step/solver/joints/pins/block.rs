@@ -38,8 +38,11 @@ pub(super) struct PinBlock {
     pub total: WideVector<Lane>,
     /// The joint's first frame when the step began.
     pub frame: WideRotation<Lane>,
-    /// Does any body turn so much that its inertia must turn with it?
-    pub tumbles: bool,
+    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
+    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    pub tumbles: [Lane; 2],
+    /// Is there any?
+    pub has_tumbling: bool,
 }
 
 impl PinBlock {
@@ -55,7 +58,8 @@ impl PinBlock {
         turned: [ANG_ZERO_LANES; 2],
         total: WideVector::ZERO,
         frame: WideRotation::IDENTITY,
-        tumbles: false,
+        tumbles: [Lane::ZERO; 2],
+        has_tumbling: false,
     };
 
     /// Scales the impulses with which the next substep starts.
@@ -190,7 +194,7 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
     };
     let mut velocities = [v1, v2];
-    if !BIASED && block.tumbles {
+    if !BIASED && block.has_tumbling {
         turn_inertia::<W>(block, [d1.angular, d2.angular]);
     }
     let masses = Masses::load(block);
@@ -269,6 +273,7 @@ fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut Pin
 fn turn_inertia<W: Wide>(block: &mut PinBlock, turns: [WideAngVector<W>; 2]) {
     for side in 0..2 {
         let start = load_symmetric::<W>(&block.start_inertia[side]);
-        store_symmetric(turned_inertia(start, turns[side]), &mut block.inv_inertia[side]);
+        let turn = turns[side] * W::load(&block.tumbles[side]);
+        store_symmetric(turned_inertia(start, turn), &mut block.inv_inertia[side]);
     }
 }

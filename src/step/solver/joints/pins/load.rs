@@ -47,7 +47,10 @@ fn load_end(
         block.inv_mass[side].set_lane(lane, mprops.inv_mass);
         set_symmetric_lane(&mut block.start_inertia[side], lane, &mprops.inv_inertia);
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &mprops.inv_inertia);
-        block.tumbles |= tumbles(body, substep);
+        if tumbles(body, substep) {
+            block.tumbles[side].0[lane] = 1.0;
+            block.has_tumbling = true;
+        }
     }
     let lever = body.position().rotation * (frame.translation - mprops.local.local_com);
     block.levers[side].set_lane(lane, lever);
