@@ -222,7 +222,7 @@ impl End {
 /// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
 pub(super) fn tumbles(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
-    !(turn_squared < TURN_MIN * TURN_MIN) && !is_round(&body.mprops.inv_inertia)
+    turn_squared >= TURN_MIN * TURN_MIN && !is_round(&body.mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
