@@ -223,6 +223,12 @@ pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {
     W::load(from)
 }
 
+/// Writes a symmetric matrix per lane to memory.
+#[inline(always)]
+pub fn store_symmetric<W: Wide>(value: WideSymmetric<W>, to: &mut WideSymmetric<Lane>) {
+    value.store(to);
+}
+
 /// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
 #[inline(always)]
 pub fn mul_inertia<W: Wide>(m: WideSymmetric<W>, torque: WideAngVector<W>) -> WideAngVector<W> {

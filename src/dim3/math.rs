@@ -82,6 +82,24 @@ pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     .normalize()
 }
 
+/// The rotation vector of a turn by `turn` and then by the small angle `by`, to third order: the
+/// series of Baker, Campbell and Hausdorff. Rotation vectors just added are off by half of `by × turn`, and a joint
+/// that holds bodies where these say is torn when the bodies are put where they are. Beyond two radians in a step the
+/// series is of no use, and they are added.
+#[inline]
+pub fn turn_further(turn: AngVector, by: AngVector) -> AngVector {
+    let sum = turn + by;
+    if turn.length_squared() < SERIES_MAX * SERIES_MAX {
+        let across = by.cross(turn);
+        sum + (across * 0.5 + (by - turn).cross(across) * (1.0 / 12.0))
+    } else {
+        sum
+    }
+}
+
+/// Where [`turn_further`] gives up (rad).
+pub const SERIES_MAX: Real = 2.0;
+
 /// Two unit vectors that complete the unit vector `n` to a right-handed basis `(t1, t2, n)`.
 ///
 /// Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no branch but the sign, no

@@ -4,7 +4,7 @@
 //! whole registers: so records are arrays of numbers, with the meaning of each stated here and
 //! nowhere else.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, turn_further};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -75,12 +75,13 @@ impl BodyState {
         }
     }
 
-    /// Adds `h` times the velocity to the displacement.
+    /// Moves and turns on by `h` times the velocity.
     #[inline]
     pub fn advance(&mut self, h: Real) {
-        for k in 0..MOTION_LEN {
-            self.0[MOTION_LEN + k] += h * self.0[k];
-        }
+        let ((v, w), (shift, turn)) = (self.velocity(), self.displacement());
+        let displacement = &mut self.0[MOTION_LEN..];
+        displacement[0..3].copy_from_slice(&(shift + v * h).to_array());
+        displacement[3..6].copy_from_slice(&turn_further(turn, w * h).to_array());
     }
 }
 

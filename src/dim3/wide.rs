@@ -264,6 +264,17 @@ pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {
     }
 }
 
+/// Writes a symmetric matrix per lane to memory.
+#[inline(always)]
+pub fn store_symmetric<W: Wide>(value: WideSymmetric<W>, to: &mut WideSymmetric<Lane>) {
+    value.m11.store(&mut to.m11);
+    value.m12.store(&mut to.m12);
+    value.m13.store(&mut to.m13);
+    value.m22.store(&mut to.m22);
+    value.m23.store(&mut to.m23);
+    value.m33.store(&mut to.m33);
+}
+
 /// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
 #[inline(always)]
 pub fn mul_inertia<W: Wide>(m: WideSymmetric<W>, torque: WideAngVector<W>) -> WideAngVector<W> {

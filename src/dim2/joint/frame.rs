@@ -2,7 +2,7 @@
 
 use crate::base::wide::Wide;
 use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM, TURN_MAX};
-use crate::dim2::wide::{WideAngVector, WideRotation, WideVector};
+use crate::dim2::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
 #[inline(always)]
@@ -31,6 +31,24 @@ pub(crate) fn turned_frame<W: Wide>(
         re: by.re * frame.re - by.im * frame.im,
         im: by.im * frame.re + by.re * frame.im,
     }
+}
+
+/// The angle after a further turn.
+#[inline(always)]
+pub(crate) fn turned_further<W: Wide>(
+    turn: WideAngVector<W>,
+    by: WideAngVector<W>,
+) -> WideAngVector<W> {
+    turn + by
+}
+
+/// The inverse inertia of a body after the body has turned: the same in 2D.
+#[inline(always)]
+pub(crate) fn turned_inertia<W: Wide>(
+    inv_inertia: WideSymmetric<W>,
+    _turn: WideAngVector<W>,
+) -> WideSymmetric<W> {
+    inv_inertia
 }
 
 /// The axes of a frame in world space.

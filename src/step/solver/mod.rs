@@ -12,8 +12,8 @@
 //! the overlap does not stay.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Lever
-//! arms and inertias are frozen during a step, so what those impulses do to a body is what they did to
-//! it in the last substep: the difference between its velocity at that substep's end and before any
+//! arms and inertias of contacts are frozen during a step (joints turn theirs themselves), so what those impulses do to
+//! a body is what they did to it in the last substep: the difference between its velocity at that substep's end and before any
 //! impulse. We keep the latter per body and add the difference, instead of visiting all constraints.
 
 mod bodies;

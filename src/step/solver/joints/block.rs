@@ -24,6 +24,8 @@ pub(super) struct Wrench<W> {
 pub(super) struct JointBlock {
     pub bodies: [[u32; LANES]; 2],
     pub inv_mass: [WideVector<Lane>; 2],
+    /// As the bodies stood when the step began, and as they stand where they were relaxed last.
+    pub start_inertia: [WideSymmetric<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// From the centres of mass to the anchors when the step began.
     pub levers: [WideVector<Lane>; 2],
@@ -51,6 +53,8 @@ pub(super) struct JointBlock {
     pub couple: WideAngVector<Lane>,
     /// What the impulses of all rows have done to the bodies in this substep.
     pub applied: Wrench<Lane>,
+    /// What that has made of the bodies' angular velocities. (Their inertias turn.)
+    pub turned: [WideAngVector<Lane>; 2],
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
@@ -60,6 +64,11 @@ pub(super) struct JointBlock {
     /// Is any lane solved exactly, and any in sweeps?
     pub has_exact: bool,
     pub has_swept: bool,
+    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
+    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    pub tumbles: [Lane; 2],
+    /// Is there any?
+    pub has_tumbling: bool,
 }
 
 impl JointBlock {
@@ -69,6 +78,7 @@ impl JointBlock {
         Self {
             bodies: [[READ_ONLY; LANES]; 2],
             inv_mass: [vector; 2],
+            start_inertia: [ZERO_INERTIA; 2],
             inv_inertia: [ZERO_INERTIA; 2],
             levers: [vector; 2],
             separation: vector,
@@ -83,12 +93,15 @@ impl JointBlock {
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,
             applied: Wrench { linear: vector, angular: [ANG_ZERO_LANES; 2] },
+            turned: [ANG_ZERO_LANES; 2],
             total_impulse: vector,
             total_moment: ANG_ZERO_LANES,
             first_row: 0,
             row_count: 0,
             has_exact: false,
             has_swept: false,
+            tumbles: [zero; 2],
+            has_tumbling: false,
         }
     };
 
@@ -107,8 +120,8 @@ impl JointBlock {
         let Wrench { linear, angular } = &mut self.applied;
         for lane in 0..LANES {
             linear.set_lane(lane, linear.lane(lane) * factor);
-            for moment in &mut *angular {
-                set_ang_lane(moment, lane, ang_lane(moment, lane) * factor);
+            for value in angular.iter_mut().chain(&mut self.turned) {
+                set_ang_lane(value, lane, ang_lane(value, lane) * factor);
             }
         }
     }

@@ -1,14 +1,16 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
-use super::direct::{InverseMass, Member, RowMemory};
+use super::direct::{Member, RowMemory};
 use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Lane;
-use crate::dim::joint::{FreeRotations, angle_about, couple_of};
+use crate::dim::joint::{FreeRotations, angle_about, couple_of, is_round};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
-use crate::dim::math::{ANG_DIM, AngularInertia, DIM, Pose, Real, Rotation, Vector, zero_inertia};
+use crate::dim::math::{
+    ANG_DIM, AngularInertia, DIM, Pose, Real, Rotation, Vector, ang_length_squared, zero_inertia,
+};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::{set_ang_lane, set_symmetric_lane, symmetric_lane};
 use crate::model::body::{RigidBody, RigidBodySet};
@@ -25,6 +27,9 @@ use crate::step::solver::multibodies::SolverMultibodies;
 /// to them is pumped by its own corrections: see
 /// [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
 const SWEPT_YIELD: Real = 1.0 / 8.0;
+
+/// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
+const TURN_MIN: Real = 1.0e-4;
 
 /// Joints that are worth being looked at by another thread.
 const JOINTS_PER_TASK: usize = 64;
@@ -54,7 +59,7 @@ impl SolverJoints {
         self.give_seats();
         self.fill_blocks(joints, from, pass, tasks);
         self.note_exact_joints(from.bodies.states.len());
-        self.pins.load(joints, from, tasks);
+        self.pins.load(joints, from, pass, tasks);
     }
 
     /// Finds out which joints take part.
@@ -151,19 +156,14 @@ impl SolverJoints {
         self.tautness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for (lane, seat) in self.layout.block(index).iter().enumerate() {
-                let inv_inertia = [0, 1].map(|side| symmetric_lane(&block.inv_inertia[side], lane));
-                let inverse_masses = || {
-                    [0, 1].map(|side| {
-                        InverseMass::new(block.inv_mass[side].lane(lane), &inv_inertia[side])
-                    })
-                };
-                if !self.direct.place(seat.slot, [index, lane], inverse_masses) {
+                if !self.direct.place(seat.slot, [index, lane]) {
                     continue;
                 }
                 for side in 0..2 {
                     let body = block.bodies[side][lane];
                     if body & READ_ONLY == 0 {
-                        self.tautness.note(body, &inv_inertia[side]);
+                        let inv_inertia = symmetric_lane(&block.inv_inertia[side], lane);
+                        self.tautness.note(body, &inv_inertia);
                     }
                 }
             }
@@ -194,10 +194,16 @@ struct End {
     frame: Rotation,
     inv_mass: Vector,
     inv_inertia: AngularInertia,
+    tumbles: bool,
 }
 
 impl End {
-    fn new(body: &RigidBody, slot: u32, frame: Pose, bodies: &SolverBodies) -> Self {
+    fn new(
+        body: &RigidBody,
+        slot: u32,
+        frame: Pose,
+        (bodies, pass): (&SolverBodies, &JointPass),
+    ) -> Self {
         let (pose, mprops) = (body.position(), &body.mprops);
         let index = bodies.index_of(slot);
         let movable = index & READ_ONLY == 0;
@@ -208,8 +214,15 @@ impl End {
             frame: pose.rotation * frame.rotation,
             inv_mass: if movable { mprops.inv_mass } else { Vector::ZERO },
             inv_inertia: if movable { mprops.inv_inertia } else { zero_inertia() },
+            tumbles: movable && tumbles(body, pass.substep),
         }
     }
+}
+
+/// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
+pub(super) fn tumbles(body: &RigidBody, substep: Real) -> bool {
+    let turn_squared = ang_length_squared(body.angvel) * substep * substep;
+    turn_squared >= TURN_MIN * TURN_MIN && !is_round(&body.mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
@@ -225,15 +238,20 @@ fn load_lane(
     let (Some(first), Some(second)) = (world.get(body1), world.get(body2)) else { return };
     let frames = [joint.data.local_frame1, joint.data.local_frame2];
     let ends = [
-        End::new(first, body1.into_raw_parts().0, frames[0], bodies),
-        End::new(second, body2.into_raw_parts().0, frames[1], bodies),
+        End::new(first, body1.into_raw_parts().0, frames[0], (bodies, pass)),
+        End::new(second, body2.into_raw_parts().0, frames[1], (bodies, pass)),
     ];
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
         block.inv_mass[side].set_lane(lane, end.inv_mass);
+        set_symmetric_lane(&mut block.start_inertia[side], lane, &end.inv_inertia);
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &end.inv_inertia);
         block.levers[side].set_lane(lane, end.lever);
         block.frames[side].set_lane(lane, &end.frame);
+        if end.tumbles {
+            block.tumbles[side].0[lane] = 1.0;
+            block.has_tumbling = true;
+        }
     }
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);

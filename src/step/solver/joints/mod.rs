@@ -30,6 +30,15 @@
 //! keeps its energy. Joints that are solved exactly repeat the look ahead from the velocity that they have
 //! found. Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
 //!
+//! ## Inertias turn
+//! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A
+//! moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the inertia of the moment: with
+//! that of the beginning of the step, the work of a joint's impulses is not what the bodies gain, and two thin limbs on a
+//! post gained so much that they flew apart. So the relax pass turns the inverse inertias of bodies that tumble,
+//! `R I⁻¹ Rᵀ`, and the solve pass of the next substep, which begins at the same place, uses the same ones. (Impulses act
+//! there for the gyroscope, too: see `dimN/gyro.rs`.) What is taken back of the last substep is therefore what
+//! the velocities have got, and not a moment times the inertia of today.
+//!
 //! ## Warm starting
 //! Bodies start a substep with what the last one's impulses did to them. A joint's rows have turned since, so
 //! each block remembers the impulse and the moments it has given its bodies (`applied`), and the solve pass

@@ -6,10 +6,13 @@ use super::geometry::Geometry;
 use super::rows::{Factored, Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
-use crate::dim::joint::{angular_to_frame, angular_to_world};
+use crate::dim::joint::{angular_to_frame, angular_to_world, turned_further, turned_inertia};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
-use crate::dim::wide::{ANG_ZERO_LANES, WideVector, ang_dot, load_ang, store_ang, torque};
+use crate::dim::wide::{
+    ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, load_symmetric, store_ang,
+    store_symmetric, torque,
+};
 use crate::model::params::JointPass;
 
 /// Velocities and displacements of a block's two bodies, and their velocities before any impulse.
@@ -124,7 +127,9 @@ pub(super) unsafe fn warm_start<W: Wide>(
     // SAFETY: the caller's promise.
     let wrench = unsafe { wrench_of(block, rows, &geometry, &locked) };
     wrench.store(&mut block.applied);
-    bodies.velocities = Masses::load(block).push(&wrench, bodies.velocities);
+    let masses = Masses::load(block);
+    store_turned(masses.turned(&wrench), block);
+    bodies.velocities = masses.push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
 }
@@ -191,6 +196,9 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
+    if !AHEAD && block.has_tumbling {
+        turn_inertia::<W>(block, &bodies.displacements);
+    }
     let masses = Masses::load(block);
     let locked = Locked::new(block, &geometry);
 
@@ -201,9 +209,10 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
             forget_taut::<W>(block, rows);
             wrench_of(block, rows, &geometry, &locked)
         };
-        bodies.velocities = masses.push(&turned.minus(&wrench), bodies.velocities);
+        bodies.velocities = give_instead(block, &masses, &turned, bodies.velocities);
         wrench = turned;
     }
+    let before = wrench;
     if block.row_count > 0 {
         let joint =
             JointNow { matrix: locked.matrix(&masses), geometry: &geometry, masses: &masses };
@@ -222,12 +231,56 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     }
 
     wrench.store(&mut block.applied);
+    note_turned(block, masses.turned(&wrench.minus(&before)));
     if !AHEAD && pass.is_last_visit {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
+}
+
+/// Turns the inertias with the bodies, from where they stood when the step began.
+#[inline(always)]
+fn turn_inertia<W: Wide>(block: &mut JointBlock, displacements: &[WideMotion<W>; 2]) {
+    for side in 0..2 {
+        let start = load_symmetric::<W>(&block.start_inertia[side]);
+        let turned =
+            turned_inertia(start, displacements[side].angular * W::load(&block.tumbles[side]));
+        store_symmetric(turned, &mut block.inv_inertia[side]);
+    }
+}
+
+/// Gives the bodies what a wrench does to them in place of what they have got so far.
+#[inline(always)]
+fn give_instead<W: Wide>(
+    block: &mut JointBlock,
+    masses: &Masses<W>,
+    wrench: &Wrench<W>,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
+    let added = wrench.linear - WideVector::load(&block.applied.linear);
+    let [mut m1, mut m2] = masses.push_along(added, velocities);
+    let turned = masses.turned(wrench);
+    m1.angular = m1.angular + (turned[0] - load_ang::<W>(&block.turned[0]));
+    m2.angular = m2.angular + (turned[1] - load_ang::<W>(&block.turned[1]));
+    store_turned(turned, block);
+    [m1, m2]
+}
+
+#[inline(always)]
+fn store_turned<W: Wide>(turned: [WideAngVector<W>; 2], block: &mut JointBlock) {
+    for (turned, to) in turned.into_iter().zip(&mut block.turned) {
+        store_ang(turned, to);
+    }
+}
+
+/// Notes what impulses that are added make of the angular velocities.
+#[inline(always)]
+pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [WideAngVector<W>; 2]) {
+    let turned =
+        [load_ang::<W>(&block.turned[0]) + first, load_ang::<W>(&block.turned[1]) + second];
+    store_turned(turned, block);
 }
 
 /// What the free axes of a block share at the moment when they are solved.
@@ -410,7 +463,7 @@ fn advanced<W: Wide>(
 ) -> WideMotion<W> {
     WideMotion {
         linear: displacement.linear + velocity.linear * h,
-        angular: displacement.angular + velocity.angular * h,
+        angular: turned_further(displacement.angular, velocity.angular * h),
     }
 }
 

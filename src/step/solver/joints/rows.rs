@@ -112,17 +112,34 @@ impl<W: Wide> Masses<W> {
         k
     }
 
+    /// By how much a wrench changes the angular velocities.
+    #[inline(always)]
+    pub fn turned(&self, wrench: &Wrench<W>) -> [WideAngVector<W>; 2] {
+        [
+            -mul_inertia(self.inertia[0], wrench.angular[0]),
+            mul_inertia(self.inertia[1], wrench.angular[1]),
+        ]
+    }
+
     /// The velocities after a wrench has acted.
     #[inline(always)]
-    pub fn push(
+    pub fn push(&self, wrench: &Wrench<W>, velocities: [WideMotion<W>; 2]) -> [WideMotion<W>; 2] {
+        let [mut m1, mut m2] = self.push_along(wrench.linear, velocities);
+        let [turned1, turned2] = self.turned(wrench);
+        m1.angular = m1.angular + turned1;
+        m2.angular = m2.angular + turned2;
+        [m1, m2]
+    }
+
+    /// The velocities after an impulse at the centres of mass.
+    #[inline(always)]
+    pub fn push_along(
         &self,
-        wrench: &Wrench<W>,
+        impulse: WideVector<W>,
         [mut m1, mut m2]: [WideMotion<W>; 2],
     ) -> [WideMotion<W>; 2] {
-        m1.linear = m1.linear - wrench.linear.component_mul(self.each[0]);
-        m2.linear = m2.linear + wrench.linear.component_mul(self.each[1]);
-        m1.angular = m1.angular - mul_inertia(self.inertia[0], wrench.angular[0]);
-        m2.angular = m2.angular + mul_inertia(self.inertia[1], wrench.angular[1]);
+        m1.linear = m1.linear - impulse.component_mul(self.each[0]);
+        m2.linear = m2.linear + impulse.component_mul(self.each[1]);
         [m1, m2]
     }
 }

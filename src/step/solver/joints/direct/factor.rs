@@ -186,16 +186,16 @@ impl Factor {
     fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
-        let members = component.members.iter().zip(component.masses);
-        for ((member, masses), rows) in members.zip(&mut self.rows) {
+        for (member, rows) in component.members.iter().zip(&mut self.rows) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (side, _) in member.movable() {
+                let masses = from.inverse_mass(side, lane);
                 for (row, axis) in locked_axes(member).enumerate() {
                     let jacobian = from.rows[axis][side].map(|number| f64::from(number.0[lane]));
                     for (column, number) in rows.jacobians[side].iter_mut().zip(jacobian) {
                         column[row] = number;
                     }
-                    rows.responses[side][row] = masses[side].response(&jacobian);
+                    rows.responses[side][row] = masses.response(&jacobian);
                 }
             }
         }

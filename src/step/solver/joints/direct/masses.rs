@@ -10,28 +10,13 @@ use crate::dim::spatial::{ANG_AXES, ang_components};
 
 /// The inverse mass of a body along the axes of the world, and its inverse inertia.
 #[derive(Copy, Clone, Debug, PartialEq)]
-pub(in super::super) struct InverseMass {
+pub(super) struct InverseMass {
     linear: [Real; DIM],
     /// By column.
     angular: [[Real; ANG_DIM]; ANG_DIM],
 }
 
 impl InverseMass {
-    /// That of what cannot move.
-    pub const NONE: Self = Self { linear: [0.0; DIM], angular: [[0.0; ANG_DIM]; ANG_DIM] };
-
-    /// That of a unit mass with unit moments of inertia.
-    #[cfg(test)]
-    pub const ONE: Self = {
-        let mut angular = [[0.0; ANG_DIM]; ANG_DIM];
-        let mut axis = 0;
-        while axis < ANG_DIM {
-            angular[axis][axis] = 1.0;
-            axis += 1;
-        }
-        Self { linear: [1.0; DIM], angular }
-    };
-
     pub fn new(inv_mass: Vector, inv_inertia: &AngularInertia) -> Self {
         Self {
             linear: inv_mass.to_array(),

@@ -2,14 +2,17 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, LookAhead, rates_here, store_couple, yields_of};
-use super::super::rows::Row;
+use super::super::passes::{Bodies, LookAhead, note_turned, rates_here, store_couple, yields_of};
+use super::super::rows::{Masses, Row};
+use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::BodyState;
-use crate::dim::wide::{WideVector, load_ang, select_ang, store_ang};
+use crate::dim::wide::{
+    WideSymmetric, WideVector, ZERO_INERTIA, load_ang, select_ang, store_ang, symmetric_lane,
+};
 use crate::model::params::JointPass;
 
 /// The locked axes of a block's joints at one moment.
@@ -21,6 +24,9 @@ pub(in super::super) struct RowMemory {
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub yields: Lane,
+    /// Of its bodies as they stand now.
+    pub inv_mass: [WideVector<Lane>; 2],
+    pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// Out: by how much the impulses change.
     pub changes: [Lane; SPATIAL_DIM],
 }
@@ -33,9 +39,17 @@ impl RowMemory {
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             yields: zero,
+            inv_mass: [WideVector::ZERO; 2],
+            inv_inertia: [ZERO_INERTIA; 2],
             changes: [zero; SPATIAL_DIM],
         }
     };
+
+    /// What impulses do to a body of the joint in a lane.
+    pub(super) fn inverse_mass(&self, side: usize, lane: usize) -> InverseMass {
+        let inv_inertia = symmetric_lane(&self.inv_inertia[side], lane);
+        InverseMass::new(self.inv_mass[side].lane(lane), &inv_inertia)
+    }
 }
 
 /// Writes down the rows of a block as its bodies stand and move now.
@@ -70,6 +84,7 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
         }
     }
     yields_of::<W, AHEAD>(block).store(&mut memory.yields);
+    (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, block.inv_inertia);
 }
 
 /// Rows and rates of the solve pass. Taut joints look ahead from where they are about to go, and take the rows
@@ -130,6 +145,7 @@ pub(in super::super) fn finish<W: Wide>(
     }
     let added = added(memory, &rows);
     Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
+    note_turned(block, Masses::load(block).turned(&added));
     if is_last_of_substep {
         add_to_totals(block, memory, &rows, &added);
         store_couple(block, &rows);

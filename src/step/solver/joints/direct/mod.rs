@@ -36,7 +36,6 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use masses::InverseMass;
 pub(super) use memory::{RowMemory, count, finish, write_rows};
 pub(super) use pattern::Member;
 
@@ -74,15 +73,9 @@ impl Direct {
         self.pattern.contains(slot)
     }
 
-    /// Notes in which lane of which block a joint's rows stand, and the masses of its bodies. No if it is not solved
-    /// here.
-    pub fn place(
-        &mut self,
-        slot: u32,
-        at: [usize; 2],
-        inverse_masses: impl FnOnce() -> [InverseMass; 2],
-    ) -> bool {
-        self.pattern.place(slot, at, inverse_masses)
+    /// Notes in which lane of which block a joint's rows stand. No if it is not solved here.
+    pub fn place(&mut self, slot: u32, at: [usize; 2]) -> bool {
+        self.pattern.place(slot, at)
     }
 
     /// Is there nothing to do?

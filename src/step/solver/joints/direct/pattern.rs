@@ -1,6 +1,5 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
-use super::masses::InverseMass;
 use super::order::{Ordering, products};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::Real;
@@ -94,8 +93,6 @@ pub(super) struct Pattern {
     position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
     members: Vec<Member>,
-    /// By member: what impulses do to its bodies as they stand now.
-    masses: Vec<[InverseMass; 2]>,
     components: Vec<Part>,
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
@@ -113,7 +110,6 @@ struct Part {
 #[derive(Copy, Clone)]
 pub(super) struct Component<'a> {
     pub members: &'a [Member],
-    pub masses: &'a [[InverseMass; 2]],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
     /// Are there two ways from one of its bodies to another, or to what cannot move?
@@ -146,20 +142,13 @@ impl Pattern {
         self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
     }
 
-    /// Notes in which lane of which block a joint's rows stand, and the masses of its bodies. No if it is in no
-    /// component.
-    pub fn place(
-        &mut self,
-        slot: u32,
-        [block, lane]: [usize; 2],
-        inverse_masses: impl FnOnce() -> [InverseMass; 2],
-    ) -> bool {
+    /// Notes in which lane of which block a joint's rows stand. No if it is in no component.
+    pub fn place(&mut self, slot: u32, [block, lane]: [usize; 2]) -> bool {
         let contains = self.contains(slot);
         if contains {
             let position = self.position_of_slot[slot as usize] as usize;
             let member = &mut self.members[position];
             (member.block, member.lane) = (block as u32, lane as u32);
-            self.masses[position] = inverse_masses();
         }
         contains
     }
@@ -168,7 +157,6 @@ impl Pattern {
         let Part { members: range, has_loops } = &self.components[index];
         Component {
             members: &self.members[range.clone()],
-            masses: &self.masses[range.clone()],
             columns: &self.columns[range.clone()],
             has_loops: *has_loops,
         }
@@ -193,7 +181,6 @@ impl Pattern {
         self.position_of_slot.clear();
         let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
         self.position_of_slot.resize(slots, NONE);
-        self.masses.resize(self.members.len(), [InverseMass::NONE; 2]);
         for (position, member) in self.members.iter().enumerate() {
             self.position_of_slot[member.slot as usize] = position as u32;
         }

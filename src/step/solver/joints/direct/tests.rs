@@ -1,14 +1,15 @@
 //! The sparse solution in its dense equations, and what is solved sparsely.
 
 use super::factor::Factor;
-use super::masses::InverseMass;
 use super::memory::RowMemory;
 use super::pattern::{Member, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::joint::unit_inertia;
+use crate::dim::math::{Real, SPATIAL_DIM, Vector};
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyState, READ_ONLY};
+use crate::dim::wide::set_symmetric_lane;
 
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
@@ -53,7 +54,7 @@ impl Net {
         pattern.build(&self.members, self.body_count);
         for member in &self.members {
             let at = [member.block, member.lane].map(|number| number as usize);
-            pattern.place(member.slot, at, || [InverseMass::ONE; 2]);
+            pattern.place(member.slot, at);
         }
         pattern
     }
@@ -97,6 +98,10 @@ impl Net {
 
 fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
     let mut memory = RowMemory::EMPTY;
+    for side in 0..2 {
+        memory.inv_mass[side].set_lane(lane, Vector::ONE);
+        set_symmetric_lane(&mut memory.inv_inertia[side], lane, &unit_inertia());
+    }
     for axis in 0..SPATIAL_DIM {
         for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
             for k in 0..SPATIAL_DIM {

@@ -3,12 +3,14 @@
 use super::super::rows::Factored;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim::joint::{axes, from_numbers, numbers, point_response, turned_frame, turned_lever};
+use crate::dim::joint::{
+    axes, from_numbers, numbers, point_response, turned_frame, turned_inertia, turned_lever,
+};
 use crate::dim::math::{DIM, Real};
 use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane,
-    cross, load_ang, load_symmetric, mul_inertia, set_ang_lane, store_ang, torque,
+    cross, load_ang, load_symmetric, mul_inertia, set_ang_lane, store_ang, store_symmetric, torque,
 };
 use crate::model::params::JointPass;
 
@@ -20,6 +22,8 @@ const PIN_YIELD: Real = 1.0 / 16.0;
 pub(super) struct PinBlock {
     pub bodies: [[u32; LANES]; 2],
     pub inv_mass: [WideVector<Lane>; 2],
+    /// As the bodies stood when the step began, and as they stand where they were relaxed last.
+    pub start_inertia: [WideSymmetric<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// From the centres of mass to the anchors when the step began.
     pub levers: [WideVector<Lane>; 2],
@@ -28,12 +32,17 @@ pub(super) struct PinBlock {
     /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's first
     /// frame.
     pub impulse: WideVector<Lane>,
-    /// The moments that it has given the bodies, about their centres: on the first one the opposite.
-    pub moments: [WideAngVector<Lane>; 2],
+    /// What it has made of the bodies' angular velocities.
+    pub turned: [WideAngVector<Lane>; 2],
     /// The impulse of all substeps together.
     pub total: WideVector<Lane>,
     /// The joint's first frame when the step began.
     pub frame: WideRotation<Lane>,
+    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
+    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    pub tumbles: [Lane; 2],
+    /// Is there any?
+    pub has_tumbling: bool,
 }
 
 impl PinBlock {
@@ -41,21 +50,24 @@ impl PinBlock {
     pub const EMPTY: Self = Self {
         bodies: [[READ_ONLY; LANES]; 2],
         inv_mass: [WideVector::ZERO; 2],
+        start_inertia: [ZERO_INERTIA; 2],
         inv_inertia: [ZERO_INERTIA; 2],
         levers: [WideVector::ZERO; 2],
         separation: WideVector::ZERO,
         impulse: WideVector::ZERO,
-        moments: [ANG_ZERO_LANES; 2],
+        turned: [ANG_ZERO_LANES; 2],
         total: WideVector::ZERO,
         frame: WideRotation::IDENTITY,
+        tumbles: [Lane::ZERO; 2],
+        has_tumbling: false,
     };
 
     /// Scales the impulses with which the next substep starts.
     pub fn scale_impulses(&mut self, factor: Real) {
         for lane in 0..LANES {
             self.impulse.set_lane(lane, self.impulse.lane(lane) * factor);
-            for moment in &mut self.moments {
-                set_ang_lane(moment, lane, ang_lane(moment, lane) * factor);
+            for turned in &mut self.turned {
+                set_ang_lane(turned, lane, ang_lane(turned, lane) * factor);
             }
         }
     }
@@ -98,25 +110,24 @@ impl<W: Wide> Masses<W> {
         }
     }
 
-    /// Turns the bodies by moments, the first one by the opposite.
+    /// What the moments of an impulse make of the angular velocities.
     #[inline(always)]
-    fn turn(&self, moments: &[WideAngVector<W>; 2], [v1, v2]: &mut [WideMotion<W>; 2]) {
-        v1.angular = v1.angular - mul_inertia(self.angular[0], moments[0]);
-        v2.angular = v2.angular + mul_inertia(self.angular[1], moments[1]);
+    fn turned(&self, [first, second]: [WideAngVector<W>; 2]) -> [WideAngVector<W>; 2] {
+        [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
     }
 
-    /// Gives the bodies an impulse, the first one the opposite.
+    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular velocities.
     #[inline(always)]
     fn push(
         &self,
         impulse: WideVector<W>,
-        moments: &[WideAngVector<W>; 2],
-        velocities: &mut [WideMotion<W>; 2],
+        turned: &[WideAngVector<W>; 2],
+        [v1, v2]: &mut [WideMotion<W>; 2],
     ) {
-        let [v1, v2] = velocities;
         v1.linear = v1.linear - impulse.component_mul(self.linear[0]);
         v2.linear = v2.linear + impulse.component_mul(self.linear[1]);
-        self.turn(moments, velocities);
+        v1.angular = v1.angular + turned[0];
+        v2.angular = v2.angular + turned[1];
     }
 
     /// `K⁻¹ b` for the matrix `K` of the two points.
@@ -156,9 +167,10 @@ pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &Disjoint
     };
     let mut velocities = [v1, v2];
     let impulse = WideVector::load(&block.impulse);
-    let moments = moments_of(&load_both(&block.levers), impulse);
-    Masses::load(block).push(impulse, &moments, &mut velocities);
-    store_moments(moments, block);
+    let masses = Masses::load(block);
+    let turned = masses.turned(moments_of(&load_both(&block.levers), impulse));
+    masses.push(impulse, &turned, &mut velocities);
+    store_turned(turned, block);
     let [v1, v2] = velocities;
     // SAFETY: the caller's promise.
     unsafe {
@@ -182,16 +194,21 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
     };
     let mut velocities = [v1, v2];
+    if !BIASED && block.has_tumbling {
+        turn_inertia::<W>(block, [d1.angular, d2.angular]);
+    }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.levers);
     let levers = [turned_lever(old[0], d1.angular), turned_lever(old[1], d2.angular)];
     let impulse = WideVector::<W>::load(&block.impulse);
-    let mut moments = [load_ang::<W>(&block.moments[0]), load_ang(&block.moments[1])];
+    let mut turned = [load_ang::<W>(&block.turned[0]), load_ang(&block.turned[1])];
     if BIASED {
-        // The bodies have the last substep's impulse already; its levers have turned since.
-        let now = moments_of(&levers, impulse);
-        masses.turn(&[now[0] - moments[0], now[1] - moments[1]], &mut velocities);
-        moments = now;
+        // The bodies have the last substep's impulse already; its levers and their inertias have turned since.
+        let now = masses.turned(moments_of(&levers, impulse));
+        for side in 0..2 {
+            velocities[side].angular = velocities[side].angular + (now[side] - turned[side]);
+        }
+        turned = now;
     }
     let [v1, v2] = &velocities;
     let mut rate =
@@ -206,11 +223,11 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
     if BIASED {
         change = change * W::splat(pass.mass_scale) - impulse * W::splat(pass.impulse_scale);
     }
-    let added = moments_of(&levers, change);
+    let added = masses.turned(moments_of(&levers, change));
     masses.push(change, &added, &mut velocities);
     let impulse = impulse + change;
     impulse.store(&mut block.impulse);
-    store_moments([moments[0] + added[0], moments[1] + added[1]], block);
+    store_turned([turned[0] + added[0], turned[1] + added[1]], block);
     if !BIASED && pass.is_last_visit {
         (WideVector::load(&block.total) + impulse).store(&mut block.total);
     }
@@ -246,7 +263,17 @@ fn load_both<W: Wide>(both: &[WideVector<Lane>; 2]) -> [WideVector<W>; 2] {
 }
 
 #[inline(always)]
-fn store_moments<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PinBlock) {
-    store_ang(first, &mut block.moments[0]);
-    store_ang(second, &mut block.moments[1]);
+fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PinBlock) {
+    store_ang(first, &mut block.turned[0]);
+    store_ang(second, &mut block.turned[1]);
+}
+
+/// Turns the inertias with the bodies, from where they stood when the step began.
+#[inline(always)]
+fn turn_inertia<W: Wide>(block: &mut PinBlock, turns: [WideAngVector<W>; 2]) {
+    for side in 0..2 {
+        let start = load_symmetric::<W>(&block.start_inertia[side]);
+        let turn = turns[side] * W::load(&block.tumbles[side]);
+        store_symmetric(turned_inertia(start, turn), &mut block.inv_inertia[side]);
+    }
 }

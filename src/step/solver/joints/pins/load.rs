@@ -1,7 +1,8 @@
 //! From joints to pins: once per step.
 
+use super::super::load::tumbles;
 use super::block::PinBlock;
-use crate::dim::math::{Pose, Vector};
+use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::set_symmetric_lane;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -14,13 +15,13 @@ pub(super) fn load_lane(
     lane: usize,
     joint: &ImpulseJoint,
     set: &RigidBodySet,
-    bodies: &SolverBodies,
+    (bodies, substep): (&SolverBodies, Real),
 ) {
     let (handle1, handle2) = (joint.body1(), joint.body2());
     let (Some(body1), Some(body2)) = (set.get(handle1), set.get(handle2)) else { return };
     let (frame1, frame2) = (&joint.data.local_frame1, &joint.data.local_frame2);
-    let lever1 = load_end(block, 0, lane, (handle1, body1), frame1, bodies);
-    let lever2 = load_end(block, 1, lane, (handle2, body2), frame2, bodies);
+    let lever1 = load_end(block, 0, lane, (handle1, body1), frame1, (bodies, substep));
+    let lever2 = load_end(block, 1, lane, (handle2, body2), frame2, (bodies, substep));
     // Differences of positions first: far from the origin these have few digits.
     let separation = (body2.mprops.world_com - body1.mprops.world_com) + (lever2 - lever1);
     block.separation.set_lane(lane, separation);
@@ -37,14 +38,19 @@ fn load_end(
     lane: usize,
     (handle, body): (RigidBodyHandle, &RigidBody),
     frame: &Pose,
-    bodies: &SolverBodies,
+    (bodies, substep): (&SolverBodies, Real),
 ) -> Vector {
     let mprops = &body.mprops;
     let index = bodies.index_of(handle.into_raw_parts().0);
     block.bodies[side][lane] = index;
     if index & READ_ONLY == 0 {
         block.inv_mass[side].set_lane(lane, mprops.inv_mass);
+        set_symmetric_lane(&mut block.start_inertia[side], lane, &mprops.inv_inertia);
         set_symmetric_lane(&mut block.inv_inertia[side], lane, &mprops.inv_inertia);
+        if tumbles(body, substep) {
+            block.tumbles[side].0[lane] = 1.0;
+            block.has_tumbling = true;
+        }
     }
     let lever = body.position().rotation * (frame.translation - mprops.local.local_com);
     block.levers[side].set_lane(lane, lever);

@@ -68,7 +68,13 @@ impl Pins {
     }
 
     /// Makes constraints of the joints that were added.
-    pub fn load(&mut self, joints: &ImpulseJointSet, from: Sources<'_>, tasks: Tasks<'_>) {
+    pub fn load(
+        &mut self,
+        joints: &ImpulseJointSet,
+        from: Sources<'_>,
+        pass: &JointPass,
+        tasks: Tasks<'_>,
+    ) {
         let Sources { islands, world, bodies, .. } = from;
         let layout = &self.layout;
         self.blocks.resize(layout.block_count(), PinBlock::EMPTY);
@@ -83,7 +89,7 @@ impl Pins {
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
-                    load::load_lane(&mut block, lane, joint, world, bodies);
+                    load::load_lane(&mut block, lane, joint, world, (bodies, pass.substep));
                 }
             }
             block

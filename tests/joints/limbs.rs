@@ -1,0 +1,131 @@
+//! Thin limbs swing and tumble on their joints, and get no energy from them (3D).
+//!
+//! A thin limb turns ten times as easily about its own axis as about another. What a joint gives it must be reckoned
+//! with the inertia that it has where it is by then: otherwise the work of the joint's impulses is not what the limb gains.
+
+use crate::suite::joints::stage::post;
+use crate::suite::physics::stage::{RATES, steps, weightless, world};
+use rapier::prelude::*;
+
+/// Joints do no work. The substep is of second order in the angle that the limbs turn by in it, and where
+/// they whirl at 20 rad/s that is 0.04 rad at worst (30 Hz, 16 substeps); what is left wanders, and does not grow.
+const ROOM: Real = 0.05;
+
+/// A capsule of this half length about X, of the density of water, that meets nobody.
+fn limb(world: &mut PhysicsWorld, at: Vector, axis: Vector, half: Real) -> RigidBodyHandle {
+    let capsule = ColliderBuilder::capsule_from_endpoints(axis * -half, axis * half, 0.04)
+        .density(1000.0)
+        .collision_groups(InteractionGroups::none());
+    world.insert(RigidBodyBuilder::dynamic().translation(at).can_sleep(false), capsule).0
+}
+
+/// Joins two bodies at a point of the world: by a ball in a socket, or by a hinge about an axis.
+fn join(world: &mut PhysicsWorld, pair: [RigidBodyHandle; 2], at: Vector, hinge: Option<Vector>) {
+    let [anchor1, anchor2] = pair.map(|body| at - world.bodies[body].translation());
+    let joint: GenericJoint = match hinge {
+        Some(axis) => {
+            RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2).into()
+        }
+        None => SphericalJointBuilder::new().local_anchor1(anchor1).local_anchor2(anchor2).into(),
+    };
+    world.insert_impulse_joint(pair[0], pair[1], joint);
+}
+
+/// The energy of bodies, seen from this height.
+fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
+    let g = world.gravity.length();
+    let of = |body: &RigidBody| {
+        body.kinetic_energy() + body.mass() * g * (body.translation().y - ground)
+    };
+    bodies.iter().map(|body| of(&world.bodies[*body])).sum()
+}
+
+/// The most energy in ten seconds, as a share of that at the start.
+fn most(world: &mut PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
+    let (start, mut most) = (energy(world, bodies, ground), 0.0);
+    for _ in 0..steps(world, 10.0) {
+        world.step();
+        most = Real::max(most, energy(world, bodies, ground) / start);
+    }
+    most
+}
+
+/// An arm that is let go level: a ball in a socket on a post, then a hinge.
+fn arm(world: &mut PhysicsWorld) -> [RigidBodyHandle; 2] {
+    let post = post(world, Vector::ZERO);
+    let upper = limb(world, Vector::X * 0.38, Vector::X, 0.1);
+    let lower = limb(world, Vector::X * 0.67, Vector::X, 0.11);
+    join(world, [post, upper], Vector::X * 0.24, None);
+    join(world, [upper, lower], Vector::X * 0.52, Some(Vector::NEG_Y));
+    world.bodies[lower].set_angvel(Vector::new(3.0, 2.0, 1.0), true);
+    [upper, lower]
+}
+
+#[test]
+fn arms_of_thin_limbs_keep_their_energy() {
+    for rate in RATES {
+        for substeps in [4, 16, 32] {
+            let mut world = world(rate);
+            world.integration_parameters.num_solver_iterations = substeps;
+            let bodies = arm(&mut world);
+            // The lowest that the arm's tip can be.
+            let most = most(&mut world, &bodies, -0.98);
+            println!("arm, {rate} Hz, {substeps} substeps: {most:.4} of its energy at most");
+            assert!(most < 1.0 + ROOM, "{most} at {rate} Hz with {substeps} substeps");
+        }
+    }
+}
+
+/// A body of eleven limbs: hips, chest and head above each other, arms and legs to the sides.
+fn doll(world: &mut PhysicsWorld) -> Vec<RigidBodyHandle> {
+    const HALF: Real = 0.12;
+    let [hips, chest, head] =
+        [0.0, 0.32, 0.64].map(|height| limb(world, Vector::Y * height, Vector::Y, HALF));
+    join(world, [hips, chest], Vector::Y * 0.16, None);
+    join(world, [chest, head], Vector::Y * 0.48, None);
+    let mut limbs = vec![hips, chest, head];
+    for (trunk, height) in [(chest, 0.44), (hips, -0.12)] {
+        for side in [Vector::X, Vector::NEG_X] {
+            let at = |distance: Real| Vector::Y * height + side * distance;
+            let upper = limb(world, at(0.2), Vector::X, HALF);
+            let lower = limb(world, at(0.52), Vector::X, HALF);
+            join(world, [trunk, upper], at(0.04), None);
+            join(world, [upper, lower], at(0.36), None);
+            limbs.extend([upper, lower]);
+        }
+    }
+    limbs
+}
+
+/// The most energy of a doll whose limbs are set spinning, as a share of what its joints leave of that.
+fn most_of_doll(world: &mut PhysicsWorld, limbs: &[RigidBodyHandle], ground: Real) -> Real {
+    for (k, limb) in limbs.iter().enumerate() {
+        let k = k as Real;
+        let spin = Vector::new((1.7 * k).sin(), (2.9 * k).cos(), (0.7 * k).sin());
+        world.bodies[*limb].set_angvel(spin * 4.0, true);
+    }
+    // The joints take from these velocities what they do not allow: a blow, in the first step.
+    world.step();
+    most(world, limbs, ground)
+}
+
+/// Eleven limbs are solved in sweeps where nothing holds them, and exactly where they hang.
+#[test]
+fn dolls_keep_their_energy() {
+    for rate in RATES {
+        for substeps in [16, 32] {
+            for hangs in [false, true] {
+                let mut world = if hangs { world(rate) } else { weightless(rate) };
+                world.integration_parameters.num_solver_iterations = substeps;
+                let limbs = doll(&mut world);
+                if hangs {
+                    let post = post(&mut world, Vector::Y * 0.8);
+                    join(&mut world, [post, limbs[2]], Vector::Y * 0.8, None);
+                }
+                let most = most_of_doll(&mut world, &limbs, -1.5);
+                println!("{rate} Hz, {substeps} substeps, hangs {hangs}: {most:.4} at most");
+                assert!(most < 1.0 + ROOM, "{most} at {rate} Hz with {substeps} substeps");
+            }
+        }
+    }
+}
