@@ -24,6 +24,7 @@ pub mod surface;
 pub(crate) mod contact;
 pub(crate) mod joint;
 pub(crate) mod state;
-pub(crate) mod gyro;
+pub(crate) mod motion;
+pub(crate) mod turn;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

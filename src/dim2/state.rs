@@ -78,14 +78,6 @@ impl BodyState {
             *value += change;
         }
     }
-
-    /// Adds `h` times the velocity to the displacement.
-    #[inline]
-    pub fn advance(&mut self, h: Real) {
-        for k in 0..MOTION_LEN {
-            self.0[MOTION_LEN + k] += h * self.0[k];
-        }
-    }
 }
 
 /// What stays as it is during a step; read when constraints are prepared.
@@ -161,11 +153,8 @@ pub(crate) unsafe fn scatter_states<W: Wide>(
             *row = state.0.first_chunk_mut();
         }
     }
-    let (v, d, unused) = (velocity, displacement, W::zero());
-    let state =
-        [v.linear.x, v.linear.y, v.angular, unused, d.linear.x, d.linear.y, d.angular, unused];
-    let mut written = [unused; WRITTEN_LEN];
-    written.copy_from_slice(&state[..WRITTEN_LEN]);
+    let mut written = [W::zero(); WRITTEN_LEN];
+    written.copy_from_slice(&numbers([velocity, displacement])[..WRITTEN_LEN]);
     scatter::<W, WRITTEN_LEN>(written, rows);
 }
 
@@ -183,12 +172,38 @@ pub(crate) fn gather_velocities<W: Wide>(
     velocity
 }
 
+/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
+#[inline(always)]
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, state) in rows.iter_mut().zip(states) {
+        *row = &state.0;
+    }
+    motions(gather::<W, STATE_LEN>(rows))
+}
+
+/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
+#[inline(always)]
+pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMotion<W>; 2]) {
+    let mut rows = [const { None }; LANES];
+    for (row, state) in rows.iter_mut().zip(states) {
+        *row = Some(&mut state.0);
+    }
+    scatter::<W, STATE_LEN>(numbers(motions), rows);
+}
+
 #[inline(always)]
 fn motions<W: Wide>(s: [W; STATE_LEN]) -> [WideMotion<W>; 2] {
     [
         WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] },
         WideMotion { linear: WideVector { x: s[4], y: s[5] }, angular: s[6] },
     ]
+}
+
+#[inline(always)]
+fn numbers<W: Wide>([v, d]: [WideMotion<W>; 2]) -> [W; STATE_LEN] {
+    let unused = W::zero();
+    [v.linear.x, v.linear.y, v.angular, unused, d.linear.x, d.linear.y, d.angular, unused]
 }
 
 /// Poses and inverse masses of one body per lane.

@@ -4,7 +4,7 @@
 //! whose lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is what a
 //! kernel computes with. `load` and `store` go from one to the other.
 
-use super::math::{AngVector, AngularInertia, Rotation, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use crate::base::wide::{Lane, Wide};
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -130,6 +130,19 @@ impl<W: Wide> WideVector<W> {
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self { x: self.x.max(other.x), y: self.y.max(other.y) }
+    }
+
+    /// The vector, shortened to this length where it is longer.
+    #[inline(always)]
+    pub fn clamped(self, length_max: Real) -> Self {
+        let square = self.dot(self);
+        let is_longer = W::splat(length_max * length_max).lt(square);
+        if W::any(is_longer) {
+            let shortened = self * (W::splat(length_max) / square.sqrt());
+            Self::select(is_longer, shortened, self)
+        } else {
+            self
+        }
     }
 
     /// Is no component larger than that of the other?

@@ -4,7 +4,7 @@
 //! whole registers: so records are arrays of numbers, with the meaning of each stated here and
 //! nowhere else.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, turn_further};
+use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -74,15 +74,6 @@ impl BodyState {
             *value += change;
         }
     }
-
-    /// Moves and turns on by `h` times the velocity.
-    #[inline]
-    pub fn advance(&mut self, h: Real) {
-        let ((v, w), (shift, turn)) = (self.velocity(), self.displacement());
-        let displacement = &mut self.0[MOTION_LEN..];
-        displacement[0..3].copy_from_slice(&(shift + v * h).to_array());
-        displacement[3..6].copy_from_slice(&turn_further(turn, w * h).to_array());
-    }
 }
 
 /// What stays as it is during a step; read when constraints are prepared.
@@ -139,11 +130,7 @@ pub(crate) unsafe fn gather_states<W: Wide>(
         // SAFETY: the caller's promise.
         *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
     }
-    let s = gather::<W, STATE_LEN>(rows);
-    [
-        motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]),
-        motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]),
-    ]
+    motions(gather::<W, STATE_LEN>(rows))
 }
 
 /// Writes the velocity of one body per lane, but for the read-only ones.
@@ -197,12 +184,63 @@ pub(crate) fn gather_velocities<W: Wide>(
     motion(gather::<W, MOTION_LEN>(rows))
 }
 
+/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
+#[inline(always)]
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, state) in rows.iter_mut().zip(states) {
+        *row = &state.0;
+    }
+    motions(gather::<W, STATE_LEN>(rows))
+}
+
+/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
+#[inline(always)]
+pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMotion<W>; 2]) {
+    let mut rows = [const { None }; LANES];
+    for (row, state) in rows.iter_mut().zip(states) {
+        *row = Some(&mut state.0);
+    }
+    scatter::<W, STATE_LEN>(numbers(motions), rows);
+}
+
+#[inline(always)]
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> [WideMotion<W>; 2] {
+    [
+        motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]),
+        motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]),
+    ]
+}
+
 #[inline(always)]
 fn motion<W: Wide>(s: [W; MOTION_LEN]) -> WideMotion<W> {
     WideMotion {
         linear: WideVector { x: s[0], y: s[1], z: s[2] },
         angular: WideVector { x: s[3], y: s[4], z: s[5] },
     }
+}
+
+#[inline(always)]
+fn numbers<W: Wide>([v, d]: [WideMotion<W>; 2]) -> [W; STATE_LEN] {
+    let unused = W::zero();
+    [
+        v.linear.x,
+        v.linear.y,
+        v.linear.z,
+        v.angular.x,
+        v.angular.y,
+        v.angular.z,
+        unused,
+        unused,
+        d.linear.x,
+        d.linear.y,
+        d.linear.z,
+        d.angular.x,
+        d.angular.y,
+        d.angular.z,
+        unused,
+        unused,
+    ]
 }
 
 /// Poses and inverse masses of one body per lane.

@@ -4,7 +4,7 @@
 //! whose lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is what a
 //! kernel computes with. `load` and `store` go from one to the other.
 
-use super::math::{AngVector, AngularInertia, Rotation, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use crate::base::wide::{Lane, Wide};
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -162,6 +162,19 @@ impl<W: Wide> WideVector<W> {
         Self { x: self.x.max(other.x), y: self.y.max(other.y), z: self.z.max(other.z) }
     }
 
+    /// The vector, shortened to this length where it is longer.
+    #[inline(always)]
+    pub fn clamped(self, length_max: Real) -> Self {
+        let square = self.dot(self);
+        let is_longer = W::splat(length_max * length_max).lt(square);
+        if W::any(is_longer) {
+            let shortened = self * (W::splat(length_max) / square.sqrt());
+            Self::select(is_longer, shortened, self)
+        } else {
+            self
+        }
+    }
+
     /// Is no component larger than that of the other?
     #[inline(always)]
     pub fn all_le(self, other: Self) -> W::Mask {
@@ -299,6 +312,36 @@ impl<W: Wide> WideRotation<W> {
         let u = WideVector { x: self.x, y: self.y, z: self.z };
         let half = cross(u, cross(u, v) + v * self.w);
         v + half + half
+    }
+
+    /// Turns a vector by a quaternion of any length.
+    ///
+    /// Normalised quaternions are off from unit length by some rounding. A rotation that takes them for
+    /// units scales by their squared length.
+    #[inline(always)]
+    pub fn rotate_unscaled(self, v: WideVector<W>) -> WideVector<W> {
+        let axis = WideVector { x: self.x, y: self.y, z: self.z };
+        let length_squared = axis.dot(axis) + self.w * self.w;
+        let t = cross(axis, v) * (W::splat(2.0) / length_squared);
+        v + t * self.w + cross(axis, t)
+    }
+
+    /// This rotation after another one: `q p`.
+    #[inline(always)]
+    pub fn times(self, first: Self) -> Self {
+        let (q, p) = (self, first);
+        Self {
+            x: q.w * p.x + q.x * p.w + q.y * p.z - q.z * p.y,
+            y: q.w * p.y - q.x * p.z + q.y * p.w + q.z * p.x,
+            z: q.w * p.z + q.x * p.y - q.y * p.x + q.z * p.w,
+            w: q.w * p.w - q.x * p.x - q.y * p.y - q.z * p.z,
+        }
+    }
+
+    /// The rotation back.
+    #[inline(always)]
+    pub fn conjugate(self) -> Self {
+        Self { x: -self.x, y: -self.y, z: -self.z, w: self.w }
     }
 
     /// The rotation that turns `earlier` into this one: `q p*`.

@@ -171,9 +171,9 @@ mod tests {
         let singles = [("src/dim3/collide/cuboid_faces.rs", ""), ("src/dim3/vehicle/a.rs", "")];
         assert!(of(check_dimensions, &singles).is_empty());
         let mut files = singles.to_vec();
-        files.push(("src/dim3/gyro.rs", ""));
-        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/gyro.rs");
-        files.push(("src/dim2/gyro.rs", ""));
+        files.push(("src/dim3/motion.rs", ""));
+        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/motion.rs");
+        files.push(("src/dim2/motion.rs", ""));
         assert!(of(check_dimensions, &files).is_empty());
         files.push(("src/dim2/collide/cuboid_faces.rs", ""));
         assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/collide/cuboid_faces.rs");

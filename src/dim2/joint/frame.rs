@@ -1,55 +1,8 @@
-//! Frames and levers as the bodies turn, lane by lane.
+//! Frames as the bodies turn, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM, TURN_MAX};
-use crate::dim2::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
-
-/// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
-#[inline(always)]
-fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
-    let (one, square) = (W::splat(1.0), (turn * turn).min(W::splat(TURN_MAX)));
-    let correction = W::splat(1.0 / 24.0) + square * W::splat(1.0 / 240.0);
-    let t = turn * (W::splat(0.5) + square * correction);
-    let scale = one / (one + t * t);
-    WideRotation { re: (one - t * t) * scale, im: (t + t) * scale }
-}
-
-/// A lever of a body after the body has turned.
-#[inline(always)]
-pub(crate) fn turned_lever<W: Wide>(lever: WideVector<W>, turn: WideAngVector<W>) -> WideVector<W> {
-    rotation_by(turn).rotate(lever)
-}
-
-/// A frame of a body after the body has turned.
-#[inline(always)]
-pub(crate) fn turned_frame<W: Wide>(
-    frame: WideRotation<W>,
-    turn: WideAngVector<W>,
-) -> WideRotation<W> {
-    let by = rotation_by(turn);
-    WideRotation {
-        re: by.re * frame.re - by.im * frame.im,
-        im: by.im * frame.re + by.re * frame.im,
-    }
-}
-
-/// The angle after a further turn.
-#[inline(always)]
-pub(crate) fn turned_further<W: Wide>(
-    turn: WideAngVector<W>,
-    by: WideAngVector<W>,
-) -> WideAngVector<W> {
-    turn + by
-}
-
-/// The inverse inertia of a body after the body has turned: the same in 2D.
-#[inline(always)]
-pub(crate) fn turned_inertia<W: Wide>(
-    inv_inertia: WideSymmetric<W>,
-    _turn: WideAngVector<W>,
-) -> WideSymmetric<W> {
-    inv_inertia
-}
+use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim2::wide::{WideAngVector, WideRotation, WideVector};
 
 /// The axes of a frame in world space.
 #[inline(always)]

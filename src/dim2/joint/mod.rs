@@ -12,7 +12,7 @@ mod point;
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, from_components, linear_to_world,
-    locked_rotations, turned_frame, turned_further, turned_inertia, turned_lever,
+    locked_rotations,
 };
 #[cfg(test)]
 pub(crate) use inertia::unit_inertia;

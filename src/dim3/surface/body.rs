@@ -1,8 +1,8 @@
 //! Rigid bodies: which axes they can be pushed along and turned about, and gyroscopic forces.
 
 use crate::dim::axes::LockedAxes;
-use crate::dim::gyro::Gyroscope;
-use crate::dim::math::{AngVector, Real, ang_is_finite, integrate_rotation};
+use crate::dim::math::{AngVector, Real, ang_is_finite};
+use crate::dim::motion::angvel_after;
 use crate::model::body::{RigidBody, RigidBodyBuilder};
 
 /// `locked` with the translations replaced: those that are not enabled are locked.
@@ -102,14 +102,8 @@ impl RigidBody {
     /// The angular velocity (rad/s) that the body will have after turning freely for `dt` seconds under
     /// gyroscopic forces, whether or not they are enabled.
     pub fn angvel_with_gyroscopic_forces(&self, dt: Real) -> AngVector {
-        let (rotation, angvel) = (self.pose.rotation, self.angvel);
-        let Some(mut gyroscope) = Gyroscope::new(&self.mprops.local, angvel, dt) else {
-            return angvel;
-        };
-        let at_middle = gyroscope.velocity_at_middle(rotation, angvel, dt);
-        let end = integrate_rotation(rotation, at_middle * dt);
-        let at_end = gyroscope.velocity_at_end(end, at_middle);
-        if ang_is_finite(at_end) { at_end } else { angvel }
+        let after = angvel_after(&self.mprops.local, self.pose.rotation, self.angvel, dt);
+        if ang_is_finite(after) { after } else { self.angvel }
     }
 }
 

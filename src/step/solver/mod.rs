@@ -161,7 +161,7 @@ fn solve_group(
         let last = if substep == 0 { &mut states.before } else { &mut states.states };
         contacts.note_velocities(last);
         multibodies.note_velocities(last);
-        states.integrate_velocities(h, params, substep == 0, tasks);
+        states.integrate_velocities(h, params, substep == 0, (simd, tasks));
         if substep > 0 {
             multibodies.follow_loops(place.1, states);
         }
@@ -177,7 +177,7 @@ fn solve_group(
             contacts.solve(states, &pass, simd, tasks);
             multibodies.solve(states, &pass, params);
         }
-        states.integrate_positions(h, tasks);
+        states.integrate_positions(h, (simd, tasks));
         multibodies.integrate_positions(h, params.max_linear_velocity(), tasks);
         for _ in 0..params.num_additional_friction_iterations {
             joints.relax(states, &early_joint_pass, simd, tasks);

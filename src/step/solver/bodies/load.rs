@@ -1,10 +1,11 @@
 //! From bodies to the places that the solver knows them by: once per step, on several threads.
 
-use super::motion::Motion;
+use super::motion::motion_of;
 use super::{SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::{Real, Rotation, Vector};
+use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::island::NONE;
@@ -44,7 +45,7 @@ impl SolverBodies {
         self.poses.resize(count + 1, BodyPose::WORLD);
         self.states.resize(count + 1, BodyState::default());
         self.before.resize(count + 1, BodyState::default());
-        self.motions.resize(count + 1, Motion::AT_REST);
+        self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
         self.shares.resize(count + 1, 1.0);
         self.islands.resize(count + 1, NONE);
         // SAFETY: a place is there, and nobody else has any.
@@ -105,7 +106,7 @@ struct Place<'a> {
     pose: &'a mut BodyPose,
     state: &'a mut BodyState,
     before: &'a mut BodyState,
-    motion: &'a mut Motion,
+    motion: &'a mut FreeMotion,
     share: &'a mut Real,
     island: &'a mut u32,
 }
@@ -115,7 +116,8 @@ impl Place<'_> {
     fn clear(self) {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
-        (*self.motion, *self.share, *self.island) = (Motion::AT_REST, 1.0, NONE);
+        *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
+        (*self.share, *self.island) = (1.0, NONE);
     }
 
     /// A body that is solved with the substep `h`.
@@ -127,9 +129,9 @@ impl Place<'_> {
         *self.share = if body.substep > h { h / body.substep } else { 1.0 };
         body.substep = h;
         *self.motion = if body.is_dynamic() {
-            Motion::of(body, around.gravity, h)
+            motion_of(body, around.gravity, h)
         } else {
-            Motion { rotation: body.pose.rotation, ..Motion::AT_REST }
+            FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
         let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
@@ -147,7 +149,7 @@ pub(super) struct Places<'a> {
     poses: DisjointMut<'a, BodyPose>,
     pub states: DisjointMut<'a, BodyState>,
     pub before: DisjointMut<'a, BodyState>,
-    pub motions: DisjointMut<'a, Motion>,
+    pub motions: DisjointMut<'a, FreeMotion>,
     shares: DisjointMut<'a, Real>,
     islands: DisjointMut<'a, u32>,
 }

@@ -7,7 +7,9 @@ mod store;
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
+use crate::base::wide::Simd;
 use crate::dim::math::{Real, ang_length_squared};
+use crate::dim::motion::FreeMotion;
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::BODIES_PER_TASK;
@@ -16,7 +18,7 @@ use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use core::ops::Range;
 use load::Places;
-use motion::Motion;
+use motion::{Accelerate, Advance, Movers};
 
 /// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th in the order of the groups.
 #[derive(Default)]
@@ -25,7 +27,7 @@ pub(super) struct SolverBodies {
     pub states: Vec<BodyState>,
     /// Velocities before any impulse of the current substep.
     pub before: Vec<BodyState>,
-    motions: Vec<Motion>,
+    motions: Vec<FreeMotion>,
     /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body. The
     /// world's for bodies that are not awake.
     indices: Vec<u32>,
@@ -102,7 +104,7 @@ impl SolverBodies {
     pub fn creeps(&self, index: u32) -> bool {
         let at = (index & !READ_ONLY) as usize;
         let (_, angvel) = self.states[at].velocity();
-        self.motions[at].bears_weight
+        self.motions[at].bears_weight()
             && Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
     }
 
@@ -113,25 +115,18 @@ impl SolverBodies {
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
-    /// At the `first` substep the states hold the impulses of the last step already, which must not be
+    /// At the first substep the states hold the impulses of the last step already, which must not be
     /// damped with the velocity.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
         params: &IntegrationParameters,
-        first: bool,
-        tasks: Tasks<'_>,
+        is_first: bool,
+        (simd, tasks): (Simd, Tasks<'_>),
     ) {
-        let warmth = params.warmstart_coefficient;
-        let speed_max = params.max_linear_velocity();
-        self.for_each_moving(tasks, |state, before, motion| {
-            let (old_v, old_w) = before.velocity();
-            let (v, w) = state.velocity();
-            let (impulse_v, impulse_w) = ((v - old_v) * warmth, (w - old_w) * warmth);
-            let (v, w) = if first { (old_v, old_w) } else { (v, w) };
-            let (v, w) = motion.accelerated(v, w, h, speed_max);
-            before.set_velocity(v, w);
-            state.set_velocity(v + impulse_v, w + impulse_w);
+        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        self.for_all_moving(tasks, |bodies| {
+            simd.run(Accelerate { bodies, h, warmth, speed_max, is_first });
         });
     }
 
@@ -164,28 +159,25 @@ impl SolverBodies {
     }
 
     /// Moves all bodies by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, tasks: Tasks<'_>) {
-        self.for_each_moving(tasks, |state, before, motion| {
-            state.advance(h);
-            motion.tumble(state, before, h);
-        });
+    pub fn integrate_positions(&mut self, h: Real, (simd, tasks): (Simd, Tasks<'_>)) {
+        self.for_all_moving(tasks, |bodies| simd.run(Advance { bodies, h }));
     }
 
-    fn for_each_moving(
-        &mut self,
-        tasks: Tasks<'_>,
-        work: impl Fn(&mut BodyState, &mut BodyState, &mut Motion) + Sync,
-    ) {
+    fn for_all_moving(&mut self, tasks: Tasks<'_>, work: impl Fn(Movers<'_>) + Sync) {
         let all = self.moving.clone();
         let Places { states, before, motions, .. } = self.places();
         for members in all {
             tasks.par_for(members.len(), BODIES_PER_TASK, |range| {
-                for index in members.start + range.start..members.start + range.end {
-                    // SAFETY: groups have places, and each index belongs to one task.
-                    unsafe {
-                        work(states.get_mut(index), before.get_mut(index), motions.get_mut(index));
+                let range = members.start + range.start..members.start + range.end;
+                // SAFETY: groups have places, and each index belongs to one task.
+                let bodies = unsafe {
+                    Movers {
+                        states: states.range_mut(range.clone()),
+                        before: before.range_mut(range.clone()),
+                        motions: motions.range_mut(range),
                     }
-                }
+                };
+                work(bodies);
             });
         }
     }

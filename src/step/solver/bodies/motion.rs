@@ -1,96 +1,104 @@
-//! How a body moves without any constraint.
+//! How bodies move without any constraint, [`LANES`] at a time.
 
+use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
-use crate::dim::gyro::Gyroscope;
-use crate::dim::math::{
-    ANG_ZERO, AngVector, Real, Rotation, Vector, integrate_rotation, mul_inertia,
-};
-use crate::dim::state::BodyState;
+use crate::dim::math::{Real, Vector, mul_inertia};
+use crate::dim::motion::{FreeMotion, accelerated, tumble};
+use crate::dim::state::{BodyState, WideMotion, load_states, store_states};
+use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
 
-/// What integrates a body; no constraint reads it.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct Motion {
-    pub rotation: Rotation,
-    /// Acceleration by gravity and the user's forces (length/s², rad/s²).
-    pub linear_acceleration: Vector,
-    pub angular_acceleration: AngVector,
-    pub linear_damping: Real,
-    pub angular_damping: Real,
-    /// Does gravity pull it, so that it may be part of a pile? What holds piles up counts, too.
-    pub bears_weight: bool,
-    /// For a body that tumbles.
-    pub gyroscope: Option<Gyroscope>,
+/// What moves a dynamic body in a step with this substep; takes the forces that act once.
+pub(super) fn motion_of(body: &mut RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
+    let (force, torque) = body.take_forces();
+    let mprops = &body.mprops;
+    // Gravity accelerates whatever can move, with or without mass.
+    let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
+    let acceleration = (
+        gravity * body.gravity_scale * free + force * mprops.inv_mass,
+        mul_inertia(&mprops.inv_inertia, torque),
+    );
+    let damping = [body.linear_damping, body.angular_damping];
+    let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
+    let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
+    let turns_freely = !mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
+    if body.gyroscopic_forces_enabled && turns_freely {
+        motion.with_gyroscope(&mprops.local, body.angvel, substep)
+    } else {
+        motion
+    }
 }
 
-impl Motion {
-    /// Neither accelerates nor is damped.
-    pub const AT_REST: Self = Self {
-        rotation: Rotation::IDENTITY,
-        linear_acceleration: Vector::ZERO,
-        angular_acceleration: ANG_ZERO,
-        linear_damping: 0.0,
-        angular_damping: 0.0,
-        bears_weight: true,
-        gyroscope: None,
-    };
+/// Some bodies that stand side by side, and how they were before any impulse of the substep.
+pub(super) struct Movers<'a> {
+    pub states: &'a mut [BodyState],
+    pub before: &'a mut [BodyState],
+    pub motions: &'a mut [FreeMotion],
+}
 
-    pub fn of(body: &mut RigidBody, gravity: Vector, substep: Real) -> Self {
-        let (force, torque) = body.take_forces();
-        let mprops = &body.mprops;
-        // Gravity accelerates whatever can move, with or without mass.
-        let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
-        let turns_freely = !mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
-        let gyroscope = if body.gyroscopic_forces_enabled && turns_freely {
-            Gyroscope::new(&mprops.local, body.angvel, substep)
-        } else {
-            None
-        };
-        Self {
-            rotation: body.pose.rotation,
-            linear_acceleration: gravity * body.gravity_scale * free + force * mprops.inv_mass,
-            angular_acceleration: mul_inertia(&mprops.inv_inertia, torque),
-            linear_damping: body.linear_damping,
-            angular_damping: body.angular_damping,
-            bears_weight: gravity * body.gravity_scale != Vector::ZERO,
-            gyroscope,
+impl Movers<'_> {
+    /// A register full of them after another.
+    fn chunks(self) -> impl Iterator<Item = Self> {
+        let states = self.states.chunks_mut(LANES);
+        let others = self.before.chunks_mut(LANES).zip(self.motions.chunks_mut(LANES));
+        states.zip(others).map(|(states, (before, motions))| Movers { states, before, motions })
+    }
+}
+
+/// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
+pub(super) struct Accelerate<'a> {
+    pub bodies: Movers<'a>,
+    pub h: Real,
+    /// The share of the impulses that it starts with.
+    pub warmth: Real,
+    pub speed_max: Real,
+    /// The states hold the impulses of the last step already, which must not be damped with the velocity.
+    pub is_first: bool,
+}
+
+impl Kernel for Accelerate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        let (warmth, limits) = (W::splat(self.warmth), (self.h, self.speed_max));
+        for Movers { states, before, motions } in self.bodies.chunks() {
+            let [old, unmoved] = load_states::<W>(before);
+            let [velocity, displacement] = load_states::<W>(states);
+            let linear = (velocity.linear - old.linear) * warmth;
+            let angular = (velocity.angular - old.angular) * warmth;
+            let start = if self.is_first { old } else { velocity };
+            let free = accelerated(motions, start, limits);
+            store_states(before, [free, unmoved]);
+            let linear = free.linear + linear;
+            let angular = free.angular + angular;
+            store_states(states, [WideMotion { linear, angular }, displacement]);
         }
     }
+}
 
-    /// The velocities after `h` seconds without any constraint.
-    pub fn accelerated(
-        &mut self,
-        v: Vector,
-        w: AngVector,
-        h: Real,
-        speed_max: Real,
-    ) -> (Vector, AngVector) {
-        // Damping is integrated implicitly: v' = v + h a - h c v' never overshoots zero.
-        let v = (v + self.linear_acceleration * h) / (1.0 + h * self.linear_damping);
-        let mut w = (w + self.angular_acceleration * h) / (1.0 + h * self.angular_damping);
-        if let Some(gyroscope) = &mut self.gyroscope {
-            w = gyroscope.velocity_at_middle(self.rotation, w, h);
+/// Moves bodies by their velocities.
+pub(super) struct Advance<'a> {
+    pub bodies: Movers<'a>,
+    pub h: Real,
+}
+
+impl Kernel for Advance<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        let h = W::splat(self.h);
+        for Movers { states, before, motions } in self.bodies.chunks() {
+            let [mut velocity, mut displacement] = load_states::<W>(states);
+            displacement.linear = displacement.linear + velocity.linear * h;
+            displacement.angular = turned_further(displacement.angular, velocity.angular * h);
+            if motions.iter().any(FreeMotion::tumbles) {
+                let [mut old, unmoved] = load_states::<W>(before);
+                tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
+                store_states(before, [old, unmoved]);
+            }
+            store_states(states, [velocity, displacement]);
         }
-        (v.clamp_length_max(speed_max), w)
-    }
-
-    /// Turns a tumbling body by this rotation vector.
-    pub fn turn(&mut self, turn: AngVector) {
-        if self.gyroscope.is_some() {
-            self.rotation = integrate_rotation(self.rotation, turn);
-        }
-    }
-
-    /// Turns a tumbling body, and its angular velocity as its inertia turns.
-    pub fn tumble(&mut self, state: &mut BodyState, before: &mut BodyState, h: Real) {
-        let Some(gyroscope) = &mut self.gyroscope else { return };
-        let (v, w) = state.velocity();
-        self.rotation = integrate_rotation(self.rotation, w * h);
-        let end = gyroscope.velocity_at_end(self.rotation, w);
-        state.set_velocity(v, end);
-        // What turned the velocity was no impulse: the next substep must not start with it, nor with the
-        // rounding of it. Where there was no impulse, `before` becomes `end` to the last bit.
-        let (before_v, before_w) = before.velocity();
-        before.set_velocity(before_v, end - (w - before_w));
     }
 }

@@ -1,11 +1,11 @@
 //! From the solver's states back to the bodies: once per step, on several threads.
 
 use super::SolverBodies;
-use super::motion::Motion;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::collide::turned;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
+use crate::dim::motion::FreeMotion;
 use crate::dim::state::BodyState;
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
@@ -44,7 +44,7 @@ impl SolverBodies {
                     let (shift, turn) = commit(body, state, motion);
                     let bound = bound_of(shift, turn, body.extent);
                     if bound > FAST * body.thickness && body.is_dynamic() {
-                        let (body, acceleration) = (order[position], motion.linear_acceleration);
+                        let (body, acceleration) = (order[position], motion.linear_acceleration());
                         let fast = FastMotion { body, start, center, shift, turn, acceleration };
                         lock(&found).push((position, fast));
                     }
@@ -67,13 +67,11 @@ impl SolverBodies {
 ///
 /// A body whose numbers overflowed stays where it was and comes to rest: one lost body is better than
 /// a world of NaN.
-fn commit(body: &mut RigidBody, state: &BodyState, motion: &Motion) -> (Vector, AngVector) {
+fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
-    let rotation = match motion.gyroscope {
-        Some(_) => motion.rotation.normalize(),
-        None => turned(motion.rotation, turn),
-    };
+    let rotation = motion.rotation();
+    let rotation = if motion.tumbles() { rotation.normalize() } else { turned(rotation, turn) };
     let center = body.mprops.world_com;
     let local_center = body.mprops.local.local_com;
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);

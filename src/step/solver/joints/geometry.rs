@@ -3,11 +3,10 @@
 use super::block::{AxisRow, JointBlock};
 use super::rows::Row;
 use crate::base::wide::Wide;
-use crate::dim::joint::{
-    angular_to_world, axes, linear_to_world, locked_rotations, turned_frame, turned_lever,
-};
+use crate::dim::joint::{angular_to_world, axes, linear_to_world, locked_rotations};
 use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
 use crate::dim::state::WideMotion;
+use crate::dim::turn::{turned_frame, turned_lever};
 use crate::dim::wide::{WideAngVector, WideRotation, WideVector, ang_dot, load_ang, torque};
 
 /// Frames and levers of a block's joints after the bodies have moved.

@@ -6,9 +6,10 @@ use super::geometry::Geometry;
 use super::rows::{Factored, Masses, Row};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
-use crate::dim::joint::{angular_to_frame, angular_to_world, turned_further, turned_inertia};
+use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
+use crate::dim::turn::{turned_further, turned_inertia};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, load_symmetric, store_ang,
     store_symmetric, torque,

@@ -2,7 +2,7 @@
 //! far from the origin, and impulses that outlast a step.
 
 use super::scene::{
-    Body, Contact, LANE, SUBSTEP, Scene, random_direction, random_turn, random_vector,
+    Body, Contact, LANE, SUBSTEP, Scene, advance, random_direction, random_turn, random_vector,
 };
 use crate::base::random::Random;
 use crate::base::wide::{LANES, Simd};
@@ -35,7 +35,7 @@ fn step(scene: &mut Scene) {
         scene.bounce();
         scene.solve();
         for state in &mut scene.states {
-            state.advance(SUBSTEP);
+            advance(state, SUBSTEP);
         }
         scene.relax();
     }
@@ -119,7 +119,7 @@ fn displacements_stay() {
     let mut scene = Scene::new(bodies, &random_manifold(&mut random));
     scene.prepare();
     for state in &mut scene.states {
-        state.advance(0.01);
+        advance(state, 0.01);
     }
     let displacements: Vec<_> = scene.states.iter().map(|state| state.displacement()).collect();
     scene.bounce();

@@ -1,7 +1,7 @@
 //! The normal rows: impulses that stop, hold apart, bounce, and see how far apart bodies are.
 
 use super::scene::{
-    Body, Contact, LANE, SUBSTEP, Scene, THRESHOLD, random_direction, random_vector,
+    Body, Contact, LANE, SUBSTEP, Scene, THRESHOLD, advance, random_direction, random_vector,
 };
 use crate::base::random::Random;
 use crate::dim::math::{
@@ -148,7 +148,7 @@ fn what_is_apart_comes_no_closer_than_to_touch() {
     let (linvel, _) = scene.velocity(1);
     assert!((linvel.y + 0.01 / SUBSTEP).abs() < ROUNDING * 10.0, "{linvel}");
     // Once it has moved, the gap is closed, and nothing is left to allow.
-    scene.states[1].advance(SUBSTEP);
+    advance(&mut scene.states[1], SUBSTEP);
     scene.relax();
     let (linvel, _) = scene.velocity(1);
     assert!(linvel.y.abs() < ROUNDING, "{linvel}");
@@ -237,7 +237,7 @@ fn separations(bodies: [Body; 2], contact: &Contact, time: Real) -> (Real, Real)
     scene.prepare();
     let mut ends = [Vector::ZERO; 2];
     for (k, body) in bodies.iter().enumerate() {
-        scene.states[k + 1].advance(time);
+        advance(&mut scene.states[k + 1], time);
         let away = if k == 0 { -0.5 } else { 0.5 };
         let arm = point + contact.normal * (away * gap) - body.center;
         let turned = integrate_rotation(body.rotation, body.angvel * time);

@@ -8,6 +8,7 @@ use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
 };
+use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::Placement;
 use crate::model::params::{ContactPass, ImpactPass, Softness};
@@ -339,4 +340,10 @@ unsafe fn bounce<W: Wide>(
         impact.put_aside(block);
         impact.rub::<W>(block, coulomb, states);
     }
+}
+
+/// Moves a body by `h` times its velocity.
+pub fn advance(state: &mut BodyState, h: Real) {
+    let (linvel, angvel) = state.velocity();
+    state.add_displacement(join(linvel * h, angvel * h));
 }

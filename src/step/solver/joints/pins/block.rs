@@ -3,11 +3,10 @@
 use super::super::rows::Factored;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim::joint::{
-    axes, from_numbers, numbers, point_response, turned_frame, turned_inertia, turned_lever,
-};
+use crate::dim::joint::{axes, from_numbers, numbers, point_response};
 use crate::dim::math::{DIM, Real};
 use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
+use crate::dim::turn::{turned_frame, turned_inertia, turned_lever};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane,
     cross, load_ang, load_symmetric, mul_inertia, set_ang_lane, store_ang, store_symmetric, torque,

@@ -1,0 +1,104 @@
+//! How bodies move while nothing holds them, in 2D: a record of whole registers, and what integrates it lane by lane.
+//!
+//! # Tumbling
+//! In 2D there is none, since there is only one axis to turn about.
+
+use super::math::{AngVector, Real, Rotation, Vector};
+use super::state::WideMotion;
+use super::wide::{WideAngVector, WideVector};
+use crate::base::wide::{LANES, Wide, gather};
+use parry::mass_properties::MassProperties;
+
+/// The rotation at 0, the acceleration at 2, the damping at 5 and 6.
+const RECORD_LEN: usize = 8;
+const BEARS_WEIGHT: usize = 7;
+
+/// What integrates a body; no constraint reads it.
+#[derive(Copy, Clone, Debug)]
+#[repr(C, align(32))]
+pub(crate) struct FreeMotion([Real; RECORD_LEN]);
+
+impl FreeMotion {
+    /// Neither accelerates nor is damped.
+    pub fn at_rest(rotation: Rotation) -> Self {
+        Self::new(rotation, (Vector::ZERO, 0.0), [0.0; 2], true)
+    }
+
+    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
+    /// rad/s²), and linear and angular damping (1/s).
+    ///
+    /// Does gravity pull it, so that it may be part of a pile? What holds piles up `bears_weight`, too.
+    pub fn new(
+        rotation: Rotation,
+        (linear, angular): (Vector, AngVector),
+        [linear_damping, angular_damping]: [Real; 2],
+        bears_weight: bool,
+    ) -> Self {
+        let (q, a, weight) = (rotation, linear, if bears_weight { 1.0 } else { 0.0 });
+        Self([q.re, q.im, a.x, a.y, angular, linear_damping, angular_damping, weight])
+    }
+
+    /// Lets the body tumble, unless it need not: never in 2D.
+    pub fn with_gyroscope(self, _: &MassProperties, _: AngVector, _: Real) -> Self {
+        self
+    }
+
+    /// How the body was turned when the step began.
+    pub fn rotation(&self) -> Rotation {
+        Rotation { re: self.0[0], im: self.0[1] }
+    }
+
+    /// The acceleration by gravity and the user's forces (length/s²).
+    pub fn linear_acceleration(&self) -> Vector {
+        Vector::new(self.0[2], self.0[3])
+    }
+
+    /// Does the angular velocity change as the body turns?
+    pub fn tumbles(&self) -> bool {
+        false
+    }
+
+    /// May it be part of a pile?
+    pub fn bears_weight(&self) -> bool {
+        self.0[BEARS_WEIGHT] != 0.0
+    }
+
+    /// Turns a tumbling body by this angle.
+    pub fn turn(&mut self, _: AngVector) {}
+}
+
+/// The velocities of up to [`LANES`] bodies after `h` seconds, if these are theirs and nothing holds them.
+#[inline(always)]
+pub(crate) fn accelerated<W: Wide>(
+    bodies: &mut [FreeMotion],
+    WideMotion { linear, angular }: WideMotion<W>,
+    (h, speed_max): (Real, Real),
+) -> WideMotion<W> {
+    let own = gather::<W, RECORD_LEN>(rows(bodies));
+    let (one, substep) = (W::splat(1.0), W::splat(h));
+    let linear_acceleration = WideVector { x: own[2], y: own[3] };
+    // Damping is integrated implicitly: v' = v + h a - h c v' never overshoots zero.
+    let linear = (linear + linear_acceleration * substep) * (one / (one + substep * own[5]));
+    let angular = (angular + own[4] * substep) * (one / (one + substep * own[6]));
+    WideMotion { linear: linear.clamped(speed_max), angular }
+}
+
+/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
+#[inline(always)]
+pub(crate) fn tumble<W: Wide>(
+    _bodies: &mut [FreeMotion],
+    _velocity: &mut WideAngVector<W>,
+    _before: &mut WideAngVector<W>,
+    _h: Real,
+) {
+}
+
+/// The record of each body; no lane beyond them is looked at later.
+#[inline(always)]
+fn rows(bodies: &[FreeMotion]) -> [&[Real; RECORD_LEN]; LANES] {
+    let mut rows = [const { &[0.0; RECORD_LEN] }; LANES];
+    for (row, body) in rows.iter_mut().zip(bodies) {
+        *row = &body.0;
+    }
+    rows
+}

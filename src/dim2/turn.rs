@@ -1,0 +1,52 @@
+//! Turning, lane by lane, in 2D.
+
+use super::math::TURN_MAX;
+use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
+use crate::base::wide::Wide;
+
+/// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
+#[inline(always)]
+fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
+    let (one, square) = (W::splat(1.0), (turn * turn).min(W::splat(TURN_MAX)));
+    let correction = W::splat(1.0 / 24.0) + square * W::splat(1.0 / 240.0);
+    let t = turn * (W::splat(0.5) + square * correction);
+    let scale = one / (one + t * t);
+    WideRotation { re: (one - t * t) * scale, im: (t + t) * scale }
+}
+
+/// A lever of a body after the body has turned.
+#[inline(always)]
+pub(crate) fn turned_lever<W: Wide>(lever: WideVector<W>, turn: WideAngVector<W>) -> WideVector<W> {
+    rotation_by(turn).rotate(lever)
+}
+
+/// A frame of a body after the body has turned.
+#[inline(always)]
+pub(crate) fn turned_frame<W: Wide>(
+    frame: WideRotation<W>,
+    turn: WideAngVector<W>,
+) -> WideRotation<W> {
+    let by = rotation_by(turn);
+    WideRotation {
+        re: by.re * frame.re - by.im * frame.im,
+        im: by.im * frame.re + by.re * frame.im,
+    }
+}
+
+/// The angle after a further turn.
+#[inline(always)]
+pub(crate) fn turned_further<W: Wide>(
+    turn: WideAngVector<W>,
+    by: WideAngVector<W>,
+) -> WideAngVector<W> {
+    turn + by
+}
+
+/// The inverse inertia of a body after the body has turned: the same in 2D.
+#[inline(always)]
+pub(crate) fn turned_inertia<W: Wide>(
+    inv_inertia: WideSymmetric<W>,
+    _turn: WideAngVector<W>,
+) -> WideSymmetric<W> {
+    inv_inertia
+}
