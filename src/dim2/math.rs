@@ -1,5 +1,6 @@
 //! Vectors, rotations and poses in 2D, and the few formulas whose shape depends on the dimension.
 
+use crate::base::trig::{atan2, sin_cos};
 pub use parry::math::{
     AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
 };
@@ -53,13 +54,14 @@ pub fn ang_is_finite(w: AngVector) -> bool {
 /// The rotation by `angle` radians, counter-clockwise.
 #[inline]
 pub fn rotation_from_angle(angle: AngVector) -> Rotation {
-    Rotation::new(angle)
+    let (sine, cosine) = sin_cos(angle);
+    Rotation::from_cos_sin_unchecked(cosine, sine)
 }
 
 /// The angle of a rotation (radians, in `-π..=π`).
 #[inline]
 pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
-    rotation.angle()
+    atan2(rotation.im, rotation.re)
 }
 
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.

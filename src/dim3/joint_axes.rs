@@ -1,7 +1,8 @@
 //! The axes of a joint in 3D: three along which, and three about which, one body can move against the
 //! other.
 
-use super::math::{Real, Rotation, Vector, rotation_to_angle};
+use super::math::{Real, Rotation, Vector};
+use crate::base::trig::atan2;
 
 /// One degree of freedom between two joined bodies, in the joint's frame on the first body.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
@@ -87,8 +88,7 @@ pub fn frame_along(axis: Vector) -> Rotation {
 #[inline]
 pub fn twist(rotation: &Rotation) -> Real {
     let (x, w) = (rotation.x, rotation.w);
-    if x == 0.0 && w == 0.0 {
-        return 0.0; // half a turn about an axis across: any twist will do
-    }
-    rotation_to_angle(&Rotation::from_xyzw(x, 0.0, 0.0, w).normalize()).x
+    // A quaternion and its negative are the same rotation; both are 0 at half a turn about an axis across, where any
+    // twist will do.
+    2.0 * if w < 0.0 { atan2(-x, -w) } else { atan2(x, w) }
 }

@@ -1,5 +1,6 @@
 //! Vectors, rotations and poses in 3D, and the few formulas whose shape depends on the dimension.
 
+use crate::base::trig::{atan2, sin_cos};
 pub use parry::math::{
     AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
 };
@@ -53,14 +54,23 @@ pub fn ang_is_finite(w: AngVector) -> bool {
 /// The rotation by `angle.length()` radians about the direction of `angle`.
 #[inline]
 pub fn rotation_from_angle(angle: AngVector) -> Rotation {
-    Rotation::from_scaled_axis(angle)
+    let length = angle.length();
+    if length == 0.0 {
+        return Rotation::IDENTITY;
+    }
+    let (sine, cosine) = sin_cos(0.5 * length);
+    let v = angle * (sine / length);
+    Rotation::from_xyzw(v.x, v.y, v.z, cosine)
 }
 
 /// Angle and axis of a rotation as one vector (radians), the shorter way round: at most half a turn.
 #[inline]
 pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     // A quaternion and its negative are the same rotation; the one with w < 0 says the longer way.
-    if rotation.w < 0.0 { (-*rotation).to_scaled_axis() } else { rotation.to_scaled_axis() }
+    let q = if rotation.w < 0.0 { -*rotation } else { *rotation };
+    let v = Vector::new(q.x, q.y, q.z);
+    let length = v.length();
+    if length == 0.0 { v * 2.0 } else { v * (2.0 * atan2(length, q.w) / length) }
 }
 
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
@@ -81,24 +91,6 @@ pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     )
     .normalize()
 }
-
-/// The rotation vector of a turn by `turn` and then by the small angle `by`, to third order: the
-/// series of Baker, Campbell and Hausdorff. Rotation vectors just added are off by half of `by × turn`, and a joint
-/// that holds bodies where these say is torn when the bodies are put where they are. Beyond two radians in a step the
-/// series is of no use, and they are added.
-#[inline]
-pub fn turn_further(turn: AngVector, by: AngVector) -> AngVector {
-    let sum = turn + by;
-    if turn.length_squared() < SERIES_MAX * SERIES_MAX {
-        let across = by.cross(turn);
-        sum + (across * 0.5 + (by - turn).cross(across) * (1.0 / 12.0))
-    } else {
-        sum
-    }
-}
-
-/// Where [`turn_further`] gives up (rad).
-pub const SERIES_MAX: Real = 2.0;
 
 /// Two unit vectors that complete the unit vector `n` to a right-handed basis `(t1, t2, n)`.
 ///

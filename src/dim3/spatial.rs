@@ -5,7 +5,7 @@
 use super::axes::LockedAxes;
 use super::joint_axes::JointAxesMask;
 use super::math::{ANG_DIM, AngVector, Real, Rotation, SpatialVector, Vector};
-use crate::base::trig::sin_cos;
+use crate::base::trig::{atan2, sin_cos};
 use parry::mass_properties::MassProperties;
 
 /// The axes about which one can turn.
@@ -60,7 +60,7 @@ pub fn rotation_about(axis: usize, angle: Real) -> Rotation {
 pub fn angle_about(axis: usize, rotation: Rotation) -> Real {
     let (along, w) = ([rotation.x, rotation.y, rotation.z][axis], rotation.w);
     let (along, w) = if w < 0.0 { (-along, -w) } else { (along, w) };
-    2.0 * along.atan2(w)
+    2.0 * atan2(along, w)
 }
 
 /// The angles by which a rotation turns about the second axis and then about the first, if it does nothing else.
@@ -68,7 +68,7 @@ pub fn angles_about([a, b]: [usize; 2], rotation: Rotation) -> [Real; 2] {
     let (a, b) = (ANG_AXES[a], ANG_AXES[b]);
     let c = a.cross(b);
     let (turned_b, turned_a) = (rotation * b, rotation.inverse() * a);
-    [c.dot(turned_b).atan2(b.dot(turned_b)), c.dot(turned_a).atan2(a.dot(turned_a))]
+    [atan2(c.dot(turned_b), b.dot(turned_b)), atan2(c.dot(turned_a), a.dot(turned_a))]
 }
 
 /// The axes of the world along and about which a body can move, as those of a joint.

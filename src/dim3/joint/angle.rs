@@ -1,5 +1,6 @@
 //! The angles of a joint's free axes.
 
+use crate::base::trig::atan2;
 use crate::dim3::joint_axes::{JointAxesMask, JointAxis, twist};
 use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector, rotation_to_angle};
 
@@ -70,8 +71,7 @@ fn swing_of(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     let f = *rotation * e;
     let across = e.cross(f);
     let (sin, cos) = (across.length(), e.dot(f));
-    let angle = twist(&Rotation::from_xyzw(sin, 0.0, 0.0, 1.0 + cos));
-    (angle, if sin > 0.0 { across / sin } else { e.any_orthonormal_vector() })
+    (atan2(sin, cos), if sin > 0.0 { across / sin } else { e.any_orthonormal_vector() })
 }
 
 /// How far X was swung about another axis of the first frame.
@@ -86,9 +86,7 @@ fn swing_about(axis: JointAxis, rotation: &Rotation) -> (Real, AngVector) {
     if length_squared < 1.0e-6 {
         return (0.0, if axis == JointAxis::AngY { Vector::Y } else { Vector::Z });
     }
-    // tan(angle/2) = sin / (|·| + cos)
-    let half = Rotation::from_xyzw(sin, 0.0, 0.0, length_squared.sqrt() + cos);
-    (twist(&half), (sin_row * cos - cos_row * sin) / length_squared)
+    (atan2(sin, cos), (sin_row * cos - cos_row * sin) / length_squared)
 }
 
 /// The angular part of a joint's impulses.
