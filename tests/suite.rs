@@ -8,6 +8,7 @@ mod determinism;
 mod api;
 pub mod ghosts;
 pub mod characters;
+mod complaints;
 mod continuous;
 pub mod hostile;
 pub mod joints;

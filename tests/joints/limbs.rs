@@ -129,3 +129,18 @@ fn dolls_keep_their_energy() {
         }
     }
 }
+
+/// Its inertia does not turn with it, or it would turn where it cannot.
+#[test]
+fn limbs_that_cannot_turn_about_an_axis_do_not() {
+    let mut world = world(60);
+    let post = post(&mut world, Vector::ZERO);
+    let hanging = limb(&mut world, Vector::new(0.3, -0.2, 0.1), Vector::new(0.6, 0.0, 0.8), 0.3);
+    join(&mut world, [post, hanging], Vector::ZERO, None);
+    world.bodies[hanging].set_enabled_rotations(false, true, true, true);
+    world.bodies[hanging].set_angvel(Vector::new(0.0, 6.0, 8.0), true);
+    for _ in 0..120 {
+        world.step();
+        assert_eq!(world.bodies[hanging].angvel().x, 0.0);
+    }
+}

@@ -1,5 +1,5 @@
-//! Documents that say what the source says: links that lead somewhere, paths that exist, and the table
-//! of stages, which is written on the stages' cards.
+//! Documents that say what the source says: links that lead somewhere, paths that exist, functions that are in the
+//! file that is named with them, and the table of stages, which is written on the stages' cards.
 
 use crate::Complaint;
 use crate::source::Source;
@@ -20,7 +20,7 @@ pub fn check(root: &Path, sources: &[Source], documents: &[(String, String)]) ->
     let mut complaints = Vec::new();
     for (path, text) in documents {
         for (line, target) in targets(path, text) {
-            if !root.join(&target).exists() {
+            if !exists(root, &target) {
                 complaints.push(Complaint::new(path, line, format!("there is no {target}")));
             }
         }
@@ -31,6 +31,15 @@ pub fn check(root: &Path, sources: &[Source], documents: &[(String, String)]) ->
         complaints.extend(check_table(text, &table));
     }
     complaints
+}
+
+/// Is there such a file or folder or, behind `::`, such a function in it?
+fn exists(root: &Path, target: &str) -> bool {
+    match target.split_once("::") {
+        None => root.join(target).exists(),
+        Some((file, name)) => std::fs::read_to_string(root.join(file))
+            .is_ok_and(|text| text.contains(&format!("fn {name}("))),
+    }
 }
 
 /// Every path of the repository that a document names, with its line.
@@ -54,8 +63,12 @@ fn targets(path: &str, text: &str) -> Vec<(usize, String)> {
         for quoted in line.split('`').skip(1).step_by(2) {
             let place = PLACES.iter().any(|place| quoted.starts_with(place));
             if place && !quoted.contains(['*', '<', '{', ' ', '…', '$']) {
-                let file = quoted.split([':', '#']).next().unwrap_or("");
-                targets.push((number + 1, file.to_owned()));
+                let target = if quoted.contains("::") {
+                    quoted
+                } else {
+                    quoted.split([':', '#']).next().unwrap_or("")
+                };
+                targets.push((number + 1, target.to_owned()));
             }
         }
     }
@@ -129,8 +142,9 @@ fn check_table(text: &str, table: &[String]) -> Option<Complaint> {
 
 #[cfg(test)]
 mod tests {
-    use super::{TABLE_BEGINS, TABLE_ENDS, check_table, table, targets};
+    use super::{TABLE_BEGINS, TABLE_ENDS, check_table, exists, table, targets};
     use crate::source::Source;
+    use std::path::Path;
 
     #[test]
     fn links_and_paths_are_found() {
@@ -138,6 +152,18 @@ mod tests {
             "[a](b.md#c) [web](https://d.e) `src/f.rs` `src/*/g.rs` `h`\n```\n`src/i.rs`\n```";
         let found = targets("docs/page.md", text);
         assert_eq!(found, [(1, "docs/b.md".to_owned()), (1, "src/f.rs".to_owned())]);
+    }
+
+    #[test]
+    fn functions_are_looked_for() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        assert!(
+            exists(root, "src/papers.rs")
+                && exists(root, "src/papers.rs::functions_are_looked_for")
+        );
+        assert!(
+            !exists(root, "src/paper.rs") && !exists(root, "src/papers.rs::functions_are_lost")
+        );
     }
 
     fn house(card: &str) -> [Source; 3] {

@@ -68,9 +68,8 @@ impl Structure<'_> {
             .any(|&slot| self.islands.joints.get(slot).is_some_and(|link| link.slot.is_some()))
     }
 
-    /// The bodies that share an island with this one because of a joint of either kind.
-    pub(super) fn for_each_joined(&self, body: RigidBodyHandle, mut visit: impl FnMut(u32)) {
-        let own = body.into_raw_parts().0;
+    /// The slots of the bodies that joints of either kind hold to the one in this slot.
+    pub fn for_each_joined(&self, own: u32, mut visit: impl FnMut(u32)) {
         for &slot in self.islands.joints.of_body(own) {
             let Some(link) = self.islands.joints.get(slot).filter(|link| link.attached) else {
                 continue;

@@ -578,7 +578,7 @@ impl Structure<'_> {
             }
         }
         let mut joined = Vec::new();
-        self.for_each_joined(handle, |other| joined.push(other));
+        self.for_each_joined(own, |other| joined.push(other));
         for other in joined {
             self.join_if_new(other, island, stack);
         }

@@ -50,7 +50,7 @@ impl Digest<'_> {
     }
 
     /// Wakes what touches a body or is joined to it: it may no longer be there, or carry, as it did.
-    fn wake_touching(&mut self, handle: RigidBodyHandle) {
+    pub(super) fn wake_touching(&mut self, handle: RigidBodyHandle) {
         let mut index = 0;
         while let Some(collider) = self.collider_of(handle, index) {
             self.structure.wake_touching(collider.into_raw_parts().0);
@@ -85,7 +85,6 @@ impl Digest<'_> {
         let changes = core::mem::replace(&mut body.changes, RigidBodyChanges::empty());
         if changes.contains(RigidBodyChanges::POSITION) {
             body.update_world_mass_properties();
-            self.wake_touching(handle);
             self.place_colliders(handle);
         }
         if changes.intersects(RigidBodyChanges::POSITION | RigidBodyChanges::DOMINANCE) {

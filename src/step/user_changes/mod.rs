@@ -10,6 +10,7 @@
 mod bodies;
 mod colliders;
 mod joints;
+mod moved;
 mod multibodies;
 mod removals;
 
@@ -42,6 +43,9 @@ impl Digest<'_> {
         let mut reweighed = Vec::new();
         for &handle in &bodies {
             self.reclassify(handle);
+        }
+        for &handle in &bodies {
+            self.wake_left_behind(handle);
         }
         for &handle in &colliders {
             self.take_in_collider(handle, &mut reweighed);

@@ -36,7 +36,7 @@
 //! that of the beginning of the step, the work of a joint's impulses is not what the bodies gain, and two thin limbs on a
 //! post gained so much that they flew apart. So the relax pass turns the inverse inertias of bodies that tumble,
 //! `R I⁻¹ Rᵀ`, and the solve pass of the next substep, which begins at the same place, uses the same ones. (Impulses act
-//! there for the gyroscope, too: see `dimN/gyro.rs`.) What is taken back of the last substep is therefore what
+//! there for the gyroscope, too: see `dimN/motion.rs`.) What is taken back of the last substep is therefore what
 //! the velocities have got, and not a moment times the inertia of today.
 //!
 //! ## Warm starting

@@ -1,0 +1,78 @@
+//! Bodies that were put elsewhere. Whom they touched or held wakes: they may no longer be there. But who was moved along
+//! by the same motion notices nothing: so a world can be brought back to the origin, and a room be moved, asleep.
+
+use super::Digest;
+use crate::dim::math::{Pose, Real, ang_length_squared, rotation_to_angle};
+use crate::model::body::{RigidBody, RigidBodyChanges, RigidBodyHandle};
+use crate::model::island::NONE;
+
+/// A body, and where it was.
+struct Stand {
+    before: Pose,
+    now: Pose,
+}
+
+impl Digest<'_> {
+    /// Wakes whom a body touched or held that is now elsewhere, unless all of them were moved along. Colliders must
+    /// still stand where they stood.
+    pub(super) fn wake_left_behind(&mut self, handle: RigidBodyHandle) {
+        let slot = handle.into_raw_parts().0;
+        let Some(body) = self.structure.bodies.get(handle) else { return };
+        if body.changes.contains(RigidBodyChanges::POSITION) {
+            let stand = self.stand_of(body);
+            if !stand.is_some_and(|stand| self.takes_all_along(slot, body, &stand)) {
+                self.wake_touching(handle);
+            }
+        }
+    }
+
+    fn takes_all_along(&self, slot: u32, body: &RigidBody, stand: &Stand) -> bool {
+        let contacts = &self.structure.narrow_phase.contacts;
+        let pairs = body
+            .colliders()
+            .iter()
+            .flat_map(|collider| contacts.ids_of(collider.into_raw_parts().0));
+        let touching = pairs.filter(|&&id| contacts[id].is_touching());
+        let partners =
+            touching.flat_map(|&id| contacts.bodies(id)).filter(|&partner| partner != slot);
+        let mut takes = partners.into_iter().all(|partner| self.moved_along(stand, partner));
+        self.structure.for_each_joined(slot, |partner| takes &= self.moved_along(stand, partner));
+        takes
+    }
+
+    /// Does a body, or the world, stand to another one as it did before?
+    fn moved_along(&self, stand: &Stand, partner: u32) -> bool {
+        let other = match self.structure.bodies.at_slot(partner) {
+            _ if partner == NONE => Some(Stand { before: Pose::IDENTITY, now: Pose::IDENTITY }),
+            Some((_, body)) => self.stand_of(body),
+            None => None,
+        };
+        other.is_some_and(|other| stand.keeps_to(&other))
+    }
+
+    /// Where a body was is known from its colliders alone.
+    fn stand_of(&self, body: &RigidBody) -> Option<Stand> {
+        let now = body.pose;
+        if !body.changes.contains(RigidBodyChanges::POSITION) {
+            return Some(Stand { before: now, now });
+        }
+        let mut colliders =
+            body.colliders().iter().filter_map(|&handle| self.structure.colliders.get(handle));
+        let collider = colliders.find(|collider| collider.changes.is_empty())?;
+        Some(Stand { before: collider.pose * collider.parent?.pos_wrt_parent.inverse(), now })
+    }
+}
+
+impl Stand {
+    /// Is the way from this to the other one the same as before, but for the rounding of far places?
+    fn keeps_to(&self, other: &Self) -> bool {
+        let before = self.before.inv_mul(&other.before);
+        let now = self.now.inv_mul(&other.now);
+        let places = [&self.before, &self.now, &other.before, &other.now];
+        let far = places.map(|pose| pose.translation.length()).into_iter().fold(1.0, Real::max);
+        let (shift_max, turn_max) = (4.0 * Real::EPSILON * far, 16.0 * Real::EPSILON);
+        let turn = rotation_to_angle(&(before.rotation.inverse() * now.rotation));
+        (now.translation - before.translation).length() <= shift_max
+            && ang_length_squared(turn) <= turn_max * turn_max
+    }
+}

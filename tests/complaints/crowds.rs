@@ -1,0 +1,52 @@
+//! "Thousands of static cuboids make it slow, and it never gives back what it takes."
+
+use crate::dim::{cuboid, vec};
+use crate::suite::physics::stage::{run, world};
+use rapier::prelude::*;
+
+/// Fixed colliders that touch each other are nobody's business: the pairs that a step looks at are those of what moves.
+#[test]
+fn what_is_fixed_makes_no_pairs() {
+    let mut world = world(60);
+    for k in 0..4000_u16 {
+        let place = vec(Real::from(k % 200), -0.5 - Real::from(k / 200));
+        world.insert_collider(cuboid(0.5, 0.5).translation(place), None);
+    }
+    world.step();
+    assert_eq!(world.physics_pipeline.counters.cd.ncontact_pairs, 0);
+    let ball = RigidBodyBuilder::dynamic().translation(vec(100.2, 0.5));
+    world.insert(ball, ColliderBuilder::ball(0.5));
+    run(&mut world, 1.0);
+    // A ball of half a metre reaches three cubes of one metre in each direction at most.
+    let pairs = world.physics_pipeline.counters.cd.ncontact_pairs;
+    assert!((1..=9).contains(&pairs), "{pairs} pairs");
+}
+
+/// The places of what is removed are given to what comes, and nothing that belonged to it stays.
+#[test]
+fn who_comes_takes_the_place_of_who_went() {
+    let mut world = world(60);
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let mut living = std::collections::VecDeque::new();
+    for round in 0..400_u16 {
+        let place = vec(Real::from(round % 7) * 0.3, 0.5);
+        let body = RigidBodyBuilder::dynamic().translation(place);
+        let (body, collider) = world.insert(body, cuboid(0.5, 0.5));
+        living.push_back((body, collider));
+        world.step();
+        if living.len() > 12 {
+            let (oldest, _) = living.pop_front().expect("thirteen");
+            world.remove_body(oldest);
+        }
+        let (slot, _) = body.into_raw_parts();
+        let (collider_slot, _) = collider.into_raw_parts();
+        // Thirteen at once; and the ground, and a collider that goes in the next step.
+        assert!(slot < 13 && collider_slot < 15, "slots {slot} and {collider_slot}");
+    }
+    for (body, _) in living {
+        world.remove_body(body);
+    }
+    world.step();
+    assert_eq!((world.bodies.len(), world.colliders.len()), (0, 1));
+    assert_eq!(world.contact_pairs().count(), 0);
+}
