@@ -10,6 +10,7 @@
 //! * `awake`: what the narrow phase visits each step. Pairs of sleeping bodies are not in it.
 
 use crate::base::hash::FastHashMap;
+use crate::base::wide::prefetch;
 use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
 use crate::model::island::NONE;
@@ -215,6 +216,13 @@ impl<P: Pair> PairStore<P> {
     /// Slots of the two bodies; [`NONE`] for a collider without a body.
     pub fn bodies(&self, id: PairId) -> [u32; 2] {
         self.entry(id).bodies
+    }
+
+    /// Begins to bring a pair near to the processor.
+    pub fn prefetch(&self, id: PairId) {
+        if let Some(entry) = self.entries.get(id as usize) {
+            prefetch(entry);
+        }
     }
 
     /// What the narrow phase visits.

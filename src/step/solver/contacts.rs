@@ -84,7 +84,8 @@ impl SolverContacts {
             let fill_one = |index: usize| {
                 // SAFETY: each block has an input, and belongs to one task.
                 let input = unsafe { inputs.get_mut(index) };
-                fill(input, layout.block(index), narrow_phase, bodies)
+                let soon = layout.block_or_none(index + 1);
+                fill(input, [layout.block(index), soon], narrow_phase, bodies)
             };
             point_count.fetch_add(range.map(fill_one).sum(), Ordering::Relaxed);
         });
@@ -165,7 +166,11 @@ impl SolverContacts {
         let pairs = DisjointMut::new(narrow_phase.contacts.split().entries);
         for_each_color(self.layout.colors(), tasks, |range| {
             for index in range {
+                let soon = self.layout.block_or_none(index + 1);
                 for (lane, at) in self.layout.block(index).iter().enumerate() {
+                    if let Some(later) = soon.get(lane) {
+                        pairs.prefetch(later.pair as usize);
+                    }
                     // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
                     let entry = unsafe { pairs.get_mut(at.pair as usize) };
                     let Some(pair) = PairStore::pair_mut(entry) else { continue };
@@ -186,10 +191,11 @@ impl SolverContacts {
     }
 }
 
-/// Fills one input, lane by lane. Returns the number of points.
+/// Fills one input, lane by lane, and asks for what the next one needs: pairs are spread over memory. Returns the number
+/// of points.
 fn fill(
     input: &mut ContactInput,
-    chunk: &[ManifoldRef],
+    [chunk, soon]: [&[ManifoldRef]; 2],
     narrow_phase: &NarrowPhase,
     bodies: &SolverBodies,
 ) -> usize {
@@ -198,6 +204,9 @@ fn fill(
         *input = ContactInput::EMPTY;
     }
     for (lane, at) in chunk.iter().enumerate() {
+        if let Some(later) = soon.get(lane) {
+            narrow_phase.contacts.prefetch(later.pair);
+        }
         let slots = narrow_phase.contacts.bodies(at.pair);
         let indices = slots.map(|slot| bodies.index_of(slot));
         let pair = &narrow_phase.contacts[at.pair];
