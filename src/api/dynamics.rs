@@ -3,7 +3,7 @@
 pub use crate::dim::axes::LockedAxes;
 pub use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 pub use crate::model::body::{
-    InvalidRigidBody, RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps,
+    InvalidRigidBody, QuarantineCause, RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps,
     RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle, RigidBodyMassProps, RigidBodySet,
     RigidBodyType, RigidBodyVelocity,
 };

@@ -75,6 +75,19 @@ impl BodyState {
         }
     }
 
+    /// Is no number of these states beyond a bound, or none at all?
+    ///
+    /// No number is added up or thrown away on the way, so that several are compared at once.
+    pub fn are_within(states: &[Self], bound: Real) -> bool {
+        let mut within = [true; STATE_LEN];
+        for state in states {
+            for (within, value) in within.iter_mut().zip(state.0) {
+                *within &= value.abs() <= bound;
+            }
+        }
+        within == [true; STATE_LEN]
+    }
+
     /// Moves and turns on by `h` times the velocity.
     #[inline]
     pub fn advance(&mut self, h: Real) {

@@ -37,7 +37,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
-use crate::step::notes::FastMotion;
+use crate::step::notes::{FastMotion, Lost};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
@@ -77,12 +77,17 @@ pub(crate) struct Scene<'a> {
     pub fast: &'a mut Vec<FastMotion>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
+    /// Gets the bodies that cannot be stored.
+    pub lost: &'a mut Vec<Lost>,
 }
 
 /// Solves one step for all awake bodies.
+///
+/// If there are bodies that cannot be stored, none is. Impulses of groups that were solved before stay stored.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
     let Scene { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
-    let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
+    let (set, trees, broken, lost) = (scene.joints, scene.multibodies, scene.broken, scene.lost);
+    let mut strained = false;
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
@@ -109,6 +114,15 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         solve_group(group.substeps, &conditions, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
+        let calm = constraints.multibodies.finish(lost) & states.are_calm(tasks);
+        strained |= !calm;
+        if !calm || islands.strained {
+            states.find_lost(groups, bodies, &constraints.multibodies, lost);
+        }
+        if !lost.is_empty() {
+            constraints.multibodies.give_back(trees);
+            return counters.velocity_writeback_time.pause();
+        }
         let Constraints { joints, contacts, multibodies } = constraints;
         contacts.store(narrow_phase, tasks);
         joints.store(states, (islands, set), params.inv_dt(), broken, (simd, tasks));
@@ -119,8 +133,9 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
-    let world = (islands, bodies, &constraints.multibodies);
-    states.store(groups, world, params, scene.fast, tasks);
+    let world = (&mut *islands, bodies, &constraints.multibodies);
+    strained |= states.store(groups, world, params, scene.fast, tasks);
+    islands.strained = strained;
     counters.velocity_writeback_time.pause();
 }
 

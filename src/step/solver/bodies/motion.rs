@@ -35,8 +35,8 @@ impl Motion {
         gyroscope: None,
     };
 
-    pub fn of(body: &mut RigidBody, gravity: Vector, substep: Real) -> Self {
-        let (force, torque) = body.take_forces();
+    pub fn of(body: &RigidBody, gravity: Vector, substep: Real) -> Self {
+        let (force, torque) = body.forces();
         let mprops = &body.mprops;
         // Gravity accelerates whatever can move, with or without mass.
         let free = inv_mass_per_axis(mprops.locked_axes, 1.0);

@@ -1,7 +1,7 @@
 //! From what the solver moved back to multibodies and their bodies.
 
 use super::{Moving, NOT_NOW, SolverMultibodies};
-use crate::base::measure::is_coordinate;
+use crate::base::measure::{CALM, is_coordinate};
 use crate::dim::math::{Pose, Real, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -11,6 +11,7 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
+use crate::step::notes::Lost;
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
@@ -27,6 +28,33 @@ impl SolverMultibodies {
         self.loops.store(joints, inv_dt);
         self.joints.add_forces(joints, inv_dt);
         self.loops.break_overloaded(joints, broken);
+    }
+
+    /// Ends the step of the multibodies. Lists those that cannot be stored, and returns whether the velocities of all
+    /// others are calm.
+    pub fn finish(&mut self, lost: &mut Vec<Lost>) -> bool {
+        let mut calm = true;
+        for moving in &mut self.moving {
+            moving.motion.finish();
+            if !moving.is_sound() {
+                lost.extend(moving.first_lost());
+            }
+            calm &= moving.motion.link_velocities().iter().flatten().all(|v| v.abs() <= CALM);
+        }
+        calm
+    }
+
+    /// Puts the multibodies back into their set as they were when the step began, but for impulses that were made to fit
+    /// its substeps.
+    pub fn give_back(&mut self, set: &mut MultibodyJointSet) {
+        for mut moving in self.moving.drain(..) {
+            moving.undo();
+            if let Some(place) = set.get_unnoted_mut(moving.index) {
+                *place = core::mem::take(&mut moving.multibody);
+            }
+            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.spare.push(moving);
+        }
     }
 
     /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.
@@ -67,10 +95,6 @@ impl Moving {
     }
 
     fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
-        self.motion.finish();
-        if !self.is_sound() {
-            self.stop();
-        }
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
         for id in 0..self.multibody.links.len() {
             self.store_link(id, islands, bodies);
@@ -83,6 +107,7 @@ impl Moving {
         let link = &mut self.multibody.links[id];
         let Some(body) = bodies.get_unnoted_mut(link.body) else { return };
         if body.is_dynamic() {
+            body.use_up_push();
             (body.linvel, body.angvel) = (linear(&velocity), angular(&velocity));
             body.pose = pose;
             let old_center = body.mprops.world_com;
@@ -125,17 +150,24 @@ impl Moving {
             })
     }
 
-    /// Puts the links back to where the step began, at rest.
-    ///
-    /// One lost multibody is better than a world of NaN.
-    fn stop(&mut self) {
-        log::error!("a multibody left the range of numbers and was stopped");
+    /// The first link that cannot be stored; the root, if it is none of them by itself.
+    fn first_lost(&mut self) -> Option<Lost> {
+        let velocities = self.motion.link_velocities();
+        let velocity = |id: usize| {
+            RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]))
+        };
+        let is_lost = |id: &usize| !velocity(*id).is_usable();
+        let id = (0..velocities.len()).find(is_lost).unwrap_or(0);
+        let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
+        Some(Lost { body, velocity, is_link: true })
+    }
+
+    /// Puts the links back to where the step began.
+    fn undo(&mut self) {
         let (joints, root) = &self.start;
         for (link, joint) in self.multibody.links.iter_mut().zip(joints) {
             link.joint = joint.clone();
         }
         self.multibody.links[0].pose = *root;
-        self.motion.stand_still();
-        self.motion.kinematics.update(&self.multibody);
     }
 }
