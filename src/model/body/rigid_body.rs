@@ -5,8 +5,8 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges,
-    RigidBodyMassProps, RigidBodyType,
+    QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder,
+    RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
 };
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};

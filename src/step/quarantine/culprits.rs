@@ -45,8 +45,14 @@ impl Culprits<'_> {
             return all.for_each(|lost| self.take(&lost, taken));
         }
         for lost in self.lost {
-            if let Some(cause) = self.body(lost).and_then(|body| self.cause_in(body)) {
-                self.take_with_group(lost.body, cause, taken);
+            // Of a multibody, nobody knows any more who was lost first.
+            let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
+            let suspects = core::iter::once(&lost.body).chain(links);
+            let mut causes = suspects.filter_map(|&suspect| {
+                Some((suspect, self.cause_in(self.world.bodies.get(suspect)?)?))
+            });
+            if let Some((culprit, cause)) = causes.next() {
+                self.take_with_group(culprit, cause, taken);
             }
         }
         if taken.len() > known {
@@ -79,13 +85,16 @@ impl Culprits<'_> {
         cause: QuarantineCause,
         taken: &mut Vec<Culprit>,
     ) {
-        let group = self.world.islands.groups.of(body.into_raw_parts().0);
         let moves = |link: &&RigidBodyHandle| {
             self.world.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
         };
         taken.push((body, cause));
-        let others = group.iter().filter(moves).filter(|link| **link != body);
+        let others = self.group_of(body).iter().filter(moves).filter(|link| **link != body);
         taken.extend(others.map(|&link| (link, cause)));
+    }
+
+    fn group_of(&self, body: RigidBodyHandle) -> &[RigidBodyHandle] {
+        self.world.islands.groups.of(body.into_raw_parts().0)
     }
 
     // ---- Blame ----
@@ -126,7 +135,7 @@ impl Culprits<'_> {
     fn most_strained(&self) -> Vec<&Lost> {
         let ranked = self.lost.iter().filter_map(|lost| {
             let body = self.body(lost)?;
-            Some((body.link.island, self.strain_of(lost.body, body), lost))
+            Some((body.link.island, self.strain_of(lost), lost))
         });
         let mut ranked: Vec<_> = ranked.collect();
         // Stable: of equals the first that the solver had.
@@ -135,8 +144,17 @@ impl Culprits<'_> {
         ranked.into_iter().map(|(.., lost)| lost).collect()
     }
 
+    /// The strain of a body, or of the most strained link of a multibody.
+    fn strain_of(&self, lost: &Lost) -> Real {
+        let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
+        let strains = core::iter::once(&lost.body).chain(links).filter_map(|&handle| {
+            Some(self.strain_of_body(handle, self.world.bodies.get(handle)?))
+        });
+        strains.fold(0.0, larger)
+    }
+
     /// How far (length units) what acts on a body would carry a point of it within a step: the most that one thing would.
-    fn strain_of(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
+    fn strain_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
         let dt = self.conditions.params.dt;
         let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
         let by_motors = self.pull_of_motors(handle) * body.mprops.local.inv_mass;
@@ -145,7 +163,7 @@ impl Culprits<'_> {
         let pulls = [(fall + push).length(), length(twist), by_motors];
         let ways = speeds.map(|speed| speed * dt).into_iter();
         let ways = ways.chain(pulls.map(|pull| pull * dt * dt));
-        ways.fold(0.0, |most, way| if way <= most { most } else { way.abs() })
+        ways.fold(0.0, larger)
     }
 
     /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.
@@ -158,11 +176,17 @@ impl Culprits<'_> {
             driven.map(|axis| &joint.data.motors[axis as usize])
         });
         let pull = |motor: &JointMotor| {
-            let [away, slow] = [motor.target_pos, motor.target_vel].map(|target| target.abs() + 1.0);
+            let [away, slow] =
+                [motor.target_pos, motor.target_vel].map(|target| target.abs() + 1.0);
             (motor.stiffness * away + motor.damping * slow).min(motor.max_force)
         };
         motors.map(pull).fold(0.0, Real::max)
     }
+}
+
+/// The larger of two numbers that are not negative; what is none is larger than all.
+fn larger(a: Real, b: Real) -> Real {
+    if b <= a { a } else { b.abs() }
 }
 
 /// Accelerations of a body by gravity and by the user's forces.

@@ -1,7 +1,7 @@
 //! From what the solver moved back to multibodies and their bodies.
 
 use super::{Moving, NOT_NOW, SolverMultibodies};
-use crate::base::measure::{CALM, is_coordinate};
+use crate::base::measure::{CALM, FAR, is_coordinate};
 use crate::dim::math::{Pose, Real, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -39,7 +39,8 @@ impl SolverMultibodies {
             if !moving.is_sound() {
                 lost.extend(moving.first_lost());
             }
-            calm &= moving.motion.link_velocities().iter().flatten().all(|v| v.abs() <= CALM);
+            calm &= moving.motion.link_velocities().iter().flatten().all(|v| v.abs() <= CALM)
+                && moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
         }
         calm
     }
@@ -153,9 +154,8 @@ impl Moving {
     /// The first link that cannot be stored; the root, if it is none of them by itself.
     fn first_lost(&mut self) -> Option<Lost> {
         let velocities = self.motion.link_velocities();
-        let velocity = |id: usize| {
-            RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]))
-        };
+        let velocity =
+            |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
         let is_lost = |id: &usize| !velocity(*id).is_usable();
         let id = (0..velocities.len()).find(is_lost).unwrap_or(0);
         let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
