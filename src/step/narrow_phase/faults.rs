@@ -23,11 +23,11 @@ pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCaus
         data.solver_flags.remove(SolverFlags::COMPUTE_RIGID_IMPULSES);
         return Some(QuarantineCause::Contact { normal, dist });
     }
-    if !(data.restitution <= CALM) {
+    if data.restitution > CALM {
         let restitution = core::mem::take(&mut data.restitution);
         return Some(QuarantineCause::Restitution(restitution));
     }
-    if !(data.tangent_velocity.abs().max_element() <= CALM) {
+    if data.tangent_velocity.abs().max_element() > CALM {
         let velocity = core::mem::take(&mut data.tangent_velocity);
         return Some(QuarantineCause::TangentVelocity(velocity));
     }

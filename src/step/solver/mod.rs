@@ -116,7 +116,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
 
         counters.velocity_writeback_time.resume();
         constraints.joints.finish(states, simd, tasks);
-        let group_is_calm = constraints.multibodies.finish(lost) & states.are_calm(tasks);
+        let links_are_calm = constraints.multibodies.finish(lost, pass.substep);
+        let group_is_calm = links_are_calm & states.are_calm(tasks);
         if !group_is_calm || islands.strained {
             states.find_lost(groups, bodies, &constraints.multibodies, lost);
         }

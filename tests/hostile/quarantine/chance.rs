@@ -1,4 +1,4 @@
-//! Whatever is done to whomever, and whenever: two worlds, of which one takes out and the other one is told.
+//! Anything done at any time: two worlds, of which one takes out and the other one is told.
 
 use super::super::random::Dice;
 use super::stage::{Stage, Taken, step_beside};
@@ -17,8 +17,9 @@ fn number(dice: &mut Dice) -> Real {
 
 /// Does something to a stage.
 fn mistreat(stage: &mut Stage, dice: &mut Dice) {
-    let Stage { world, suspect, neighbour, lift, links, sleeper, .. } = stage;
-    let body = dice.pick(&[*suspect, *neighbour, *lift, links[1], links[3], *sleeper]);
+    let Stage { world, suspect, neighbour, lift, sleeper, .. } = stage;
+    // Not the links: see `a_link_takes_its_multibody_along`.
+    let body = dice.pick(&[*suspect, *neighbour, *lift, *sleeper]);
     let (value, other) = (number(dice), number(dice));
     let record = &mut world.bodies[body];
     match dice.below(9) {

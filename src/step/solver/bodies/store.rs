@@ -54,7 +54,7 @@ impl SolverBodies {
                     bound
                 }
             };
-            if !(body.pose.translation.abs().max_element() <= FAR) {
+            if body.pose.translation.abs().max_element() > FAR {
                 any_far.store(true, Ordering::Relaxed);
             }
             // SAFETY: every slot of a body has a bound, and it is this body's.

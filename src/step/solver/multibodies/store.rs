@@ -30,17 +30,21 @@ impl SolverMultibodies {
         self.loops.break_overloaded(joints, broken);
     }
 
-    /// Ends the step of the multibodies. Lists those that cannot be stored, and returns whether the velocities of all
-    /// others are calm.
-    pub fn finish(&mut self, lost: &mut Vec<Lost>) -> bool {
+    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns whether all others
+    /// are calm.
+    ///
+    /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
+    /// where their joints are.
+    pub fn finish(&mut self, lost: &mut Vec<Lost>, h: Real) -> bool {
         let mut calm = true;
         for moving in &mut self.moving {
             moving.motion.finish();
             if !moving.is_sound() {
                 lost.extend(moving.first_lost());
             }
-            calm &= moving.motion.link_velocities().iter().flatten().all(|v| v.abs() <= CALM)
-                && moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
+            let near = moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
+            calm &= near
+                && moving.motion.link_velocities().iter().all(|velocity| link_is_calm(velocity, h));
         }
         calm
     }
@@ -74,6 +78,11 @@ impl SolverMultibodies {
             self.spare.push(moving);
         }
     }
+}
+
+fn link_is_calm(velocity: &SpatialVector, h: Real) -> bool {
+    let turn_squared = ang_length_squared(angular(velocity)) * h * h;
+    linear(velocity).abs().max_element() <= CALM && turn_squared <= 1.0
 }
 
 /// Adds to the ways and angles of links what they go in `h` seconds.
