@@ -1,8 +1,8 @@
 //! Before anything is stored: can all of it be?
 //!
-//! Numbers that are none come of what is added up until it is beyond all numbers, and they spread: whoever touches such a
-//! body has none either, a pass later. So a look at the states when all passes are over finds everybody whom it has
-//! reached, and while these are few nobody has been stored.
+//! What is added up until it is beyond all numbers is none, and that spreads: a pass later, whoever touches such a body has
+//! no numbers either. None of them ever gets any back, so it is enough to look when all passes are over, and before anybody
+//! is stored.
 //!
 //! That look is cheap, because it only asks whether everything is [`CALM`]: a comparison for each number of a state, in the
 //! order in which they stand in memory. Where something is not, and for one step more, each body is asked.

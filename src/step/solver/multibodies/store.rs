@@ -160,13 +160,14 @@ impl Moving {
             })
     }
 
-    /// The first link that cannot be stored; the root, if it is none of them by itself.
+    /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
+    /// itself.
     fn first_lost(&mut self) -> Option<Lost> {
         let velocities = self.motion.link_velocities();
         let velocity =
             |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
         let is_lost = |id: &usize| !velocity(*id).is_usable();
-        let id = (0..velocities.len()).find(is_lost).unwrap_or(0);
+        let id = (0..velocities.len()).find(is_lost).unwrap_or(1.min(velocities.len() - 1));
         let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
         Some(Lost { body, velocity, is_link: true })
     }
