@@ -77,15 +77,15 @@ impl BodyState {
 
     /// Is no number of these states beyond a bound, or none at all?
     ///
-    /// No number is added up or thrown away on the way, so that several are compared at once.
+    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
-        let mut within = [true; STATE_LEN];
+        let mut beyond = [0.0; STATE_LEN];
         for state in states {
-            for (within, value) in within.iter_mut().zip(state.0) {
-                *within &= value.abs() <= bound;
+            for (beyond, value) in beyond.iter_mut().zip(state.0) {
+                *beyond += if value.abs() <= bound { 0.0 } else { 1.0 };
             }
         }
-        within == [true; STATE_LEN]
+        beyond == [0.0; STATE_LEN]
     }
 
     /// Moves and turns on by `h` times the velocity.
