@@ -3,9 +3,9 @@
 pub use crate::dim::axes::LockedAxes;
 pub use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 pub use crate::model::body::{
-    InvalidRigidBody, RigidBody, RigidBodyActivation, RigidBodyAdditionalMassProps,
-    RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle, RigidBodyMassProps, RigidBodySet,
-    RigidBodyType, RigidBodyVelocity,
+    InvalidRigidBody, QuarantineCause, RigidBody, RigidBodyActivation,
+    RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle,
+    RigidBodyMassProps, RigidBodySet, RigidBodyType, RigidBodyVelocity,
 };
 pub use crate::model::collider::CoefficientCombineRule;
 pub use crate::model::island::IslandManager;

@@ -15,7 +15,7 @@ pub use crate::model::counters::{
     CCDCounters, CollisionDetectionCounters, Counters, SolverCounters, StagesCounters,
 };
 pub use crate::model::event::{
-    ChannelEventCollector, DefaultEventHandler, EventHandler, JointBreakEvent,
+    ChannelEventCollector, DefaultEventHandler, EventHandler, JointBreakEvent, QuarantineEvent,
 };
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,

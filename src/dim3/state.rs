@@ -74,6 +74,19 @@ impl BodyState {
             *value += change;
         }
     }
+
+    /// Is no number of these states beyond a bound, or none at all?
+    ///
+    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
+    pub fn are_within(states: &[Self], bound: Real) -> bool {
+        let mut beyond = [0.0; STATE_LEN];
+        for state in states {
+            for (beyond, value) in beyond.iter_mut().zip(state.0) {
+                *beyond += if value.abs() <= bound { 0.0 } else { 1.0 };
+            }
+        }
+        beyond == [0.0; STATE_LEN]
+    }
 }
 
 /// What stays as it is during a step; read when constraints are prepared.

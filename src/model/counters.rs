@@ -61,6 +61,8 @@ pub struct SolverCounters {
     pub nconstraints: usize,
     /// Number of contact points solved.
     pub ncontacts: usize,
+    /// Number of bodies that were disabled because their numbers left the range in which one can calculate.
+    pub nquarantined: usize,
 }
 
 /// Times and numbers of continuous collision detection.

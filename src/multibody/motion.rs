@@ -368,12 +368,6 @@ impl Motion {
         self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
         &self.velocities
     }
-
-    /// Lets nothing move any more.
-    pub fn stand_still(&mut self) {
-        self.rates.fill(0.0);
-        self.root = ZERO;
-    }
 }
 
 /// The length of a velocity, whose square may be beyond all numbers.

@@ -12,6 +12,7 @@ mod broad_phase;
 mod narrow_phase;
 mod islands;
 mod solver;
+mod quarantine;
 mod continuous;
 mod advance;
 mod events;
@@ -33,6 +34,7 @@ use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
+use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use user_changes::Digest;
@@ -60,6 +62,7 @@ pub(crate) struct StepScratch {
     narrow_phase: NarrowPhaseScratch,
     simd: Simd,
     solver: SolverScratch,
+    quarantine: Quarantine,
     continuous: continuous::ContinuousScratch,
     advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
@@ -85,20 +88,46 @@ fn step_with(
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
-    let edits = multibodies.settle(parts.bodies);
-    take_in_user_changes(&mut parts, joints, edits, scratch);
-    joints.settle(&mut parts.islands.joints);
-    find_contacts(tasks, &mut parts, scratch);
-    parts.validate();
+    scratch.quarantine.open();
+    let conditions = parts.conditions();
+    let world = parts.world(joints, multibodies);
+    let way_back = quarantine::is_at_risk(&world, conditions).then(|| WayBack::new(&world));
+    while !solve(tasks, &mut parts, joints, multibodies, scratch) {
+        let StepScratch { quarantine, notes, .. } = scratch;
+        let world = parts.world(joints, multibodies);
+        quarantine.take_out(world, way_back.as_ref(), conditions, notes);
+    }
     if parts.params.dt > 0.0 {
-        move_bodies(tasks, &mut parts, joints, multibodies, scratch);
+        follow_bodies(tasks, &mut parts, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
     } else {
         parts.islands.forget_motion();
     }
+    let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
+    parts.counters.solver.nquarantined = taken_out;
     report(&parts, scratch, parts.params.dt);
     parts.counters.step_time.pause();
+}
+
+/// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them could; if not,
+/// none has.
+fn solve(
+    tasks: Tasks<'_>,
+    parts: &mut StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) -> bool {
+    let edits = multibodies.settle(parts.bodies);
+    take_in_user_changes(parts, joints, edits, scratch);
+    joints.settle(&mut parts.islands.joints);
+    find_contacts(tasks, parts, scratch);
+    parts.validate();
+    if parts.params.dt > 0.0 {
+        move_bodies(tasks, parts, joints, multibodies, scratch);
+    }
+    scratch.notes.lost.is_empty()
 }
 
 /// The collision detection of a step, without any motion. What the user edited is taken in first if
@@ -197,10 +226,13 @@ fn move_bodies(
         islands: parts.islands,
         fast: &mut scratch.notes.fast,
         broken: &mut scratch.notes.broken,
+        lost: &mut scratch.notes.lost,
     };
     solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
+}
 
+fn follow_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.ccd_time.resume();
     parts.counters.ccd.toi_computation_time.resume();
     // Bodies have moved: whatever a hook does, the rest of the world must follow them.
@@ -254,11 +286,33 @@ impl StepScratch {
     }
 }
 
-impl StepParts<'_> {
+impl<'a> StepParts<'a> {
     /// In debug builds: do bodies, pairs, islands and colours agree?
     fn validate(&mut self) {
         if cfg!(debug_assertions) {
             self.structure().0.validate();
+        }
+    }
+
+    /// What bodies move in.
+    fn conditions(&self) -> Conditions<'a> {
+        Conditions { gravity: self.gravity, params: self.params }
+    }
+
+    /// All that a step changes.
+    fn world<'w>(
+        &'w mut self,
+        joints: &'w mut ImpulseJointSet,
+        multibodies: &'w mut MultibodyJointSet,
+    ) -> World<'w> {
+        World {
+            islands: self.islands,
+            broad_phase: self.broad_phase,
+            narrow_phase: self.narrow_phase,
+            bodies: self.bodies,
+            colliders: self.colliders,
+            joints,
+            multibodies,
         }
     }
 

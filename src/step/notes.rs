@@ -1,9 +1,9 @@
 //! What stages tell each other during a step.
 
 use crate::dim::math::{AngVector, Pose, Real, Vector};
-use crate::model::body::RigidBodyHandle;
+use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
 use crate::model::contact::PairId;
-use crate::model::event::{CollisionEvent, JointBreakEvent};
+use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
 
 /// How a contact pair changed in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -44,6 +44,16 @@ impl FastMotion {
     }
 }
 
+/// A body that came out of the solver with numbers with which nobody can calculate.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct Lost {
+    pub body: RigidBodyHandle,
+    /// The velocity that was found.
+    pub velocity: RigidBodyVelocity,
+    /// Is it a link that its multibody moves?
+    pub is_link: bool,
+}
+
 /// Buffers that live from stage to stage within one step.
 #[derive(Default)]
 pub(crate) struct StepNotes {
@@ -57,15 +67,26 @@ pub(crate) struct StepNotes {
     pub fast: Vec<FastMotion>,
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
+    /// Bodies that the solver could not store. If there are any, it has stored nothing.
+    pub lost: Vec<Lost>,
+    /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step, bodies.
+    pub quarantined: Vec<QuarantineEvent>,
 }
 
 impl StepNotes {
     /// Nothing happened yet.
     pub fn clear(&mut self) {
+        self.clear_attempt();
+        self.events.clear();
+        self.broken.clear();
+    }
+
+    /// The step begins again, in a world that knows already what began and stopped touching and what broke.
+    pub fn clear_attempt(&mut self) {
         self.contacts.clear();
         self.intersections.clear();
-        self.events.clear();
         self.fast.clear();
-        self.broken.clear();
+        self.lost.clear();
+        self.quarantined.clear();
     }
 }

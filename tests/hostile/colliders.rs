@@ -119,7 +119,9 @@ fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
 
         let ((), heard) = listen(|| scene.steps(2));
         let possible = (1.0e-15..=1.0e15).contains(&value);
-        assert_eq!(scene.collider().is_enabled(), possible, "{value}");
+        // A ball as large as the world may be more than its body can be calculated with.
+        let quarantined = possible && scene.body().quarantine().is_some();
+        assert_eq!(scene.collider().is_enabled(), possible && !quarantined, "{value}");
         if !possible {
             assert!(heard.iter().any(|text| names(text, value)), "{value}: {heard:?}");
         }

@@ -152,7 +152,7 @@ fn surfaces_that_cannot_be_leave_the_world_in_order() {
     }
 }
 
-/// Kinematic bodies obey whatever the others do.
+/// Kinematic bodies obey whatever the others do, unless they would have to be faster than anything can be.
 #[test]
 fn kinematic_leaps_leave_the_world_in_order() {
     for distance in [1.0, 1.0e3, 1.0e9, 1.0e15] {
@@ -165,8 +165,15 @@ fn kinematic_leaps_leave_the_world_in_order() {
                 scene.body().set_next_kinematic_rotation(
                     *RigidBodyBuilder::dynamic().rotation(about_z(i as Real)).build().rotation(),
                 );
+                let speed = (y - scene.body().translation().y).abs() / dt;
                 scene.steps(1);
-                assert_eq!(scene.body().translation().y, y, "it goes where it was told");
+                if speed <= 1.0e15 {
+                    assert_eq!(scene.body().translation().y, y, "it goes where it was told");
+                    continue;
+                }
+                let cause = scene.body().quarantine();
+                assert!(matches!(cause, Some(QuarantineCause::KinematicTarget(_))), "{cause:?}");
+                scene.body().set_enabled(true);
             }
         }
     }

@@ -21,4 +21,5 @@ mod fuzz;
 mod handles;
 mod hooks;
 mod parameters;
+mod quarantine;
 mod shapes;

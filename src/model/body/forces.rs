@@ -164,13 +164,20 @@ impl RigidBody {
         self.pushed = false;
     }
 
-    /// All forces and torques of one step but gravity. The pushes are used up.
-    pub(crate) fn take_forces(&mut self) -> (Vector, AngVector) {
+    /// A step has taken the pushes.
+    #[inline]
+    pub(crate) fn use_up_push(&mut self) {
+        if self.pushed {
+            self.drop_push();
+        }
+    }
+
+    /// All forces and torques of the next step but gravity.
+    pub(crate) fn forces(&self) -> (Vector, AngVector) {
         if !self.pushed {
             return (self.force, self.torque);
         }
         let (force, torque) = self.push;
-        self.drop_push();
         (self.force + force, self.torque + torque)
     }
 }

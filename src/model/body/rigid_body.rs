@@ -5,8 +5,8 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges,
-    RigidBodyMassProps, RigidBodyType,
+    QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder,
+    RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
 };
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
@@ -73,6 +73,9 @@ pub struct RigidBody {
     pub(crate) colliders: Vec<ColliderHandle>,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
+    /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(super) quarantine: Option<Box<QuarantineCause>>,
     /// Whatever the user wants to find again. The engine never reads it.
     pub user_data: u128,
 }
@@ -119,6 +122,7 @@ impl RigidBody {
             substep: 0.0,
             colliders: Vec::new(),
             push: (Vector::ZERO, ANG_ZERO),
+            quarantine: None,
             user_data: 0,
         }
     }
@@ -192,10 +196,12 @@ impl RigidBody {
         self.enabled
     }
 
-    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept.
+    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept, but for why the step
+    /// [took it out](Self::quarantine).
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
+            self.quarantine = None;
             // The step pays no heed to a disabled body: let it look at everything afterwards.
             self.changes |= match enabled {
                 true => RigidBodyChanges::everything(),

@@ -286,6 +286,11 @@ impl ColliderSet {
         core::mem::take(&mut self.notes.modified)
     }
 
+    /// The same list, as long as nobody has taken it.
+    pub(crate) fn modified(&self) -> &[ColliderHandle] {
+        &self.notes.modified
+    }
+
     /// The colliders that were removed, in that order.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedCollider> {
         core::mem::take(&mut self.notes.removed)

@@ -1,6 +1,6 @@
 //! The ready-made handler: events wait in channels until somebody reads them.
 
-use super::{CollisionEvent, ContactForceEvent, EventHandler};
+use super::{CollisionEvent, ContactForceEvent, EventHandler, QuarantineEvent};
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
@@ -28,6 +28,7 @@ use std::sync::mpsc::Sender;
 pub struct ChannelEventCollector {
     collisions: Sender<CollisionEvent>,
     forces: Sender<ContactForceEvent>,
+    quarantines: Option<Sender<QuarantineEvent>>,
 }
 
 impl ChannelEventCollector {
@@ -37,7 +38,33 @@ impl ChannelEventCollector {
         collision_event_sender: Sender<CollisionEvent>,
         contact_force_event_sender: Sender<ContactForceEvent>,
     ) -> Self {
-        Self { collisions: collision_event_sender, forces: contact_force_event_sender }
+        Self {
+            collisions: collision_event_sender,
+            forces: contact_force_event_sender,
+            quarantines: None,
+        }
+    }
+
+    /// Sends quarantine events, too, into a channel of their own.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// # use std::sync::mpsc::channel;
+    /// # let (send_collision, _collisions) = channel();
+    /// # let (send_force, _forces) = channel();
+    /// let (send_quarantine, quarantines) = channel();
+    /// let events = ChannelEventCollector::new(send_collision, send_force)
+    ///     .with_quarantine_events(send_quarantine);
+    ///
+    /// let mut world = PhysicsWorld::new();
+    /// let ball = world.insert_body(RigidBodyBuilder::dynamic().additional_mass(1.0));
+    /// world.bodies[ball].add_force(Vector::Y * 1.0e30, true);
+    /// world.step_with_events(&(), &events);
+    /// assert_eq!(quarantines.try_recv().unwrap().body(), Some(ball));
+    /// ```
+    #[must_use]
+    pub fn with_quarantine_events(self, sender: Sender<QuarantineEvent>) -> Self {
+        Self { quarantines: Some(sender), ..self }
     }
 }
 
@@ -61,5 +88,16 @@ impl EventHandler for ChannelEventCollector {
         _colliders: &ColliderSet,
     ) {
         let _ = self.forces.send(*event);
+    }
+
+    fn handle_quarantine_event(
+        &self,
+        event: &QuarantineEvent,
+        _bodies: &RigidBodySet,
+        _colliders: &ColliderSet,
+    ) {
+        if let Some(quarantines) = &self.quarantines {
+            let _ = quarantines.send(*event);
+        }
     }
 }

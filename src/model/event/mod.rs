@@ -1,4 +1,5 @@
-//! What a step tells the user: pairs that begin or stop to touch, strong contact forces, and joints that break.
+//! What a step tells the user: pairs that begin or stop to touch, strong contact forces, joints that break, and bodies that
+//! it took out because their numbers had become impossible.
 //!
 //! Events are sent at the end of a step, on the thread that called it, in the order of the pairs. Which
 //! pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents) of their
@@ -7,6 +8,7 @@
 mod channel;
 mod force;
 mod joint;
+mod quarantine;
 
 #[cfg(test)]
 mod tests;
@@ -14,6 +16,7 @@ mod tests;
 pub use channel::ChannelEventCollector;
 pub use force::ContactForceEvent;
 pub use joint::JointBreakEvent;
+pub use quarantine::QuarantineEvent;
 
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
@@ -137,6 +140,17 @@ pub trait EventHandler: Send + Sync {
     /// nothing unless implemented.
     fn handle_joint_break_event(&self, event: &JointBreakEvent, bodies: &RigidBodySet) {
         let _ = (event, bodies);
+    }
+
+    /// Some numbers could not be calculated with: a body was disabled, or the number of a contact left out. These events
+    /// come before all others, one for each body. Does nothing unless implemented.
+    fn handle_quarantine_event(
+        &self,
+        event: &QuarantineEvent,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let _ = (event, bodies, colliders);
     }
 }
 

@@ -32,8 +32,9 @@ pub struct PairFilterContext<'a> {
 
 /// Lets the user decide about single pairs and contacts.
 ///
-/// Hooks may be called from several threads at once and in any order, so keep the answer a function of
-/// the context alone: then results repeat.
+/// Hooks may be called from several threads at once and in any order, and again if a step has to be
+/// [taken again](crate::model::event::EventHandler::handle_quarantine_event), so keep the answer a function of the context
+/// alone: then results repeat.
 ///
 /// ```
 /// # use rapier3d::prelude::*;

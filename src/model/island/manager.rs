@@ -50,6 +50,8 @@ pub struct IslandManager {
     pub(crate) step: u32,
     /// By body slot: a bound (length units) of how far any point of the body moved in the last step.
     pub(crate) motion: Vec<Real>,
+    /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
+    pub(crate) strained: bool,
 }
 
 impl IslandManager {

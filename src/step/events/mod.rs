@@ -1,6 +1,6 @@
 //! # Events — tell the user
 //!
-//! Reads:   notes of what began and stopped touching and of what broke, impulses
+//! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
 //! Writes:  nothing but what the user's handler does
 //! Runs:    serial, in the order of the notes and of the awake pairs
 //! Never:   changes the world
@@ -21,6 +21,9 @@ pub(crate) fn report(
     dt: Real,
     handler: &dyn EventHandler,
 ) {
+    for event in &notes.quarantined {
+        handler.handle_quarantine_event(event, bodies, colliders);
+    }
     for event in &notes.events {
         let pair = narrow_phase.contact_pair(event.collider1(), event.collider2());
         handler.handle_collision_event(bodies, colliders, event, pair);

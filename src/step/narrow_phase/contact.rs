@@ -1,5 +1,6 @@
 //! Pairs of solid colliders: where do the two touch?
 
+use super::faults;
 use super::place::{Place, turn_bound};
 use super::seams::{self, SeamScratch, obstacle_side};
 use super::update::{Outcome, Surroundings, Update, Worker};
@@ -143,7 +144,7 @@ impl ContactPair {
         neighbors: [&[Neighbor<'_>]; 2],
         worker: &mut Worker,
     ) -> Computed {
-        let Worker { scratch, fresh } = worker;
+        let Worker { scratch, fresh, faults } = worker;
         let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
             let context = view.filter_context([self.collider1, self.collider2]);
             view.around.hooks.filter_contact_pair(&context)
@@ -171,6 +172,9 @@ impl ContactPair {
                 finish(manifold, view);
                 place.put(manifold);
                 modify(manifold, self.collider1, self.collider2, view);
+                if let Some(fault) = faults::leave_out(manifold) {
+                    faults.push(([self.collider1, self.collider2], fault));
+                }
                 if !manifold.is_solved() {
                     manifold.data.forget_impulses();
                 }

@@ -11,6 +11,7 @@
 //! slack is used up are looked at more closely: [`update`].
 
 mod contact;
+mod faults;
 mod place;
 mod recycle;
 mod seams;

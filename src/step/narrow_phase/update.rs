@@ -1,5 +1,6 @@
 //! Which pairs are due, and what becomes of them.
 
+use super::faults;
 use super::seams::{Computed, SeamScratch};
 use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
@@ -8,8 +9,8 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Simd, prefetch};
 use crate::collide::ManifoldScratch;
 use crate::dim::math::Real;
-use crate::model::body::RigidBodySet;
-use crate::model::collider::ColliderSet;
+use crate::model::body::{QuarantineCause, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{
     AwakePair, ContactManifold, DUE, Entry, NarrowPhase, Pair, PairId, PairStore, StoreParts,
 };
@@ -54,6 +55,8 @@ pub(crate) struct NarrowPhaseScratch {
 pub(super) struct Worker {
     pub scratch: ManifoldScratch,
     pub fresh: SmallVec<[ContactManifold; 1]>,
+    /// Pairs with impossible numbers.
+    pub faults: Vec<([ColliderHandle; 2], QuarantineCause)>,
 }
 
 /// What a look at one pair found.
@@ -91,7 +94,9 @@ pub(crate) fn update(
         update_store(tasks, around, contacts, scratch, &mut notes.contacts);
         update_store(tasks, around, intersections, scratch, &mut notes.intersections);
     });
-    if let Err(panic) = catch_unwind(look) {
+    let looked = catch_unwind(look);
+    faults::report(&mut scratch.workers, &mut notes.quarantined);
+    if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
         contacts.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
         intersections.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);

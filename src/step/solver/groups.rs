@@ -17,6 +17,7 @@
 //! with 32. The alternatives were a direct solution of the contacts that press (they come and go within a
 //! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
 
+use crate::base::measure::CALM;
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{Real, Vector};
@@ -85,6 +86,13 @@ impl Need {
         heaviest <= EVEN * lightest
     }
 
+    /// Does a body touch or hold another so much heavier that a push of the one is beyond numbers for the other?
+    fn is_strained(&self) -> bool {
+        [self.masses, self.joined]
+            .iter()
+            .any(|[lightest, heaviest]| *heaviest > CALM * CALM * lightest)
+    }
+
     /// How many times the usual substeps an island of so many bodies gets, if these take `h` seconds: a power of two,
     /// that few groups do.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
@@ -121,6 +129,7 @@ pub(super) struct Groups {
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
+    strained: bool,
 }
 
 impl Groups {
@@ -129,8 +138,13 @@ impl Groups {
         &self.order
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = &Group> {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &Group> {
         self.groups.iter()
+    }
+
+    /// Are there masses in one island that might lead out of the range of numbers?
+    pub fn are_strained(&self) -> bool {
+        self.strained
     }
 
     /// How many bodies stand before the groups.
@@ -149,6 +163,7 @@ impl Groups {
     ) {
         self.order.clear();
         self.groups.clear();
+        self.strained = false;
         if all_alike(islands, bodies) {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
@@ -243,6 +258,7 @@ impl Groups {
             let h = params.dt / usual as Real;
             self.substeps.push(usual * need.factor(island.bodies.len(), gravity, h));
             if !island.bodies.is_empty() && !island.sleeping {
+                self.strained |= need.is_strained();
                 self.counts.extend(self.substeps.last());
             }
         }

@@ -37,7 +37,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
-use crate::step::notes::FastMotion;
+use crate::step::notes::{FastMotion, Lost};
 use bodies::SolverBodies;
 use contacts::SolverContacts;
 use groups::Groups;
@@ -50,7 +50,8 @@ use multibodies::{SolverMultibodies, Surroundings};
 pub(crate) struct SolverScratch {
     groups: Groups,
     bodies: SolverBodies,
-    constraints: Constraints,
+    /// By group.
+    constraints: Vec<Constraints>,
 }
 
 /// What holds bodies.
@@ -77,20 +78,25 @@ pub(crate) struct Scene<'a> {
     pub fast: &'a mut Vec<FastMotion>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
+    /// Gets the bodies that cannot be stored.
+    pub lost: &'a mut Vec<Lost>,
 }
 
 /// Solves one step for all awake bodies.
+///
+/// If there are bodies that cannot be stored, nothing is.
 pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
     let Scene { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
-    let (set, trees, broken) = (scene.joints, scene.multibodies, scene.broken);
+    let (set, trees, lost) = (scene.joints, scene.multibodies, scene.lost);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
-    constraints.multibodies.claim(trees, bodies);
-    states.load(groups, bodies, &constraints.multibodies, (gravity, params), tasks);
+    let constraints = for_each_group(constraints, groups);
+    constraints.iter_mut().for_each(|of_group| of_group.multibodies.claim(trees, bodies));
+    states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
-    (counters.nconstraints, counters.ncontacts) = (0, 0);
-    for group in groups.iter() {
+    let mut calm = true;
+    for (group, constraints) in groups.iter().zip(&mut *constraints) {
         counters.velocity_assembly_time.resume();
         states.enter(group, groups);
         let pass = JointPass::new(params, params.dt / group.substeps as Real);
@@ -109,19 +115,65 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         solve_group(group.substeps, &conditions, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
-        let Constraints { joints, contacts, multibodies } = constraints;
+        constraints.joints.finish(states, simd, tasks);
+        let links_are_calm = constraints.multibodies.finish(lost, pass.substep);
+        let group_is_calm = links_are_calm & states.are_calm(tasks);
+        if !group_is_calm || islands.strained {
+            states.find_lost(groups, bodies, &constraints.multibodies, lost);
+        }
+        calm &= group_is_calm;
+        counters.velocity_writeback_time.pause();
+    }
+    counters.velocity_writeback_time.resume();
+    if lost.is_empty() {
+        let world = World { narrow_phase, set, trees, islands, bodies };
+        store_constraints(constraints, world, (scene.broken, params), counters, tasks);
+        let world = (&mut *islands, bodies, &constraints[0].multibodies);
+        let any_far = states.store(groups, world, params, scene.fast, tasks);
+        islands.strained = any_far || !calm || groups.are_strained();
+    } else {
+        constraints.iter_mut().for_each(|of_group| of_group.multibodies.give_back(trees));
+    }
+    counters.velocity_writeback_time.pause();
+}
+
+/// A buffer for each group: all groups are solved before any is stored.
+fn for_each_group<'a>(
+    constraints: &'a mut Vec<Constraints>,
+    groups: &Groups,
+) -> &'a mut [Constraints] {
+    let count = groups.iter().len().max(1);
+    constraints.resize_with(count.max(constraints.len()), Constraints::default);
+    &mut constraints[..count]
+}
+
+/// What constraints are stored in.
+struct World<'a> {
+    narrow_phase: &'a mut NarrowPhase,
+    set: &'a mut ImpulseJointSet,
+    trees: &'a mut MultibodyJointSet,
+    islands: &'a mut IslandManager,
+    bodies: &'a mut RigidBodySet,
+}
+
+/// Writes impulses to manifolds and joints, and multibodies to their links; breaks joints that bear too much.
+fn store_constraints(
+    constraints: &mut [Constraints],
+    world: World<'_>,
+    (broken, params): (&mut Vec<JointBreakEvent>, &IntegrationParameters),
+    counters: &mut SolverCounters,
+    tasks: Tasks<'_>,
+) {
+    let World { narrow_phase, set, trees, islands, bodies } = world;
+    (counters.nconstraints, counters.ncontacts) = (0, 0);
+    for Constraints { joints, contacts, multibodies } in constraints {
         contacts.store(narrow_phase, tasks);
-        joints.store(states, (islands, set), params.inv_dt(), broken, (simd, tasks));
+        joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         multibodies.store(trees, islands, bodies);
-        counters.velocity_writeback_time.pause();
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
-    counters.velocity_writeback_time.resume();
-    let world = (islands, bodies, &constraints.multibodies);
-    states.store(groups, world, params, scene.fast, tasks);
-    counters.velocity_writeback_time.pause();
 }
 
 /// What is the same for all bodies that are solved.

@@ -129,22 +129,23 @@ fn energy_is_constant_in_free_fall() {
 }
 
 #[test]
-fn pushes_add_up_and_last_for_one_step() {
+fn pushes_add_up_and_last_until_they_are_dropped() {
     let mut body = RigidBodyBuilder::dynamic().build();
     body.add_force(Vector::X, true);
     body.push(Vector::Y, ANG_ZERO);
     body.push(Vector::Y, ANG_ZERO);
     assert_eq!(body.pending_push().0, Vector::Y * 2.0);
     assert_eq!(body.user_force(), Vector::X);
-    assert_eq!(body.take_forces().0, Vector::X + Vector::Y * 2.0);
+    assert_eq!(body.forces().0, Vector::X + Vector::Y * 2.0);
+    body.drop_push();
     assert!(!body.is_pushed());
-    assert_eq!(body.take_forces().0, Vector::X);
+    assert_eq!(body.forces().0, Vector::X);
 
     body.push(Vector::splat(Real::NAN), ANG_ZERO);
     assert!(!body.is_pushed());
     body.push(Vector::Y, ANG_ZERO);
     body.drop_push();
-    assert_eq!(body.take_forces().0, Vector::X);
+    assert_eq!(body.forces().0, Vector::X);
     body.set_body_type(RigidBodyType::Fixed, false);
     body.push(Vector::Y, ANG_ZERO);
     assert!(!body.is_pushed());

@@ -3,6 +3,7 @@
 mod load;
 mod motion;
 mod store;
+mod survey;
 
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;

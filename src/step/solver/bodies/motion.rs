@@ -8,9 +8,9 @@ use crate::dim::state::{BodyState, WideMotion, load_states, store_states};
 use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
 
-/// What moves a dynamic body in a step with this substep; takes the forces that act once.
-pub(super) fn motion_of(body: &mut RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
-    let (force, torque) = body.take_forces();
+/// What moves a dynamic body in a step with this substep.
+pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
+    let (force, torque) = body.forces();
     let mprops = &body.mprops;
     // Gravity accelerates whatever can move, with or without mass.
     let free = inv_mass_per_axis(mprops.locked_axes, 1.0);

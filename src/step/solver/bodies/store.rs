@@ -2,6 +2,7 @@
 
 use super::SolverBodies;
 use crate::base::disjoint::DisjointMut;
+use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
 use crate::collide::turned;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
@@ -14,6 +15,7 @@ use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
+use core::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A body is fast if it moves farther than this share of its thickness in one step: what was not in contact might else
@@ -21,7 +23,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 const FAST: Real = 0.5;
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did. Returns
+    /// whether one of them is far away.
     pub fn store(
         &self,
         groups: &Groups,
@@ -29,8 +32,8 @@ impl SolverBodies {
         params: &IntegrationParameters,
         fast: &mut Vec<FastMotion>,
         tasks: Tasks<'_>,
-    ) {
-        let found = Mutex::new(Vec::new());
+    ) -> bool {
+        let (found, any_far) = (Mutex::new(Vec::new()), AtomicBool::new(false));
         let order = groups.order();
         let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
         let store = |position: usize, body: Option<&mut RigidBody>| {
@@ -51,6 +54,9 @@ impl SolverBodies {
                     bound
                 }
             };
+            if body.pose.translation.abs().max_element() > FAR {
+                any_far.store(true, Ordering::Relaxed);
+            }
             // SAFETY: every slot of a body has a bound, and it is this body's.
             unsafe { *bounds.get_mut(slot as usize) = bound };
         };
@@ -59,15 +65,16 @@ impl SolverBodies {
         let found = &mut *lock(&found);
         found.sort_unstable_by_key(|&(position, _)| position);
         fast.extend(found.drain(..).map(|(_, motion)| motion));
+        any_far.into_inner()
     }
 }
 
-/// Gives a body the pose and velocity that the solver found. Returns how far its centre moved,
-/// and its turn.
-///
-/// A body whose numbers overflowed stays where it was and comes to rest: one lost body is better than
-/// a world of NaN.
-fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
+/// The pose and velocity that the solver found for a body, if one can go on with them.
+pub(super) fn outcome(
+    body: &RigidBody,
+    state: &BodyState,
+    motion: &FreeMotion,
+) -> Option<(Pose, RigidBodyVelocity)> {
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
     let rotation = motion.rotation();
@@ -77,12 +84,20 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vect
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);
     let velocity = RigidBodyVelocity::new(linvel, angvel);
     // Neither an infinite turn nor one whose square is infinite leaves a rotation of unit length.
-    let Some(pose) = checked_pose(pose).filter(|_| velocity.is_usable()) else {
-        log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
-        (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
+    checked_pose(pose).filter(|_| velocity.is_usable()).map(|pose| (pose, velocity))
+}
+
+/// Gives a body the pose and velocity that the solver found. Returns how far its centre moved,
+/// and its turn.
+fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
+    body.use_up_push();
+    let Some((pose, velocity)) = outcome(body, state, motion) else {
+        // The survey lets nobody pass who cannot be stored: from a calm velocity nobody leaves the world.
+        debug_assert!(false, "{:?} cannot be stored", body.pose);
         return (Vector::ZERO, ANG_ZERO);
     };
-    (body.linvel, body.angvel) = (linvel, angvel);
+    let (center, (shift, turn)) = (body.mprops.world_com, state.displacement());
+    (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
     body.pose = pose;
     body.update_world_mass_properties();
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.

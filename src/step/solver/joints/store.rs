@@ -14,18 +14,22 @@ use crate::step::solver::bodies::SolverBodies;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverJoints {
+    /// Ends the step, while the bodies are still where the solver has put them.
+    pub fn finish(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
+        let (_, states, _) = bodies.shared();
+        self.pins.finish(states, simd, tasks);
+    }
+
     /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
     pub fn store(
-        &mut self,
-        bodies: &mut SolverBodies,
+        &self,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         inv_dt: Real,
         broken: &mut Vec<JointBreakEvent>,
-        (simd, tasks): (Simd, Tasks<'_>),
+        tasks: Tasks<'_>,
     ) {
-        let (_, states, _) = bodies.shared();
         let overload = AtomicBool::new(false);
-        self.pins.store(states, (islands, joints), inv_dt, &overload, (simd, tasks));
+        self.pins.store((islands, joints), inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
         let shared = joints.share();
         tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {

@@ -142,13 +142,13 @@ impl Moving {
         }
     }
 
-    fn read_forces(&mut self, bodies: &mut RigidBodySet, gravity: Vector) {
+    fn read_forces(&mut self, bodies: &RigidBodySet, gravity: Vector) {
         self.motion.forces.clear();
         for link in &self.multibody.links {
-            let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());
+            let body = bodies.get(link.body).filter(|body| body.is_dynamic());
             let none = LinkForce { wrench: [0.0; _], damping: [0.0; 2] };
             self.motion.forces.push(body.map_or(none, |body| {
-                let (force, torque) = body.take_forces();
+                let (force, torque) = body.forces();
                 let weight = gravity * (body.gravity_scale * body.mprops.local.mass());
                 let damping = [body.linear_damping, body.angular_damping];
                 LinkForce { wrench: join(force + weight, torque), damping }

@@ -1,7 +1,7 @@
 //! From what the solver moved back to multibodies and their bodies.
 
 use super::{Moving, NOT_NOW, SolverMultibodies};
-use crate::base::measure::is_coordinate;
+use crate::base::measure::{CALM, FAR, is_coordinate};
 use crate::dim::math::{Pose, Real, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -11,6 +11,7 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
+use crate::step::notes::Lost;
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
@@ -29,6 +30,38 @@ impl SolverMultibodies {
         self.loops.break_overloaded(joints, broken);
     }
 
+    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns whether all others
+    /// are calm.
+    ///
+    /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
+    /// where their joints are.
+    pub fn finish(&mut self, lost: &mut Vec<Lost>, h: Real) -> bool {
+        let mut calm = true;
+        for moving in &mut self.moving {
+            moving.motion.finish();
+            if !moving.is_sound() {
+                lost.extend(moving.first_lost());
+            }
+            let near = moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
+            calm &= near
+                && moving.motion.link_velocities().iter().all(|velocity| link_is_calm(velocity, h));
+        }
+        calm
+    }
+
+    /// Puts the multibodies back into their set as they were when the step began, but for impulses that were made to fit
+    /// its substeps.
+    pub fn give_back(&mut self, set: &mut MultibodyJointSet) {
+        for mut moving in self.moving.drain(..) {
+            moving.undo();
+            if let Some(place) = set.get_unnoted_mut(moving.index) {
+                *place = core::mem::take(&mut moving.multibody);
+            }
+            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.spare.push(moving);
+        }
+    }
+
     /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.
     pub fn store(
         &mut self,
@@ -45,6 +78,11 @@ impl SolverMultibodies {
             self.spare.push(moving);
         }
     }
+}
+
+fn link_is_calm(velocity: &SpatialVector, h: Real) -> bool {
+    let turn_squared = ang_length_squared(angular(velocity)) * h * h;
+    linear(velocity).abs().max_element() <= CALM && turn_squared <= 1.0
 }
 
 /// Adds to the ways and angles of links what they go in `h` seconds.
@@ -67,10 +105,6 @@ impl Moving {
     }
 
     fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
-        self.motion.finish();
-        if !self.is_sound() {
-            self.stop();
-        }
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
         for id in 0..self.multibody.links.len() {
             self.store_link(id, islands, bodies);
@@ -83,6 +117,7 @@ impl Moving {
         let link = &mut self.multibody.links[id];
         let Some(body) = bodies.get_unnoted_mut(link.body) else { return };
         if body.is_dynamic() {
+            body.use_up_push();
             (body.linvel, body.angvel) = (linear(&velocity), angular(&velocity));
             body.pose = pose;
             let old_center = body.mprops.world_com;
@@ -125,17 +160,24 @@ impl Moving {
             })
     }
 
-    /// Puts the links back to where the step began, at rest.
-    ///
-    /// One lost multibody is better than a world of NaN.
-    fn stop(&mut self) {
-        log::error!("a multibody left the range of numbers and was stopped");
+    /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
+    /// itself.
+    fn first_lost(&mut self) -> Option<Lost> {
+        let velocities = self.motion.link_velocities();
+        let velocity =
+            |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
+        let is_lost = |id: &usize| !velocity(*id).is_usable();
+        let id = (0..velocities.len()).find(is_lost).unwrap_or(1.min(velocities.len() - 1));
+        let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
+        Some(Lost { body, velocity, is_link: true })
+    }
+
+    /// Puts the links back to where the step began.
+    fn undo(&mut self) {
         let (joints, root) = &self.start;
         for (link, joint) in self.multibody.links.iter_mut().zip(joints) {
             link.joint = joint.clone();
         }
         self.multibody.links[0].pose = *root;
-        self.motion.stand_still();
-        self.motion.kinematics.update(&self.multibody);
     }
 }

@@ -124,23 +124,28 @@ impl Pins {
         });
     }
 
+    /// Turns impulses back with the bodies, to how these stood when the step began.
+    pub fn finish(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
+        let blocks = DisjointMut::new(&mut self.blocks);
+        tasks.par_for(self.layout.block_count(), FILLED_PER_TASK, |range| {
+            simd.run(TurnBack { range, blocks, states });
+        });
+    }
+
     /// Writes impulses and forces back to the joints. `overload` tells whether one bears too much.
     pub fn store(
-        &mut self,
-        states: DisjointMut<'_, BodyState>,
+        &self,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         inv_dt: Real,
         overload: &AtomicBool,
-        (simd, tasks): (Simd, Tasks<'_>),
+        tasks: Tasks<'_>,
     ) {
-        let (layout, blocks) = (&self.layout, DisjointMut::new(&mut self.blocks));
+        let (layout, blocks) = (&self.layout, &self.blocks);
         let joints = joints.share();
         tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
-            simd.run(TurnBack { range: range.clone(), blocks, states });
             for index in range {
                 layout.block_or_none(index + 1).iter().for_each(|slot| joints.prefetch(*slot));
-                // SAFETY: each block belongs to one task.
-                let block = unsafe { blocks.get(index) };
+                let block = &blocks[index];
                 for (lane, &slot) in layout.block(index).iter().enumerate() {
                     let Some(link) = islands.joints.get(slot) else { continue };
                     // SAFETY: each joint has one lane.

@@ -1,0 +1,48 @@
+//! Contacts with numbers with which nobody can calculate.
+//!
+//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be none. That is
+//! no reason to take a body out: the pair does without the number, and the world without noticing.
+
+use super::update::Worker;
+use crate::base::measure::{CALM, is_point};
+use crate::base::pool::Pool;
+use crate::model::body::QuarantineCause;
+use crate::model::contact::{ContactManifold, SolverFlags};
+use crate::model::event::QuarantineEvent;
+
+/// Leaves out of a manifold what cannot be calculated with, and says what that was.
+///
+/// A friction coefficient does no harm, however large: it bounds a force that is not.
+pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCause> {
+    let data = &mut manifold.data;
+    let normal = data.normal;
+    if let Some(point) =
+        data.points.iter().find(|point| !(is_point(normal) && point.dist.is_finite()))
+    {
+        let dist = point.dist;
+        data.solver_flags.remove(SolverFlags::COMPUTE_RIGID_IMPULSES);
+        return Some(QuarantineCause::Contact { normal, dist });
+    }
+    if data.restitution > CALM {
+        let restitution = core::mem::take(&mut data.restitution);
+        return Some(QuarantineCause::Restitution(restitution));
+    }
+    if data.tangent_velocity.abs().max_element() > CALM {
+        let velocity = core::mem::take(&mut data.tangent_velocity);
+        return Some(QuarantineCause::TangentVelocity(velocity));
+    }
+    None
+}
+
+/// Tells of the pairs that were found, in the order of their colliders: which thread found them must not matter.
+pub(super) fn report(workers: &mut Pool<Worker>, events: &mut Vec<QuarantineEvent>) {
+    let mut found = Vec::new();
+    workers.for_each(|worker| found.append(&mut worker.faults));
+    found.sort_by_key(|(colliders, _)| colliders.map(|handle| handle.into_raw_parts()));
+    // Some pairs are computed twice, and some have several manifolds: one event is enough.
+    found.dedup_by_key(|(colliders, _)| *colliders);
+    for ([collider1, collider2], cause) in found {
+        log::warn!("a contact of {collider1:?} and {collider2:?} is not as it should: {cause}");
+        events.push(QuarantineEvent::Contact { collider1, collider2, cause });
+    }
+}

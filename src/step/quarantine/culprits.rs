@@ -1,0 +1,218 @@
+//! Of bodies that were lost together, who is to blame?
+//!
+//! First those who would be lost all alone: by their own place, velocity, mass, or by the forces that the user put on them.
+//! With them out of the way the others may well be sound.
+//!
+//! Nobody may be to blame alone: a motor stiffer than numbers go, masses of a ratio that leaves no digit. Then the most
+//! *strained* body of each island is taken: the one that anything that acts on it alone would carry farthest within the
+//! step. Removing it takes its joints and contacts out of the equations; it is the end of a chain of causes more often than
+//! its beginning, but any choice that takes the group apart will do, and this one depends on the group alone.
+//!
+//! Each round costs a step. After [`ROUNDS`] of them all that are lost are taken, and after twice as many everything that
+//! is awake: then nothing moves any more, and the step cannot fail.
+
+use super::{Conditions, World};
+use crate::dim::axes::inv_mass_per_axis;
+use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
+use crate::model::body::{
+    QuarantineCause, RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity,
+};
+use crate::model::check::checked_pose;
+use crate::model::joint::JointMotor;
+use crate::step::notes::Lost;
+
+/// So often the most strained ones are taken one by one.
+const ROUNDS: usize = 4;
+
+/// A body and why it was taken out.
+type Culprit = (RigidBodyHandle, QuarantineCause);
+
+/// A failed step.
+pub(super) struct Culprits<'a> {
+    pub world: &'a World<'a>,
+    pub conditions: Conditions<'a>,
+    pub lost: &'a [Lost],
+}
+
+impl Culprits<'_> {
+    /// Adds those to be taken out, once the step has failed `failures` times before.
+    pub fn find(&self, failures: usize, taken: &mut Vec<Culprit>) {
+        let known = taken.len();
+        if failures >= 2 * ROUNDS {
+            let awake = self.world.islands.awake.iter();
+            let at_rest = RigidBodyVelocity::zero();
+            let all = awake.map(|&body| Lost { body, velocity: at_rest, is_link: false });
+            return all.for_each(|lost| self.take(&lost, taken));
+        }
+        for lost in self.lost {
+            // Of a multibody, nobody knows any more who was lost first.
+            let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
+            let suspects = core::iter::once(&lost.body).chain(links);
+            let mut causes = suspects.filter_map(|&suspect| {
+                Some((suspect, self.cause_in(self.world.bodies.get(suspect)?)?))
+            });
+            if let Some((culprit, cause)) = causes.next() {
+                self.take_with_group(culprit, cause, taken);
+            }
+        }
+        if taken.len() > known {
+            return;
+        }
+        if failures >= ROUNDS {
+            return self.lost.iter().for_each(|lost| self.take(lost, taken));
+        }
+        for lost in self.most_strained() {
+            self.take(lost, taken);
+        }
+    }
+
+    fn body(&self, lost: &Lost) -> Option<&RigidBody> {
+        self.world.bodies.get(lost.body)
+    }
+
+    fn take(&self, lost: &Lost, taken: &mut Vec<Culprit>) {
+        let cause = match lost.is_link {
+            true => QuarantineCause::Multibody(lost.velocity),
+            false => QuarantineCause::Constraints(lost.velocity),
+        };
+        self.take_with_group(lost.body, cause, taken);
+    }
+
+    /// Takes a body, and with a link all links that move: what is left of a multibody would fall apart.
+    fn take_with_group(
+        &self,
+        body: RigidBodyHandle,
+        cause: QuarantineCause,
+        taken: &mut Vec<Culprit>,
+    ) {
+        let moves = |link: &&RigidBodyHandle| {
+            self.world.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
+        };
+        taken.push((body, cause));
+        let others = self.group_of(body).iter().filter(moves).filter(|link| **link != body);
+        taken.extend(others.map(|&link| (link, cause)));
+    }
+
+    fn group_of(&self, body: RigidBodyHandle) -> &[RigidBodyHandle] {
+        self.world.islands.groups.of(body.into_raw_parts().0)
+    }
+
+    // ---- Blame ----
+
+    /// What would lose a body all alone.
+    fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
+        let Conditions { gravity, params } = self.conditions;
+        if checked_pose(body.pose).is_none() {
+            return Some(QuarantineCause::Position(body.pose));
+        }
+        if !body.mprops.inv_mass.is_finite() {
+            return Some(QuarantineCause::Mass(body.mprops.inv_mass));
+        }
+        if body.body_type == RigidBodyType::KinematicPositionBased {
+            let velocity = body.velocity_to_next_position(params.inv_dt());
+            let target = QuarantineCause::KinematicTarget(body.next_pose);
+            return (!velocity.is_usable()).then_some(target);
+        }
+        if !leads_somewhere(body, body.vels(), params.dt) {
+            return Some(QuarantineCause::Velocity(body.vels()));
+        }
+        let Pull { fall, push, twist } = Pull::on(body, gravity);
+        let after = |acceleration: Vector, twist: AngVector| RigidBodyVelocity {
+            linvel: body.linvel + acceleration * params.dt,
+            angvel: body.angvel + twist * params.dt,
+        };
+        if !leads_somewhere(body, after(fall, Default::default()), params.dt) {
+            return Some(QuarantineCause::Gravity(gravity * body.gravity_scale));
+        }
+        if !leads_somewhere(body, after(fall + push, twist), params.dt) {
+            let (force, torque) = body.forces();
+            return Some(QuarantineCause::Force { force, torque });
+        }
+        None
+    }
+
+    /// The most strained of each island.
+    fn most_strained(&self) -> Vec<&Lost> {
+        let ranked = self.lost.iter().filter_map(|lost| {
+            let body = self.body(lost)?;
+            Some((body.link.island, self.strain_of(lost), lost))
+        });
+        let mut ranked: Vec<_> = ranked.collect();
+        // Stable: of equals the first that the solver had.
+        ranked.sort_by(|a, b| a.0.cmp(&b.0).then_with(|| b.1.total_cmp(&a.1)));
+        ranked.dedup_by_key(|(island, ..)| *island);
+        ranked.into_iter().map(|(.., lost)| lost).collect()
+    }
+
+    /// The strain of a body, or of the most strained link of a multibody.
+    fn strain_of(&self, lost: &Lost) -> Real {
+        let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
+        let strains = core::iter::once(&lost.body).chain(links).filter_map(|&handle| {
+            Some(self.strain_of_body(handle, self.world.bodies.get(handle)?))
+        });
+        strains.fold(0.0, larger)
+    }
+
+    /// How far (length units) what acts on a body would carry a point of it within a step: the most that one thing would.
+    fn strain_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
+        let dt = self.conditions.params.dt;
+        let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
+        let by_motors = self.pull_of_motors(handle) * body.mprops.local.inv_mass;
+        let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
+        let speeds = [body.linvel.length(), length(body.angvel)];
+        let pulls = [(fall + push).length(), length(twist), by_motors];
+        let ways = speeds.map(|speed| speed * dt).into_iter();
+        let ways = ways.chain(pulls.map(|pull| pull * dt * dt));
+        ways.fold(0.0, larger)
+    }
+
+    /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.
+    fn pull_of_motors(&self, handle: RigidBodyHandle) -> Real {
+        let World { islands, joints, .. } = self.world;
+        let slots = islands.joints.of_body(handle.into_raw_parts().0).iter();
+        let links = slots.filter_map(|&slot| islands.joints.get(slot));
+        let motors = links.filter_map(|link| joints.get(link.handle)).flat_map(|joint| {
+            let driven = joint.data.driven_axes();
+            driven.map(|axis| &joint.data.motors[axis as usize])
+        });
+        let pull = |motor: &JointMotor| {
+            let [away, slow] =
+                [motor.target_pos, motor.target_vel].map(|target| target.abs() + 1.0);
+            (motor.stiffness * away + motor.damping * slow).min(motor.max_force)
+        };
+        motors.map(pull).fold(0.0, Real::max)
+    }
+}
+
+/// The larger of two numbers that are not negative; what is none is larger than all.
+fn larger(a: Real, b: Real) -> Real {
+    if b <= a { a } else { b.abs() }
+}
+
+/// Accelerations of a body by gravity and by the user's forces.
+struct Pull {
+    fall: Vector,
+    push: Vector,
+    twist: AngVector,
+}
+
+impl Pull {
+    fn on(body: &RigidBody, gravity: Vector) -> Self {
+        if !body.is_dynamic() {
+            return Self { fall: Vector::ZERO, push: Vector::ZERO, twist: Default::default() };
+        }
+        let mprops = &body.mprops;
+        let (force, torque) = body.forces();
+        Self {
+            fall: gravity * body.gravity_scale * inv_mass_per_axis(mprops.locked_axes, 1.0),
+            push: force * mprops.inv_mass,
+            twist: mul_inertia(&mprops.inv_inertia, torque),
+        }
+    }
+}
+
+/// Can a body be calculated with that moves at this velocity for `dt` seconds?
+fn leads_somewhere(body: &RigidBody, velocity: RigidBodyVelocity, dt: Real) -> bool {
+    let pose = velocity.integrate(dt, &body.pose, body.mprops.local.local_com);
+    velocity.is_usable() && checked_pose(pose).is_some()
+}

@@ -1,0 +1,222 @@
+//! # Quarantine — who leaves the range of numbers is taken out, and the step taken again
+//!
+//! Reads:   the solver's note of bodies that it could not store, and what these were given by the user and by joints
+//! Writes:  which bodies take part; the whole world, back to what it was when the step began
+//! Runs:    serial, when a step has failed; a world at risk is copied before
+//! Never:   touches a body that the solver could store
+//!
+//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are none would pass
+//! this on to all that it touches, and these to all that they touch. So the solver stores nobody if it cannot store
+//! everybody. Here the [culprits] are found and disabled, as a user would disable them, and the step is taken again
+//! without them: from the beginning, as if they had been disabled before it. What they hit in this step was not hit, what
+//! they woke sleeps, and no event tells of it.
+//!
+//! **The way back.** By the time when the solver has failed, pairs, islands and colours have followed the step. They are not
+//! unwound one by one: that would need a journal of everything that the structure does. Instead a step is begun with a
+//! [copy of the world](WayBack) when it might fail: after a step that left a body faster than [`CALM`] or farther than
+//! [`FAR`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
+//! [gently](GENTLE); and when the step is [long](LONG). That is rare, and a step that nobody is at risk in pays for a comparison per number of the solver's
+//! states (`src/step/solver/bodies/survey.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
+//! what grows there grows over several steps, and is seen.
+//!
+//! Should a step fail all the same that nobody foresaw (a motor that was never calm, held until now), it is taken again
+//! from where it is: bodies and impulses are as they were. Numbers are as safe then. But new contacts have been coloured,
+//! and sleepers woken, with the culprits still there: what touched them may be visited in another order than without them.
+
+mod culprits;
+mod way_back;
+
+pub(crate) use way_back::WayBack;
+
+use crate::base::measure::{CALM, FAR};
+use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
+use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::collider::{ColliderHandle, ColliderMassProps, ColliderSet};
+use crate::model::contact::NarrowPhase;
+use crate::model::event::{CollisionEvent, QuarantineEvent};
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJointSet, JointMotor};
+use crate::model::multibody::MultibodyJointSet;
+use crate::model::params::IntegrationParameters;
+use crate::model::tree::BroadPhaseBvh;
+use crate::step::notes::StepNotes;
+use culprits::Culprits;
+
+/// What users set that is faster, or is to become so within a step, is worth a copy of the world (in length units, and
+/// radians, per second).
+const GENTLE: Real = 1.0e3;
+
+/// A step so long (s) that what turns, turns further in it than anybody could foresee.
+const LONG: Real = 0.1;
+
+/// All that a step changes.
+pub(crate) struct World<'a> {
+    pub islands: &'a mut IslandManager,
+    pub broad_phase: &'a mut BroadPhaseBvh,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub bodies: &'a mut RigidBodySet,
+    pub colliders: &'a mut ColliderSet,
+    pub joints: &'a mut ImpulseJointSet,
+    pub multibodies: &'a mut MultibodyJointSet,
+}
+
+/// What bodies move in.
+#[derive(Copy, Clone)]
+pub(crate) struct Conditions<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
+}
+
+/// Who has been taken out in this step.
+#[derive(Default)]
+pub(crate) struct Quarantine {
+    taken: Vec<(RigidBodyHandle, QuarantineCause)>,
+    /// How often the step has failed.
+    failures: usize,
+}
+
+impl Quarantine {
+    /// A new step begins.
+    pub fn open(&mut self) {
+        self.taken.clear();
+        self.failures = 0;
+    }
+
+    /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be taken again.
+    pub fn take_out(
+        &mut self,
+        mut world: World<'_>,
+        way_back: Option<&WayBack>,
+        conditions: Conditions<'_>,
+        notes: &mut StepNotes,
+    ) {
+        let culprits = Culprits { world: &world, conditions, lost: &notes.lost };
+        culprits.find(self.failures, &mut self.taken);
+        self.failures += 1;
+        // Not in the order in which they were found: a user who disables the same bodies need not know it.
+        self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
+        self.taken.dedup_by_key(|(handle, _)| *handle);
+        match way_back {
+            Some(way_back) => {
+                way_back.restore(&mut world);
+                notes.clear();
+            }
+            None => {
+                // All pairs have heard of the last motion.
+                world.islands.forget_motion();
+                notes.clear_attempt();
+            }
+        }
+        for &(handle, cause) in &self.taken {
+            if let Some(body) = world.bodies.get_mut(handle) {
+                body.put_in_quarantine(cause);
+            }
+        }
+    }
+
+    /// Tells who was taken out. Returns how many.
+    pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
+        if self.failures > 0 {
+            cancel_out(&mut notes.events);
+        }
+        for &(handle, cause) in &self.taken {
+            let Some(body) = bodies.get(handle) else { continue };
+            log::error!("{handle:?} is disabled, as it cannot be calculated with: {cause}");
+            let (position, velocity) = (body.pose, body.vels());
+            notes.quarantined.push(QuarantineEvent::Body {
+                body: handle,
+                cause,
+                position,
+                velocity,
+            });
+        }
+        self.taken.len()
+    }
+}
+
+/// What began to touch in a failed step, and stopped because one of the two was taken out, did neither.
+fn cancel_out(events: &mut Vec<CollisionEvent>) {
+    let colliders = |event: &CollisionEvent| [event.collider1(), event.collider2()];
+    for index in (0..events.len()).rev() {
+        let Some(stopped) = events.get(index).copied().filter(|event| event.stopped()) else {
+            continue;
+        };
+        let is_start =
+            |event: &CollisionEvent| event.started() && colliders(event) == colliders(&stopped);
+        if let Some(start) = events[..index].iter().position(is_start) {
+            events.remove(index);
+            events.remove(start);
+        }
+    }
+}
+
+/// Might the step that is about to begin fail?
+pub(crate) fn is_at_risk(world: &World<'_>, conditions: Conditions<'_>) -> bool {
+    let World { islands, bodies, colliders, joints, .. } = world;
+    let is_strained = |&handle: &RigidBodyHandle| {
+        bodies.get(handle).is_some_and(|body| !conditions.treat_gently(body))
+    };
+    let is_heavy = |&handle: &ColliderHandle| {
+        colliders.get(handle).is_some_and(|collider| !mass_is_calm(&collider.mass_props))
+    };
+    conditions.params.dt > 0.0
+        && (islands.strained
+            || conditions.params.dt > LONG
+            || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
+            || bodies.modified().iter().any(is_strained)
+            || colliders.modified().iter().any(is_heavy)
+            || joints.modified().any(|(handle, _)| {
+                let motors = joints.get(handle).map(|joint| &joint.data.motors);
+                motors.is_some_and(|motors| !motors.iter().all(motor_is_calm))
+            }))
+}
+
+impl Conditions<'_> {
+    /// Is everything moderate that the user may have given to a body, and the body near?
+    fn treat_gently(self, body: &RigidBody) -> bool {
+        let Self { gravity, params } = self;
+        let (force, torque) = body.forces();
+        let to_target = body.velocity_to_next_position(params.inv_dt());
+        let inv_mass = body.mprops.local.inv_mass;
+        let acceleration = gravity * body.gravity_scale + force * inv_mass;
+        let twist = mul_inertia(&body.mprops.inv_inertia, torque);
+        self.is_gentle(body.linvel)
+            && self.is_gentle(acceleration * params.dt)
+            && self.is_gentle(to_target.linvel)
+            && turns_gently(body.angvel)
+            && turns_gently(twist * params.dt)
+            && turns_gently(to_target.angvel)
+            // What a new body weighs is not yet known.
+            && is_within(force, CALM)
+            && ang_length_squared(torque) <= CALM * CALM
+            && inv_mass <= CALM
+            && is_within(body.pose.translation, FAR)
+    }
+
+    /// Is it moderate as a velocity, even in a long step?
+    fn is_gentle(self, velocity: Vector) -> bool {
+        is_within(velocity * self.params.dt.max(1.0), GENTLE * self.params.length_unit.max(1.0))
+    }
+}
+
+fn turns_gently(velocity: AngVector) -> bool {
+    ang_length_squared(velocity) <= GENTLE * GENTLE
+}
+
+fn is_within(vector: Vector, bound: Real) -> bool {
+    vector.abs().max_element() <= bound
+}
+
+/// Are masses of this order, or their inverses, nothing to fear?
+fn mass_is_calm(mass: &ColliderMassProps) -> bool {
+    let value = match mass {
+        ColliderMassProps::Density(value) | ColliderMassProps::Mass(value) => *value,
+        ColliderMassProps::MassProperties(mass) => mass.inv_mass,
+    };
+    value == 0.0 || (1.0 / CALM..=CALM).contains(&value)
+}
+
+fn motor_is_calm(motor: &JointMotor) -> bool {
+    let numbers = [motor.stiffness, motor.damping, motor.target_pos, motor.target_vel];
+    numbers.into_iter().all(|value| value.abs() <= CALM)
+}

@@ -1,0 +1,53 @@
+//! Hooks that give impossible numbers to contacts: these are left out, and nobody is disabled.
+
+use super::stage::{Numbers, Stage, beside_its_twin};
+use crate::dim::vec;
+use rapier::prelude::*;
+
+/// Two stages whose hooks give different numbers to what the suspect touches.
+fn with_hooks(hooks: Numbers, of_twin: Numbers) -> [Stage; 2] {
+    [hooks, of_twin].map(|hooks| {
+        let mut stage = Stage::new();
+        let collider = stage.suspect().colliders()[0];
+        stage.world.colliders[collider].set_active_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS);
+        stage.hooks = hooks;
+        stage
+    })
+}
+
+/// Everything is as if the hook had given zeros, and each pair is told of with its colliders.
+fn are_as_zeros(hooks: Numbers, of_twin: Numbers, is_cause: impl Fn(QuarantineCause) -> bool) {
+    let [mut stage, mut twin] = with_hooks(hooks, of_twin);
+    assert_eq!(beside_its_twin(&mut stage, &mut twin), []);
+    let [mut stage, _] = with_hooks(hooks, of_twin);
+    let own = stage.suspect().colliders()[0];
+    let told = stage.step().quarantines;
+    assert!(!told.is_empty(), "the suspect touches others");
+    for event in told {
+        let QuarantineEvent::Contact { collider1, collider2, cause } = event else {
+            panic!("{event:?}")
+        };
+        assert!([collider1, collider2].contains(&own) && is_cause(cause), "{event:?}");
+    }
+}
+
+#[test]
+fn a_restitution_that_cannot_be() {
+    for value in [1.0e8, 1.0e30, Real::MAX] {
+        are_as_zeros(
+            Numbers { restitution: Some(value), ..Numbers::default() },
+            Numbers { restitution: Some(0.0), ..Numbers::default() },
+            |cause| cause == QuarantineCause::Restitution(value),
+        );
+    }
+}
+
+#[test]
+fn a_belt_that_cannot_run() {
+    let velocity = vec(1.0e30, 0.0);
+    are_as_zeros(
+        Numbers { tangent_velocity: Some(velocity), ..Numbers::default() },
+        Numbers { tangent_velocity: Some(Vector::ZERO), ..Numbers::default() },
+        |cause| cause == QuarantineCause::TangentVelocity(velocity),
+    );
+}

@@ -1,0 +1,211 @@
+//! A heap, a kinematic lift, a chain of links and a pile that sleeps, all in reach of one suspect.
+
+use super::super::witness::Witness;
+use super::super::world::check;
+use crate::dim::{about_z, cuboid, hinge, hostile::pose_bits, vec};
+use rapier::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+/// How long the stage moves by itself before anything is done to it: the heap has not come to rest by then (steps).
+const BEFORE: usize = 20;
+
+/// A world, and whom to mistreat in it.
+pub struct Stage {
+    pub world: PhysicsWorld,
+    /// A block in the middle of the heap.
+    pub suspect: RigidBodyHandle,
+    /// The block beside it.
+    pub neighbour: RigidBodyHandle,
+    /// A kinematic body beneath some blocks of the heap, moved by positions.
+    pub lift: RigidBodyHandle,
+    /// Links of a multibody that reaches into the heap.
+    pub links: Vec<RigidBodyHandle>,
+    /// A block on a pile that sleeps.
+    pub sleeper: RigidBodyHandle,
+    pub hooks: Numbers,
+    witness: Witness,
+}
+
+/// Hooks that give numbers to all contacts.
+#[derive(Copy, Clone, Default)]
+pub struct Numbers {
+    pub restitution: Option<Real>,
+    pub tangent_velocity: Option<Vector>,
+}
+
+impl PhysicsHooks for Numbers {
+    fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
+        if let Some(restitution) = self.restitution {
+            context.set_restitution(restitution);
+        }
+        if let Some(velocity) = self.tangent_velocity {
+            context.set_tangent_velocity(velocity);
+        }
+    }
+}
+
+/// What a step told.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Told {
+    pub quarantines: Vec<QuarantineEvent>,
+    pub collisions: Vec<CollisionEvent>,
+}
+
+/// Writes down what is told, and lets a witness think about it.
+struct Listener<'a> {
+    witness: &'a Witness,
+    told: Mutex<Told>,
+}
+
+impl EventHandler for Listener<'_> {
+    fn handle_collision_event(
+        &self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        event: &CollisionEvent,
+        pair: Option<&ContactPair>,
+    ) {
+        self.told.lock().unwrap().collisions.push(*event);
+        self.witness.handle_collision_event(bodies, colliders, event, pair);
+    }
+
+    fn handle_quarantine_event(
+        &self,
+        event: &QuarantineEvent,
+        bodies: &RigidBodySet,
+        _: &ColliderSet,
+    ) {
+        if let QuarantineEvent::Body { body, cause, position, velocity } = event {
+            let body = &bodies[*body];
+            assert!(!body.is_enabled(), "{event:?}");
+            // What was found may be no number, which is not equal to itself.
+            assert_eq!(format!("{:?}", body.quarantine()), format!("Some({cause:?})"));
+            assert_eq!((body.position(), &body.vels()), (position, velocity));
+        }
+        self.told.lock().unwrap().quarantines.push(*event);
+    }
+}
+
+impl Stage {
+    pub fn new() -> Self {
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+        let block = |world: &mut PhysicsWorld, body: RigidBodyBuilder| {
+            let collider = cuboid(0.5, 0.5).active_events(ActiveEvents::COLLISION_EVENTS);
+            world.insert(body, collider.restitution(0.3)).0
+        };
+        let mut heap = Vec::new();
+        for k in 0..20_u8 {
+            let (column, row) = (Real::from(k % 5), Real::from(k / 5));
+            let at = vec(1.05 * column + 0.1 * row, 0.6 + 1.15 * row);
+            let body = RigidBodyBuilder::dynamic().translation(at).rotation(about_z(0.1 * column));
+            heap.push(block(&mut world, body));
+        }
+        let lift = RigidBodyBuilder::kinematic_position_based().translation(vec(5.4, 0.1));
+        let lift = world.insert(lift, cuboid(0.5, 0.1)).0;
+        let mut parent = world.insert_body(RigidBodyBuilder::fixed().translation(vec(-3.0, 5.0)));
+        let links = (0..4_u8).map(|k| {
+            let at = vec(-2.5 + Real::from(k), 5.0);
+            let body = RigidBodyBuilder::dynamic().translation(at);
+            let link = world.insert(body, cuboid(0.4, 0.1)).0;
+            let joint = hinge().local_anchor2(vec(-0.5, 0.0));
+            let joint = joint.local_anchor1(vec(if k == 0 { 0.0 } else { 0.5 }, 0.0));
+            world.multibody_joints.insert(parent, link, joint, true).expect("it fits");
+            parent = link;
+            link
+        });
+        let links = links.collect();
+        let sleepers = [0.5, 1.5, 2.5].map(|y| {
+            let body = RigidBodyBuilder::dynamic().translation(vec(12.0, y)).sleeping(true);
+            block(&mut world, body)
+        });
+        let (suspect, neighbour, sleeper) = (heap[12], heap[13], sleepers[2]);
+        let (hooks, witness) = (Numbers::default(), Witness::default());
+        let mut stage = Self { world, suspect, neighbour, lift, links, sleeper, hooks, witness };
+        for _ in 0..BEFORE {
+            stage.step();
+        }
+        assert!(stage.world.bodies[stage.sleeper].is_sleeping());
+        stage
+    }
+
+    /// The suspect, for changing it.
+    pub fn suspect(&mut self) -> &mut RigidBody {
+        &mut self.world.bodies[self.suspect]
+    }
+
+    /// Lets a motor turn the neighbour against the suspect, with this number for everything that a motor has.
+    pub fn drive(&mut self, model: MotorModel, number: Real) {
+        let hinge = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
+        let mut joint: GenericJoint = hinge.build().into();
+        joint.set_motor_model(JointAxis::AngX, model);
+        joint.set_motor(JointAxis::AngX, 3.0, number, number, number);
+        self.world.insert_impulse_joint(self.suspect, self.neighbour, joint);
+    }
+
+    /// One step, after which the world is in order. Returns what it told.
+    pub fn step(&mut self) -> Told {
+        let listener = Listener { witness: &self.witness, told: Mutex::default() };
+        self.world.step_with_events(&self.hooks, &listener);
+        let told = listener.told.into_inner().unwrap();
+        check(&self.world);
+        self.witness.check();
+        told
+    }
+
+    /// Every bit of the state of all bodies that take part.
+    pub fn bits(&self) -> Vec<String> {
+        let taking_part = self.world.bodies.iter().filter(|(_, body)| body.is_enabled());
+        let bits = taking_part.map(|(handle, body)| {
+            let velocity = (body.linvel(), body.angvel());
+            format!(
+                "{handle:?} {:?} {velocity:?} {:?}",
+                pose_bits(body.position()),
+                body.activation()
+            )
+        });
+        bits.collect()
+    }
+}
+
+/// Who was taken out in which step, and why.
+pub type Taken = (usize, RigidBodyHandle, QuarantineCause);
+
+/// Mistreats a stage, and steps it beside its twin.
+pub fn experiment(mistreat: impl Fn(&mut Stage)) -> Vec<Taken> {
+    let (mut stage, mut twin) = (Stage::new(), Stage::new());
+    mistreat(&mut stage);
+    mistreat(&mut twin);
+    beside_its_twin(&mut stage, &mut twin)
+}
+
+/// Steps a stage beside its twin for two seconds.
+pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+    (0..120).flat_map(|step| step_beside(step, stage, twin)).collect()
+}
+
+/// One step of a stage and its twin.
+///
+/// # Panics
+/// If anybody who takes part in both differs in a bit, or an event does.
+pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+    let bodies = stage.world.bodies.iter();
+    let before: BTreeMap<_, _> = bodies.map(|(handle, body)| (handle, body.clone())).collect();
+    let told = stage.step();
+    let mut taken = Vec::new();
+    for event in &told.quarantines {
+        let QuarantineEvent::Body { body, cause, position, velocity } = *event else { continue };
+        let old = &before[&body];
+        assert_eq!((position, velocity), (*old.position(), old.vels()), "back where it was");
+        assert!(old.is_enabled(), "{body:?} is taken out once");
+        taken.push((step, body, cause));
+        twin.world.bodies[body].set_enabled(false);
+    }
+    assert_eq!(stage.world.physics_pipeline.counters.solver.nquarantined, taken.len());
+    let told_of_twin = twin.step();
+    assert_eq!(told_of_twin.quarantines, [], "step {step}");
+    assert_eq!(told.collisions, told_of_twin.collisions, "step {step}");
+    assert_eq!(stage.bits(), twin.bits(), "step {step}, without {taken:?}");
+    taken
+}

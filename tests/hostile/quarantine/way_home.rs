@@ -1,0 +1,87 @@
+//! Out of quarantine, and what is told on the way.
+
+use super::super::listener::listen;
+use super::stage::Stage;
+use crate::dim::vec;
+use rapier::prelude::*;
+use std::sync::mpsc::channel;
+
+#[test]
+fn a_body_that_was_mended_comes_back() {
+    let mut stage = Stage::new();
+    let at = *stage.suspect().position();
+    stage.suspect().add_force(Vector::X * 1.0e30, true);
+    let (told, heard) = listen(|| stage.step());
+    assert_eq!(told.quarantines.len(), 1);
+    assert!(heard.iter().any(|text| text.contains("disabled")), "{heard:?}");
+    for _ in 0..10 {
+        assert_eq!(stage.step().quarantines, [], "it is told of once");
+        assert_eq!((*stage.suspect().position(), stage.suspect().is_enabled()), (at, false));
+    }
+    assert!(stage.suspect().quarantine().is_some());
+    stage.suspect().reset_forces(true);
+    stage.suspect().set_enabled(true);
+    assert_eq!(stage.suspect().quarantine(), None);
+    for _ in 0..60 {
+        assert_eq!(stage.step().quarantines, []);
+    }
+    assert!(*stage.suspect().position() != at, "it moves again");
+}
+
+#[test]
+fn a_body_that_was_not_mended_is_taken_out_again() {
+    let mut stage = Stage::new();
+    stage.suspect().add_force(Vector::X * 1.0e30, true);
+    for _ in 0..3 {
+        let told = stage.step().quarantines;
+        let [event] = told[..] else { panic!("{told:?}") };
+        assert_eq!(event.body(), Some(stage.suspect));
+        assert!(matches!(event.cause(), QuarantineCause::Force { .. }));
+        stage.suspect().set_enabled(true);
+    }
+}
+
+/// A step that nobody could foresee: what a grain of dust weighs is known to the step alone.
+#[test]
+fn a_failure_out_of_the_blue() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let balls = [0_u8, 1, 2].map(|k| {
+        let body = RigidBodyBuilder::dynamic().translation(vec(0.5 * Real::from(k), 0.5));
+        let radius = if k == 1 { 1.0e-6 } else { 0.5 };
+        let ball = ColliderBuilder::ball(radius).active_events(ActiveEvents::COLLISION_EVENTS);
+        world.insert(body, ball).0
+    });
+    world.bodies[balls[1]].add_force(Vector::Y * 2.0e7, true);
+    let (send_collision, collisions) = channel();
+    let (send_force, _forces) = channel();
+    let (send, quarantines) = channel();
+    let events = ChannelEventCollector::new(send_collision, send_force);
+    let events = events.with_quarantine_events(send);
+    for _ in 0..60 {
+        world.step_with_events(&(), &events);
+        super::super::world::check(&world);
+    }
+    let told: Vec<_> = quarantines.try_iter().collect();
+    let [event] = told[..] else { panic!("{told:?}") };
+    assert_eq!(event.body(), Some(balls[1]));
+    let told: Vec<_> = collisions.try_iter().collect();
+    let dust = world.bodies[balls[1]].colliders()[0];
+    assert!(
+        !told.is_empty()
+            && !told.iter().any(|event| event.collider1() == dust || event.collider2() == dust)
+    );
+    for ball in [balls[0], balls[2]] {
+        let body = &world.bodies[ball];
+        assert!(body.is_enabled() && (body.translation().y - 0.5).abs() < 0.05);
+    }
+}
+
+/// Disabling by hand is no quarantine.
+#[test]
+fn disabled_by_the_user() {
+    let mut stage = Stage::new();
+    stage.suspect().set_enabled(false);
+    stage.step();
+    assert_eq!(stage.suspect().quarantine(), None);
+}
