@@ -68,8 +68,14 @@ pub struct SolverCounters {
 pub struct CCDCounters {
     /// Computing times of impact.
     pub toi_computation_time: Timer,
-    /// Number of bodies that were stopped at an impact.
+    /// Number of bodies that were stopped at an impact, with those that joints hold to them.
     pub num_substeps: usize,
+    /// Number of bodies whose paths were searched: fast ones, and all links of multibodies of which one is fast.
+    pub num_fast_bodies: usize,
+    /// Number of times that the paths of two colliders were searched for when they meet.
+    pub num_searches: usize,
+    /// Number of times that a fast body passed a sensor between two steps.
+    pub num_sensors_passed: usize,
 }
 
 impl Default for Counters {

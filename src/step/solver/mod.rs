@@ -35,7 +35,7 @@ use crate::model::counters::SolverCounters;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::MultibodyJointSet;
+use crate::model::multibody::{Course, MultibodyJointSet};
 use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
 use crate::step::notes::FastMotion;
 use bodies::SolverBodies;
@@ -75,6 +75,8 @@ pub(crate) struct Scene<'a> {
     pub islands: &'a mut IslandManager,
     /// Gets the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
+    /// Gets the ways of fast multibodies.
+    pub courses: &'a mut Vec<Course>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
 }
@@ -113,7 +115,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         contacts.store(narrow_phase, tasks);
         joints.store(states, (islands, set), params.inv_dt(), broken, (simd, tasks));
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        multibodies.store(trees, islands, bodies);
+        let notes = (&mut *scene.fast, &mut *scene.courses);
+        multibodies.store(trees, (islands, bodies), params, notes);
         counters.velocity_writeback_time.pause();
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
