@@ -61,6 +61,10 @@ pub struct SolverCounters {
     pub nconstraints: usize,
     /// Number of contact points solved.
     pub ncontacts: usize,
+    /// Number of bodies that were faster than
+    /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity) allows and
+    /// were slowed down, a multibody counting as one. There is no other limit of speeds.
+    pub nlimited_bodies: usize,
 }
 
 /// Times and numbers of continuous collision detection.

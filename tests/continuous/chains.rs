@@ -36,8 +36,8 @@ fn gap(world: &PhysicsWorld, chain: &Chain) -> Real {
         let joint = &world.impulse_joints.get(joint).expect("it is there");
         let at = |body: RigidBodyHandle, anchor: Vector| world.bodies[body].position() * anchor;
         let data = &joint.data;
-        let first = at(joint.body1, data.local_anchor1());
-        (first - at(joint.body2, data.local_anchor2())).length()
+        let first = at(joint.body1(), data.local_anchor1());
+        (first - at(joint.body2(), data.local_anchor2())).length()
     });
     gaps.fold(0.0, Real::max)
 }

@@ -73,7 +73,7 @@ fn arms_do_not_skip_posts() {
             let post = world.insert_body(RigidBodyBuilder::fixed());
             // It starts before the post, within the quarter turn that leads there.
             let start = 0.3 + 0.12 * phase as Real;
-            let arm = Rotation::new(about_z(start)) * vec(0.5, 0.0);
+            let arm = vec(0.5 * start.cos(), 0.5 * start.sin());
             let body = RigidBodyBuilder::dynamic().translation(arm).rotation(about_z(start));
             let body = body.linvel(vec(-arm.y, arm.x) * speed).angvel(about_z(speed));
             let (arm, _) = world.insert(body, cuboid(0.5, 0.02).friction(0.0));
@@ -113,7 +113,10 @@ fn stopped_chains_keep_momentum_and_energy() {
         let close = 0.01;
         assert!((p2 - p).length() < close * p.length(), "{spin}: momentum {p} became {p2}");
         let angular = ang_length(l2 - l);
-        assert!(angular < close * (ang_length(l) + 1.0), "{spin}: angular momentum off by {angular}");
+        assert!(
+            angular < close * (ang_length(l) + 1.0),
+            "{spin}: angular momentum off by {angular}"
+        );
         assert!((energy2 / energy - 1.0).abs() < close, "{spin}: energy {energy} became {energy2}");
     }
 }

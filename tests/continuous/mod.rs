@@ -4,7 +4,12 @@
 //! that are a twentieth of the way of one step apart, so that no lucky number of steps hides a gap.
 
 mod bullets;
+mod chains;
+mod links;
 mod paths;
+mod sensors;
+mod settings;
+mod surfaces;
 mod turns;
 
 use crate::dim::grounds::GROUNDS;

@@ -116,14 +116,14 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         joints.store(states, (islands, set), params.inv_dt(), broken, (simd, tasks));
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         let notes = (&mut *scene.fast, &mut *scene.courses);
-        multibodies.store(trees, (islands, bodies), params, notes);
+        counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, notes);
         counters.velocity_writeback_time.pause();
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
     counters.velocity_writeback_time.resume();
     let world = (islands, bodies, &constraints.multibodies);
-    states.store(groups, world, params, scene.fast, tasks);
+    counters.nlimited_bodies += states.store(groups, world, params, scene.fast, tasks);
     counters.velocity_writeback_time.pause();
 }
 

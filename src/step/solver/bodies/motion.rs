@@ -19,6 +19,8 @@ pub(super) struct Motion {
     pub angular_damping: Real,
     /// Does gravity pull it, so that it may be part of a pile? What holds piles up counts, too.
     pub bears_weight: bool,
+    /// Was it faster than the user allows?
+    pub is_limited: bool,
     /// For a body that tumbles.
     pub gyroscope: Option<Gyroscope>,
 }
@@ -32,6 +34,7 @@ impl Motion {
         linear_damping: 0.0,
         angular_damping: 0.0,
         bears_weight: true,
+        is_limited: false,
         gyroscope: None,
     };
 
@@ -53,6 +56,7 @@ impl Motion {
             linear_damping: body.linear_damping,
             angular_damping: body.angular_damping,
             bears_weight: gravity * body.gravity_scale != Vector::ZERO,
+            is_limited: false,
             gyroscope,
         }
     }
@@ -71,6 +75,10 @@ impl Motion {
         if let Some(gyroscope) = &mut self.gyroscope {
             w = gyroscope.velocity_at_middle(self.rotation, w, h);
         }
+        if speed_max == Real::MAX {
+            return (v, w);
+        }
+        self.is_limited |= v.length_squared() > speed_max * speed_max;
         (v.clamp_length_max(speed_max), w)
     }
 

@@ -14,10 +14,13 @@ use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
+use core::sync::atomic::{AtomicUsize, Ordering};
+
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did. Returns how
+    /// many were slowed down to the largest speed.
     pub fn store(
         &self,
         groups: &Groups,
@@ -25,7 +28,8 @@ impl SolverBodies {
         params: &IntegrationParameters,
         fast: &mut Vec<FastMotion>,
         tasks: Tasks<'_>,
-    ) {
+    ) -> usize {
+        let limited = AtomicUsize::new(0);
         let found = Mutex::new(Vec::new());
         let order = groups.order();
         let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
@@ -33,6 +37,9 @@ impl SolverBodies {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
             let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
+            if motion.is_limited {
+                limited.fetch_add(1, Ordering::Relaxed);
+            }
             let bound = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
@@ -58,6 +65,7 @@ impl SolverBodies {
         let found = &mut *lock(&found);
         found.sort_unstable_by_key(|&(position, _)| position);
         fast.extend(found.drain(..).map(|(_, motion)| motion));
+        limited.into_inner()
     }
 }
 

@@ -31,15 +31,18 @@ impl SolverMultibodies {
         self.loops.break_overloaded(joints, broken);
     }
 
-    /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.
+    /// Writes poses and velocities to bodies, and notes how far each one moved, and how those of fast multibodies did. The multibodies
+    /// go back to their set. Returns how many were slowed down to the largest speed.
     pub fn store(
         &mut self,
         set: &mut MultibodyJointSet,
         (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
         params: &IntegrationParameters,
         (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
-    ) {
+    ) -> usize {
+        let mut limited = 0;
         for mut moving in self.moving.drain(..) {
+            limited += usize::from(moving.motion.is_limited);
             moving.store((islands, bodies), params, (fast, courses));
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
@@ -47,6 +50,7 @@ impl SolverMultibodies {
             self.positions[moving.index.0.slot()] = NOT_NOW;
             self.spare.push(moving);
         }
+        limited
     }
 }
 
