@@ -74,6 +74,15 @@ impl<'a> Body<'a> {
         Some(Self { sharp, radius: 0.0, whole: None })
     }
 
+    /// A part without thickness, drawn together to this share of its size.
+    pub fn middle(shape: &'a dyn Shape, share: Real) -> Option<Self> {
+        let Self { sharp, radius, .. } = Self::whole(shape)?;
+        let Sharp::Convex(shrunk) = sharp else { return None };
+        let center = inner_point(shape).unwrap_or_else(|| middle(shrunk.shape));
+        let sharp = Sharp::Convex(Shrunk { center, scale: Vector::splat(share), ..shrunk });
+        Some(Self { sharp, radius, whole: None })
+    }
+
     /// The direction to another body, in the frame of this one, and the distance; `None` if it is farther than `reach`.
     pub fn distance(
         &self,
@@ -111,7 +120,8 @@ impl<'a> Body<'a> {
         Some((normal, dist - radius)).filter(|&(_, dist)| dist <= reach)
     }
 
-    /// How fast a turn by an angle of one moves the body's points (length units), about a centre.
+    /// How fast a turn by an angle of one moves the points of the sharp body (length units), about a centre. The layer around it is as
+    /// thick everywhere, so turning does not move that.
     pub fn reach_about(&self, center: Vector) -> Real {
         let Sharp::Convex(shape) = &self.sharp else { return Real::MAX };
         let farthest = directions().map(|direction| {
@@ -119,7 +129,7 @@ impl<'a> Body<'a> {
         });
         // The body lies within the box that these make.
         let square: Real = farthest.chunks(2).map(|pair| pair[0].max(pair[1])).map(|r| r * r).sum();
-        square.sqrt() + self.radius
+        square.sqrt()
     }
 }
 
@@ -152,4 +162,13 @@ fn middle(shape: &dyn SupportMap) -> Vector {
         shape.local_support_point(direction)
     };
     (0..corners).map(diagonal).sum::<Vector>() / corners as Real
+}
+
+/// The mean of the corners of what has no inside.
+fn inner_point(shape: &dyn Shape) -> Option<Vector> {
+    match shape.as_typed_shape() {
+        TypedShape::Triangle(triangle) => Some((triangle.a + triangle.b + triangle.c) / 3.0),
+        TypedShape::Segment(segment) => Some((segment.a + segment.b) * 0.5),
+        _ => None,
+    }
 }

@@ -21,8 +21,9 @@
 //! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
 //! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
 //!
-//! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it did not come near to before; what it
-//! was near to has contacts with it, and these must do.
+//! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it was not near to when the step
+//! began. If it was near, one of its corners say, its middle half is searched with; if that was near, too, there are contacts all
+//! over it, and these must do.
 //!
 //! ## Sensors
 //! Nothing is stopped by a sensor, but who passes through wants to be known: [`passes`] says whether two shapes are apart when the motion
@@ -47,6 +48,8 @@ use parry::shape::{Shape, TypedShape};
 const CORE_DEPTH: Real = 0.98;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
+/// The size of the middle of what has no inside.
+const MIDDLE: Real = 0.5;
 /// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
 /// hundreds of times the thickness. Each leg allows one more.
 const MAX_JUMPS: usize = 256;
@@ -156,10 +159,11 @@ fn impact_of_parts(
     let goal_of_whole = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap, counts_at_once: false };
     if thickness == 0.0 {
         let poses = sweeps.map(|sweep| sweep.at(0.0));
-        if whole.distance(&other, &poses, goal.near, Vector::ZERO).is_some() {
-            return None;
-        }
-        return advance([&whole, &other], sweeps, goal_of_whole, until).share();
+        let is_near =
+            |own: &Body<'_>| own.distance(&other, &poses, goal.near, Vector::ZERO).is_some();
+        let bodies = [Some(whole), Body::middle(part1.shape, MIDDLE)];
+        let far = bodies.into_iter().flatten().find(|own| !is_near(own))?;
+        return advance([&far, &other], sweeps, goal_of_whole, until).share();
     }
     let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
@@ -177,7 +181,7 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Does it count as a meeting, if parts that are near from the beginning come nearer?
+    /// Does it count as a meeting, if parts that are near from the beginning come half as near?
     counts_at_once: bool,
 }
 
@@ -203,7 +207,12 @@ impl Meeting {
 }
 
 /// Jumps ahead until two bodies have met.
-fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep<'_>; 2], goal: Goal, until: Real) -> Meeting {
+fn advance(
+    bodies: [&Body<'_>; 2],
+    sweeps: [&Sweep<'_>; 2],
+    mut goal: Goal,
+    until: Real,
+) -> Meeting {
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
     let jumps = MAX_JUMPS + sweeps[0].legs().len() + sweeps[1].legs().len();
@@ -218,8 +227,14 @@ fn advance(bodies: [&Body<'_>; 2], sweeps: [&Sweep<'_>; 2], goal: Goal, until: R
         let across = poses[0].rotation * normal;
         let nearing = (sweeps[0].velocity(share) - sweeps[1].velocity(share)).dot(across);
         if dist <= goal.gap + goal.tolerance {
-            let counts = share > 0.0 || goal.counts_at_once && dist > goal.gap && nearing > 0.0;
-            return if counts { Meeting::At(share) } else { Meeting::FromTheBeginning };
+            if share > 0.0 {
+                return Meeting::At(share);
+            }
+            let may_come_nearer = goal.counts_at_once && dist > goal.gap;
+            if !may_come_nearer {
+                return Meeting::FromTheBeginning;
+            }
+            goal.tolerance = 0.5 * (dist - goal.gap);
         }
         let closing = nearing + turning(sweeps.map(|sweep| sweep.leg(share).angle()), reaches);
         // Not so far that they would touch: closest points of what touches are not always found.

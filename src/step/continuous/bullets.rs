@@ -1,18 +1,23 @@
 //! Bodies that stop at everything: fast ones with `ccd_enabled`.
 //!
 //! Where a bullet is stopped depends on where the others are then, and these may be bullets that were stopped before.
-//! So impacts are taken in the order of time. Whoever takes part in one stands still from then on, which makes all
-//! later impacts with it uncertain: they are searched again when their time comes.
+//! So impacts are taken in the order of time. Whoever takes part in one stands still from then on, and all that may come by is searched
+//! again. As time only goes on, each body is stopped so at most once, and each pair searched three times: when its paths are known, and
+//! when either of the two was stopped. Nearly all searches end with the balls around the bodies, which miss each other.
 
 use super::Search;
 use super::path::Path;
 use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::base::segments::Segments;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::tree::TreeKind;
 use core::cmp::Ordering;
 use parry::bounding_volume::Aabb;
 use std::collections::BinaryHeap;
+
+/// How far off places are, as a share of the way.
+const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Buffers of the search.
 #[derive(Default)]
@@ -23,6 +28,8 @@ pub(super) struct Bullets {
     balls: Vec<Ball>,
     /// What each bullet may hit.
     pairs: Vec<Pair>,
+    /// Fast bodies with their pairs.
+    pairs_of: Vec<(u32, u32)>,
     queue: BinaryHeap<Impact>,
     /// By the first of each group of fast bodies: how often the group was stopped.
     stopped: Vec<u32>,
@@ -80,8 +87,8 @@ impl Bullets {
             self.foresee(pair, search, stops);
         }
         while let Some(Impact { share, pair, stopped }) = self.queue.pop() {
+            // One of them was stopped since: what comes of that stands in the queue, too.
             if stopped != self.stopped_of(pair, search) {
-                self.foresee(pair as usize, search, stops);
                 continue;
             }
             let Pair { bullet, other } = self.pairs[pair as usize];
@@ -93,8 +100,18 @@ impl Bullets {
     }
 
     fn stop(&mut self, position: u32, share: Real, search: Search<'_>, stops: &mut [Real]) {
-        if search.groups.stop(position as usize, share, stops) {
-            self.stopped[search.groups.first(position as usize)] += 1;
+        if !search.groups.stop(position as usize, share, stops) {
+            return;
+        }
+        let first = search.groups.first(position as usize);
+        self.stopped[first] += 1;
+        for member in search.groups.members(first) {
+            let start = self.pairs_of.partition_point(|of| of.0 < member);
+            let mut at = start;
+            while let Some(&(_, pair)) = self.pairs_of.get(at).filter(|of| of.0 == member) {
+                self.foresee(pair as usize, search, stops);
+                at += 1;
+            }
         }
     }
 
@@ -148,6 +165,14 @@ impl Bullets {
         }
         self.pairs.sort_unstable();
         self.pairs.dedup();
+        self.pairs_of.clear();
+        for (number, pair) in (0..).zip(&self.pairs) {
+            self.pairs_of.push((pair.bullet, number));
+            if let Other::Fast(other) = pair.other {
+                self.pairs_of.push((other, number));
+            }
+        }
+        self.pairs_of.sort_unstable();
     }
 
     fn find_others(&mut self, bullet: u32, region: &Aabb, search: Search<'_>, stops: &[Real]) {
@@ -156,7 +181,7 @@ impl Bullets {
             // Of two bullets each finds the other.
             let is_first = bullet < other || !is_bullet(search, other as usize);
             let of = |position: u32| (&balls[position as usize], stops[position as usize]);
-            if other != bullet && is_first && Ball::may_meet([of(bullet), of(other)]) {
+            if other != bullet && is_first && Ball::ways_meet([of(bullet), of(other)]) {
                 pairs.push(Pair { bullet, other: Other::Fast(other) });
             }
         });
@@ -206,6 +231,19 @@ impl Ball {
         Self { center: motion.center, shift: motion.shift, radius }
     }
 
+    /// Do the ways of these balls cross, at whatever times, if they go so far?
+    fn ways_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
+        let along = [ball1.shift * stop1, ball2.shift * stop2];
+        let segments = Segments::new([ball1.center, ball2.center], along);
+        let [share1, share2] = segments.nearest_from(segments.crossing());
+        let apart = ball1.center + along[0] * share1 - ball2.center - along[1] * share2;
+        // On long ways nobody knows places better than this.
+        let rounding = ROUNDING * (along[0].abs() + along[1].abs()).max_element();
+        let radius = ball1.radius + ball2.radius + rounding;
+        let misses = apart.length_squared() > radius * radius;
+        !misses
+    }
+
     /// May the bodies in these balls meet, that go so far?
     fn may_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
         let apart = |share: Real| {
@@ -214,7 +252,8 @@ impl Ball {
         };
         // As seen from the second, the first goes straight until one of them stops.
         let places = [0.0, stop1.min(stop2), stop1.max(stop2)].map(apart);
-        let radius = ball1.radius + ball2.radius;
+        let rounding = ROUNDING * (ball1.shift.abs() + ball2.shift.abs()).max_element();
+        let radius = ball1.radius + ball2.radius + rounding;
         let misses = |from: Vector, to: Vector| nearest_square(from, to) > radius * radius;
         !(misses(places[0], places[1]) && misses(places[1], places[2]))
     }

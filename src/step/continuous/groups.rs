@@ -76,12 +76,17 @@ impl Groups {
         if share >= stops[position] {
             return false;
         }
-        stops[position] = share;
-        let first = self.firsts[position];
-        let start = self.members.partition_point(|member| member.0 < first);
-        let group = self.members[start..].iter().take_while(|member| member.0 == first);
-        group.for_each(|member| stops[member.1 as usize] = share);
+        self.members(self.first(position)).for_each(|member| stops[member as usize] = share);
         true
+    }
+
+    /// The positions of a group, given its first one.
+    pub fn members(&self, first: usize) -> impl Iterator<Item = u32> {
+        let first = first as u32;
+        let start = self.members.partition_point(|member| member.0 < first);
+        let listed = self.members[start..].iter().take_while(move |member| member.0 == first);
+        let alone = self.members.get(start).is_none_or(|member| member.0 != first);
+        listed.map(|member| member.1).chain(alone.then_some(first))
     }
 
     fn join(&mut self, position1: u32, position2: u32) {
