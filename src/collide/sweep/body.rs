@@ -1,6 +1,6 @@
 //! Convex parts as the search sees them: whole, or without an outer layer.
 
-use crate::base::closest::{Closest, closest};
+use crate::base::closest::{Closest, closest, extents};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::shape::{Shape, SupportMap, TypedShape};
 
@@ -103,7 +103,10 @@ impl<'a> Body<'a> {
             (Sharp::Convex(shape1), Sharp::Convex(shape2)) => {
                 match closest(&pos12, shape1, shape2, reach + radius, last_normal) {
                     Closest::Near { normal, dist, .. } => (normal, dist),
-                    Closest::Apart(_) => return None,
+                    Closest::Apart(direction) => {
+                        let directions = [direction, last_normal, pos12.translation];
+                        widest(&pos12, shape1, shape2, directions)?
+                    }
                 }
             }
             (Sharp::Convex(shape), Sharp::Plane(normal)) => {
@@ -131,6 +134,21 @@ impl<'a> Body<'a> {
         let square: Real = farthest.chunks(2).map(|pair| pair[0].max(pair[1])).map(|r| r * r).sum();
         square.sqrt()
     }
+}
+
+/// The one of some directions along which two shapes are farthest apart, and how far: no more than their distance.
+///
+/// Between a wide floor and something thin and near the search may lose itself and say that they are far apart. This is what is
+/// certain.
+fn widest(
+    pos12: &Pose,
+    shape1: &Shrunk<'_>,
+    shape2: &Shrunk<'_>,
+    directions: [Vector; 3],
+) -> Option<(Vector, Real)> {
+    let known = directions.into_iter().filter_map(Vector::try_normalize);
+    let gaps = known.map(|along| (along, extents(pos12, shape1, shape2, along).gap));
+    gaps.max_by(|(_, gap1), (_, gap2)| gap1.total_cmp(gap2))
 }
 
 /// The direction from a point to a part at `pos12`, and its distance: exact where a search of closest points has its
