@@ -1,6 +1,6 @@
 //! Bodies with `ccd_enabled` pass nothing, not even each other.
 
-use super::{PHASES, RADIUS, SPEEDS};
+use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::vec;
 use crate::suite::physics::stage::{Dice, weightless};
 use crate::suite::physics::table::Table;
@@ -64,7 +64,7 @@ fn bullets_in_file_stop_behind_each_other() {
     for speed in SPEEDS {
         for phase in 0..PHASES {
             let mut world = weightless(60);
-            world.insert_collider(crate::dim::cuboid(0.01, 5.0), None);
+            world.insert_collider(wall(), None);
             let way = speed / 60.0 * (2.0 + phase as Real / PHASES as Real);
             let place = |k: usize| vec(-way - 3.0 * RADIUS * k as Real, 0.0);
             let file: Vec<_> =

@@ -1,6 +1,6 @@
 //! Links of multibodies pass nothing, and what stops one of them stops the whole.
 
-use super::{PHASES, RADIUS, SPEEDS};
+use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::{about_z, ang_length, cuboid, hinge, vec};
 use crate::suite::multibody::stage::{angular_momentum, kinetic_energy, momentum};
 use crate::suite::physics::stage::{G, weightless};
@@ -35,7 +35,7 @@ fn add_chain(
 }
 
 fn add_wall(world: &mut PhysicsWorld) {
-    world.insert_collider(cuboid(0.01, 500.0), None);
+    world.insert_collider(wall(), None);
 }
 
 #[test]

@@ -40,13 +40,11 @@ fn spinners_stay_in_their_box() {
     for speed in [20.0, 100.0, 400.0, 1000.0] {
         for phase in 0..8 {
             let mut world = weightless(60);
-            for (x, y, half) in [
-                (1.0, 0.0, [0.01, 1.0]),
-                (-1.0, 0.0, [0.01, 1.0]),
-                (0.0, 1.0, [1.0, 0.01]),
-                (0.0, -1.0, [1.0, 0.01]),
-            ] {
-                world.insert_collider(cuboid(half[0], half[1]).translation(vec(x, y)), None);
+            for side in 0..4 {
+                let turned = about_z(core::f64::consts::FRAC_PI_2 as Real * side as Real);
+                let place = Pose::new(vec(0.0, 0.0), turned) * vec(0.0, 1.0);
+                let wall = cuboid(500.0, 0.01).translation(place).rotation(turned);
+                world.insert_collider(wall, None);
             }
             let start = 0.1 * phase as Real;
             let body =

@@ -139,9 +139,26 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
         });
         return line.map_or(Near::Inside(region), Near::Along);
     }
+    if let Some(bend) = bend_of_other(own, other) {
+        // As far from a straight path as it bends in the eyes of what turns.
+        let end = own.at(1.0).inverse_transform_point(other.at(1.0) * other.local_center);
+        let path = Aabb::new(center.min(end), center.max(end));
+        return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
+    }
     // As seen from something that turns, the other moves by no more than both do.
     let away = center.length() + other.travel()[0];
     Near::Inside(region.loosened(angle * (away + own.local_center.length())))
+}
+
+/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go straight. With `d` from one centre of
+/// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
+/// than an eighth of that.
+fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
+    let (leg, other_leg) = own.straight().zip(other.straight())?;
+    let speed = (other_leg.shift - leg.shift).length();
+    let away = (other_leg.center - leg.center).length() + speed;
+    let is_whole = own.stop >= 1.0 && other.stop >= 1.0;
+    is_whole.then(|| leg.angle() * (leg.angle() * away + 2.0 * speed) / 8.0)
 }
 
 /// When the first part is stopped by the second.

@@ -22,8 +22,17 @@ const DEVIATION: Real = 0.1;
 #[derive(Default)]
 pub(super) struct Ways {
     legs: Vec<Leg>,
-    /// By multibody: where its legs begin, link by link, and how many each link has.
-    of_tree: Vec<(usize, usize)>,
+    of_tree: Vec<Tree>,
+}
+
+/// Where a multibody stands in the lists.
+struct Tree {
+    /// Its legs begin here, link by link.
+    legs: usize,
+    /// So many of them each link has.
+    pieces: usize,
+    /// Its links among the fast bodies.
+    links: Range<usize>,
 }
 
 impl Ways {
@@ -31,9 +40,16 @@ impl Ways {
     pub fn find(&mut self, world: Surroundings<'_>) {
         self.legs.clear();
         self.of_tree.clear();
+        let mut next = 0;
         for (tree, course) in world.courses.iter().enumerate() {
-            let pieces = course.pieces(DEVIATION * thickness(world, tree));
-            self.of_tree.push((self.legs.len(), pieces));
+            let is_own = |motion: &&FastMotion| motion.link.is_some_and(|link| link.0 == tree);
+            let links = &world.fast[next..];
+            let before = links.iter().take_while(|motion| !is_own(motion)).count();
+            let count = links[before..].iter().take_while(is_own).count();
+            let links = next + before..next + before + count;
+            next = links.end;
+            let pieces = course.pieces(DEVIATION * thickness(world, &world.fast[links.clone()]));
+            self.of_tree.push(Tree { legs: self.legs.len(), pieces, links });
             if let Some(multibody) = world.multibodies.get_multibody(course.index) {
                 self.walk(course, multibody, pieces);
             }
@@ -42,9 +58,9 @@ impl Ways {
 
     /// The legs of a link of a multibody; none if it is not there.
     pub fn of(&self, (tree, link): (usize, usize)) -> &[Leg] {
-        let (start, pieces) = self.of_tree[tree];
-        let range: Range<usize> = start + link * pieces..start + (link + 1) * pieces;
-        self.legs.get(range).unwrap_or_default()
+        let Tree { legs, pieces, .. } = self.of_tree[tree];
+        let start = legs + link * pieces;
+        self.legs.get(start..start + pieces).unwrap_or_default()
     }
 
     /// Puts multibodies back to where they were stopped.
@@ -56,19 +72,19 @@ impl Ways {
         stops: &[Real],
         dt: Real,
     ) {
-        for (tree, course) in courses.iter().enumerate() {
-            let of_tree = |motion: &FastMotion| motion.link.is_some_and(|(other, _)| other == tree);
-            let Some(first) = fast.iter().position(of_tree) else { continue };
-            let share = stops.get(first).copied().unwrap_or(1.0);
+        if stops.is_empty() {
+            return;
+        }
+        for (tree, course) in self.of_tree.iter().zip(courses) {
+            let links = &fast[tree.links.clone()];
+            let share = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
             let multibody = multibodies.get_unnoted_mut(course.index);
             let Some(multibody) = multibody.filter(|_| share < 1.0) else { continue };
-            let links: Vec<_> = fast[first..].iter().take_while(|motion| of_tree(motion)).collect();
             let acceleration = |id| {
-                let motion = links.iter().find(|motion| motion.link == Some((tree, id)));
+                let motion = links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
-            let (_, pieces) = self.of_tree[tree];
-            course.go_back(multibody, bodies, (share, pieces, dt), acceleration);
+            course.go_back(multibody, bodies, (share, tree.pieces, dt), acceleration);
         }
     }
 
@@ -98,10 +114,9 @@ impl Ways {
     }
 }
 
-/// The thickness of the thinnest solid link that is fast.
-fn thickness(world: Surroundings<'_>, tree: usize) -> Real {
-    let links = world.fast.iter().filter(|motion| motion.link.is_some_and(|link| link.0 == tree));
-    let bodies = links.filter_map(|motion| world.bodies.get(motion.body));
+/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are looked for.
+fn thickness(world: Surroundings<'_>, links: &[FastMotion]) -> Real {
+    let bodies = links.iter().filter_map(|motion| world.bodies.get(motion.body));
     let fast = bodies.filter(|body| body.ccd_active).map(|body| {
         let is_solid = body.thickness > 0.0;
         if is_solid { body.thickness } else { world.params.prediction_distance() }
