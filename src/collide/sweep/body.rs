@@ -2,6 +2,7 @@
 
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::math::{DIM, Pose, Real, Vector};
+use parry::bounding_volume::Aabb;
 use parry::shape::{Shape, SupportMap, TypedShape};
 
 /// A convex part: a sharp body and a layer of some thickness around it.
@@ -49,6 +50,30 @@ impl<'a> Body<'a> {
             _ => (sharp(part.as_support_map()?, Vector::ONE), 0.0),
         };
         Some(Self { sharp, radius, whole: Some(part) })
+    }
+
+    /// What of a whole box is within a region of its frame. A search of closest points has few digits for a floor of a kilometre.
+    pub fn within(self, region: &Aabb) -> Self {
+        let cuboid = self.whole.and_then(|part| part.as_cuboid());
+        let Some((half, shrunk)) = cuboid.map(|cuboid| cuboid.half_extents).zip(self.convex())
+        else {
+            return self;
+        };
+        let (low, high) = (region.mins.max(-half), region.maxs.min(half));
+        let scale = (high - low) / (half + half);
+        // Nothing to take off, or nothing left.
+        let cuts = scale.cmplt(Vector::ONE) & scale.cmpgt(Vector::ZERO);
+        let scale = Vector::select(cuts, scale, Vector::ONE);
+        let center = (low + high) * 0.5 / (Vector::ONE - scale);
+        let center = Vector::select(cuts, center, Vector::ZERO);
+        Self { sharp: Sharp::Convex(Shrunk { center, scale, ..shrunk }), ..self }
+    }
+
+    fn convex(&self) -> Option<Shrunk<'a>> {
+        match self.sharp {
+            Sharp::Convex(shrunk) => Some(shrunk),
+            Sharp::Plane(_) => None,
+        }
     }
 
     /// The point that is left of a ball, or of the core of one.
@@ -102,8 +127,8 @@ impl<'a> Body<'a> {
         let (normal, dist) = match (&self.sharp, &other.sharp) {
             (Sharp::Convex(shape1), Sharp::Convex(shape2)) => {
                 match closest(&pos12, shape1, shape2, reach + radius, last_normal) {
-                    Closest::Near { normal, dist, .. } => (normal, dist),
-                    Closest::Apart(direction) => {
+                    Closest::Near { normal, dist, .. } if dist <= reach + radius => (normal, dist),
+                    Closest::Near { normal: direction, .. } | Closest::Apart(direction) => {
                         let directions = [direction, last_normal, pos12.translation];
                         widest(&pos12, shape1, shape2, directions)?
                     }

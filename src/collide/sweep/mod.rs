@@ -111,7 +111,8 @@ pub(crate) fn passes(
     let goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
     let (mut meet, mut met) = (false, false);
     for_each_pair(shapes, sweeps, &mut |[(part1, sweep1), (part2, sweep2)]| {
-        let bodies = Body::whole(part1.shape).zip(Body::whole(part2.shape));
+        let other = other_of((part1, sweep1), (part2, sweep2), tolerance);
+        let bodies = Body::whole(part1.shape).zip(other);
         let Some((body1, body2)) = bodies.filter(|_| !met) else { return };
         match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
             Meeting::FromTheBeginning => met = true,
@@ -150,6 +151,20 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
     Near::Inside(region.loosened(angle * (away + own.local_center.length())))
 }
 
+/// The second part, as far as the first comes within `near` of it. What moves is taken as a whole.
+fn other_of<'a>(
+    (part, sweep): (&Part<'_>, &Sweep<'_>),
+    (other, other_sweep): (&Part<'a>, &Sweep<'_>),
+    near: Real,
+) -> Option<Body<'a>> {
+    let body = Body::whole(other.shape)?;
+    if other_sweep.travel() != [0.0; 2] {
+        return Some(body);
+    }
+    let region = sweep.region(part.shape).loosened(near);
+    Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
+}
+
 /// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go straight. With `d` from one centre of
 /// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
 /// than an eighth of that.
@@ -172,7 +187,8 @@ fn impact_of_parts(
     if thickness == Real::INFINITY {
         return None;
     }
-    let (whole, other) = (Body::whole(part1.shape)?, Body::whole(part2.shape)?);
+    let whole = Body::whole(part1.shape)?;
+    let other = other_of((part1, sweep1), (part2, sweep2), goal.near)?;
     let goal_of_whole = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap, counts_at_once: false };
     if thickness == 0.0 {
         let poses = sweeps.map(|sweep| sweep.at(0.0));

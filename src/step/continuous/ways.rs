@@ -81,7 +81,8 @@ impl Ways {
             let multibody = multibodies.get_unnoted_mut(course.index);
             let Some(multibody) = multibody.filter(|_| share < 1.0) else { continue };
             let acceleration = |id| {
-                let motion = links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
+                let motion =
+                    links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
             course.go_back(multibody, bodies, (share, tree.pieces, dt), acceleration);
