@@ -72,7 +72,7 @@ impl FreeMotion {
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
     WideMotion { linear, angular }: WideMotion<W>,
-    (h, speed_max): (Real, Real),
+    h: Real,
 ) -> WideMotion<W> {
     let own = gather::<W, RECORD_LEN>(rows(bodies));
     let (one, substep) = (W::splat(1.0), W::splat(h));
@@ -80,7 +80,7 @@ pub(crate) fn accelerated<W: Wide>(
     // Damping is integrated implicitly: v' = v + h a - h c v' never overshoots zero.
     let linear = (linear + linear_acceleration * substep) * (one / (one + substep * own[5]));
     let angular = (angular + own[4] * substep) * (one / (one + substep * own[6]));
-    WideMotion { linear: linear.clamped(speed_max), angular }
+    WideMotion { linear, angular }
 }
 
 /// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.

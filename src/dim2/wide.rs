@@ -132,17 +132,16 @@ impl<W: Wide> WideVector<W> {
         Self { x: self.x.max(other.x), y: self.y.max(other.y) }
     }
 
-    /// The vector, shortened to this length where it is longer.
+    /// The vector, shortened to this length where it is longer, and one bit per lane where it is.
     #[inline(always)]
-    pub fn clamped(self, length_max: Real) -> Self {
+    pub fn clamped(self, length_max: Real) -> (Self, u32) {
         let square = self.dot(self);
         let is_longer = W::splat(length_max * length_max).lt(square);
-        if W::any(is_longer) {
-            let shortened = self * (W::splat(length_max) / square.sqrt());
-            Self::select(is_longer, shortened, self)
-        } else {
-            self
+        if !W::any(is_longer) {
+            return (self, 0);
         }
+        let shortened = self * (W::splat(length_max) / square.sqrt());
+        (Self::select(is_longer, shortened, self), W::bits(is_longer))
     }
 
     /// Is no component larger than that of the other?

@@ -112,7 +112,7 @@ impl FreeMotion {
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
     WideMotion { linear, angular }: WideMotion<W>,
-    (h, speed_max): (Real, Real),
+    h: Real,
 ) -> WideMotion<W> {
     let own = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[..PLAIN_LEN]));
     let (one, substep) = (W::splat(1.0), W::splat(h));
@@ -129,7 +129,7 @@ pub(crate) fn accelerated<W: Wide>(
         angular = WideVector::select(W::zero().lt(own[TUMBLES]), at_middle, angular);
         gyroscope.scatter(bodies);
     }
-    WideMotion { linear: linear.clamped(speed_max), angular }
+    WideMotion { linear, angular }
 }
 
 /// Turns up to [`LANES`] bodies, if they tumble, by `h` times their angular velocity, and it as their inertia turns.
@@ -183,7 +183,7 @@ impl Kernel for TurnFreely {
     fn run<W: Wide>(self) -> AngVector {
         let (bodies, angular) = (&mut [self.body], WideVector::splat(self.angvel));
         let start = WideMotion { linear: WideVector::zero(), angular };
-        let mut velocity = accelerated::<W>(bodies, start, (self.h, Real::MAX)).angular;
+        let mut velocity = accelerated::<W>(bodies, start, self.h).angular;
         let mut before = velocity;
         tumble(bodies, &mut velocity, &mut before, self.h);
         let mut lanes = WideVector::ZERO;

@@ -63,6 +63,11 @@ pub struct SolverCounters {
     pub ncontacts: usize,
     /// Number of bodies that were disabled because their numbers left the range in which one can calculate.
     pub nquarantined: usize,
+    /// Number of bodies that were faster than
+    /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity) allows and
+    /// were slowed down, a multibody counting as one. The most
+    /// in one substep of each group of bodies with the same substeps. There is no other limit of speeds.
+    pub nlimited_bodies: usize,
 }
 
 /// Times and numbers of continuous collision detection.
@@ -70,8 +75,14 @@ pub struct SolverCounters {
 pub struct CCDCounters {
     /// Computing times of impact.
     pub toi_computation_time: Timer,
-    /// Number of bodies that were stopped at an impact.
+    /// Number of bodies that were stopped at an impact, with those that joints hold to them.
     pub num_substeps: usize,
+    /// Number of bodies whose paths were searched: fast ones, and all links of multibodies of which one is fast.
+    pub num_fast_bodies: usize,
+    /// Number of times that the paths of two colliders were searched for when they meet.
+    pub num_searches: usize,
+    /// Number of times that a fast body passed a sensor between two steps.
+    pub num_sensors_passed: usize,
 }
 
 impl Default for Counters {

@@ -24,6 +24,7 @@
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
 //! | `motion.rs` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
+//! | `course.rs` | the way through a step, and back | |
 //! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
 //!
 //! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. We cut it where it depends
@@ -33,6 +34,7 @@
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
 mod bias;
+mod course;
 mod factor;
 mod inverse;
 mod kinematics;
@@ -43,6 +45,7 @@ mod sync;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use course::Station;
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;
 pub(crate) use motion::{Drive, LinkForce, Motion};

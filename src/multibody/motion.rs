@@ -81,6 +81,8 @@ pub struct Motion {
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
     change: Vec<Real>,
+    /// Was a link faster than the user allows since the step began?
+    pub is_limited: bool,
     /// What the first half of the flight changed about the velocities.
     flown: Vec<Real>,
 }
@@ -91,6 +93,7 @@ impl Motion {
     /// Velocities and impulses that the user gave to bodies since the last step count as momentum: the multibody gets the
     /// velocities that have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
+        self.is_limited = false;
         self.kinematics.update(multibody);
         self.rates.clear();
         let rates = multibody.generalized_velocity().iter();
@@ -209,6 +212,7 @@ impl Motion {
         self.kinematics.velocities(&self.rates, &ZERO, &mut self.velocities);
         let fastest = self.velocities.iter().map(|v| speed(linear(v))).fold(0.0, Real::max);
         if fastest > speed_max {
+            self.is_limited = true;
             let share = speed_max / fastest;
             for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
                 *rate *= if drive.armature == Real::INFINITY { 1.0 } else { share };

@@ -98,7 +98,7 @@ fn step_with(
         quarantine.take_out(world, way_back.as_ref(), conditions, notes);
     }
     if parts.params.dt > 0.0 {
-        follow_bodies(tasks, &mut parts, scratch);
+        follow_bodies(tasks, &mut parts, multibodies, scratch);
         put_to_sleep(&mut parts, scratch);
         parts.validate();
     } else {
@@ -225,6 +225,7 @@ fn move_bodies(
         multibodies,
         islands: parts.islands,
         fast: &mut scratch.notes.fast,
+        courses: &mut scratch.notes.courses,
         broken: &mut scratch.notes.broken,
         lost: &mut scratch.notes.lost,
     };
@@ -232,16 +233,21 @@ fn move_bodies(
     parts.counters.stages.solver_time.pause();
 }
 
-fn follow_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+fn follow_bodies(
+    tasks: Tasks<'_>,
+    parts: &mut StepParts<'_>,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
     parts.counters.stages.ccd_time.resume();
     parts.counters.ccd.toi_computation_time.resume();
     // Bodies have moved: whatever a hook does, the rest of the world must follow them.
-    let search = AssertUnwindSafe(|| find_impacts(tasks, parts, scratch));
+    let search = AssertUnwindSafe(|| find_impacts(tasks, parts, multibodies, scratch));
     let found = catch_unwind(search);
     parts.counters.ccd.toi_computation_time.pause();
-    let (fast, stops, counters) =
-        (&scratch.notes.fast, &scratch.continuous, &mut parts.counters.ccd);
-    continuous::stop(parts.bodies, fast, stops, counters);
+    let StepNotes { fast, courses, events, .. } = &mut scratch.notes;
+    let (stops, told) = (&scratch.continuous, (events, &mut parts.counters.ccd));
+    continuous::stop(parts.bodies, multibodies, (fast, courses), parts.params.dt, stops, told);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -252,17 +258,25 @@ fn follow_bodies(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     found.unwrap_or_else(|panic| resume_unwind(panic));
 }
 
-fn find_impacts(tasks: Tasks<'_>, parts: &StepParts<'_>, scratch: &mut StepScratch) {
+fn find_impacts(
+    tasks: Tasks<'_>,
+    parts: &StepParts<'_>,
+    multibodies: &MultibodyJointSet,
+    scratch: &mut StepScratch,
+) {
     let StepScratch { notes, continuous, .. } = scratch;
     let around = continuous::Surroundings {
         bodies: parts.bodies,
         colliders: parts.colliders,
+        multibodies,
         islands: parts.islands,
         trees: parts.broad_phase,
         params: parts.params,
         hooks: parts.hooks,
+        fast: &notes.fast,
+        courses: &notes.courses,
     };
-    continuous::find_impacts(tasks, around, &notes.fast, continuous);
+    continuous::find_impacts(tasks, around, continuous);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {

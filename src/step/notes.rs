@@ -1,9 +1,11 @@
 //! What stages tell each other during a step.
 
 use crate::dim::math::{AngVector, Pose, Real, Vector};
-use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::contact::PairId;
 use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
+use crate::model::multibody::Course;
+use crate::model::params::IntegrationParameters;
 
 /// How a contact pair changed in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -14,6 +16,10 @@ pub(crate) enum PairChange {
     /// The enlarged boxes no longer overlap.
     Apart,
 }
+
+/// A body is fast if it moves farther than this share of its thickness in one step: what was not in contact might else
+/// end with its middle on the other side of something thin.
+const FAST: Real = 0.5;
 
 /// How a body moved in this step that moved so far that it could have passed through something.
 #[derive(Copy, Clone, Debug)]
@@ -28,9 +34,18 @@ pub(crate) struct FastMotion {
     pub turn: AngVector,
     /// By how much forces accelerate it.
     pub acceleration: Vector,
+    /// For a link of a multibody: the position of that in the list of fast ones, and the link's.
+    pub link: Option<(usize, usize)>,
 }
 
 impl FastMotion {
+    /// Is a body fast that moved by no more than `bound`? What has no inside (a thickness of 0) is if it moved farther than
+    /// contacts are looked for.
+    pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
+        let is_solid = body.thickness > 0.0;
+        bound > if is_solid { FAST * body.thickness } else { params.prediction_distance() }
+    }
+
     /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is
     /// left, they have not done yet.
     pub fn velocity_before(&self, left: Real, end: Vector) -> Vector {
@@ -65,6 +80,8 @@ pub(crate) struct StepNotes {
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
     pub fast: Vec<FastMotion>,
+    /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
+    pub courses: Vec<Course>,
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
@@ -86,6 +103,7 @@ impl StepNotes {
         self.contacts.clear();
         self.intersections.clear();
         self.fast.clear();
+        self.courses.clear();
         self.lost.clear();
         self.quarantined.clear();
     }

@@ -3,7 +3,7 @@
 //! Events, hooks, groups, reading of contacts, edits between steps, collision detection alone, and worlds
 //! that are saved and restored.
 
-mod stage;
+pub mod stage;
 
 mod contacts;
 mod detection;

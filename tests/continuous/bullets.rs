@@ -1,6 +1,6 @@
 //! Bodies with `ccd_enabled` pass nothing, not even each other.
 
-use super::{PHASES, RADIUS, SPEEDS};
+use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::vec;
 use crate::suite::physics::stage::{Dice, weightless};
 use crate::suite::physics::table::Table;
@@ -55,6 +55,29 @@ fn bullets_do_not_pass_each_other() {
         let [a, b, c, d] = counts.map(|count| count.to_string());
         table.row([format!("{speed}"), a, b, c, d]);
         table.require(counts == [0; 4], "bullets passed");
+    }
+}
+
+/// A file of bullets at one speed: the first hits a wall and stops, and the others do not go on through it.
+#[test]
+fn bullets_in_file_stop_behind_each_other() {
+    for speed in SPEEDS {
+        for phase in 0..PHASES {
+            let mut world = weightless(60);
+            world.insert_collider(wall(), None);
+            let way = speed / 60.0 * (2.0 + phase as Real / PHASES as Real);
+            let place = |k: usize| vec(-way - 3.0 * RADIUS * k as Real, 0.0);
+            let file: Vec<_> =
+                (0..4).map(|k| add_bullet(&mut world, place(k), vec(speed, 0.0))).collect();
+            for _ in 0..20 {
+                world.step();
+                let x: Vec<Real> = file.iter().map(|&b| world.bodies[b].translation().x).collect();
+                assert!(
+                    x[0] < 0.0 && x.is_sorted_by(|a, b| a > b),
+                    "{speed} m/s: they are at {x:?}"
+                );
+            }
+        }
     }
 }
 

@@ -4,11 +4,16 @@
 //! that are a twentieth of the way of one step apart, so that no lucky number of steps hides a gap.
 
 mod bullets;
+mod chains;
+mod links;
 mod paths;
+mod sensors;
+mod settings;
+mod surfaces;
 mod turns;
 
 use crate::dim::grounds::GROUNDS;
-use crate::dim::{cuboid, vec};
+use crate::dim::{about_z, cuboid, vec};
 use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
@@ -19,6 +24,11 @@ pub const SPEEDS: [Real; 4] = [50.0, 100.0, 400.0, 1000.0];
 pub const PHASES: usize = 20;
 /// Radius of the balls (m).
 pub const RADIUS: Real = 0.05;
+
+/// A wall of 2 cm in the plane x = 0, wide enough that nothing goes round it.
+pub fn wall() -> ColliderBuilder {
+    cuboid(500.0, 0.01).rotation(about_z(core::f64::consts::FRAC_PI_2 as Real))
+}
 
 /// A ball that does not rub or bounce.
 pub fn add_ball(world: &mut PhysicsWorld, at: Vector, velocity: Vector) -> RigidBodyHandle {
@@ -52,7 +62,7 @@ fn walls_are_not_passed() {
     for speed in SPEEDS {
         let through = |direction: Vector| {
             let shoot = |world: &mut PhysicsWorld, way: Real| {
-                world.insert_collider(cuboid(0.01, 500.0), None);
+                world.insert_collider(wall(), None);
                 add_ball(world, direction * -(way + RADIUS), direction * speed)
             };
             count_passed(speed, shoot, |at| at.x > 0.0)

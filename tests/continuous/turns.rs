@@ -34,6 +34,36 @@ fn a_bar_does_not_skip_a_post() {
     }
 }
 
+/// A bar that spins in a closed box of walls of 2 cm, and is thrown about in it.
+#[test]
+fn spinners_stay_in_their_box() {
+    for speed in [20.0, 100.0, 400.0, 1000.0] {
+        for phase in 0..8 {
+            let mut world = weightless(60);
+            for side in 0..4 {
+                let turned = about_z(core::f64::consts::FRAC_PI_2 as Real * side as Real);
+                let place = Pose::new(vec(0.0, 0.0), turned) * vec(0.0, 1.0);
+                let wall = cuboid(500.0, 0.01).translation(place).rotation(turned);
+                world.insert_collider(wall, None);
+            }
+            let start = 0.1 * phase as Real;
+            let body =
+                RigidBodyBuilder::dynamic().angvel(about_z(speed)).linvel(vec(0.1 * speed, 3.0));
+            let body = body.rotation(about_z(start)).angular_damping(0.0);
+            let (bar, _) = world.insert(body, cuboid(0.5, 0.02).restitution(1.0));
+            for step in 0..120 {
+                world.step();
+                let at = world.bodies[bar].translation();
+                let out = at.x.abs().max(at.y.abs());
+                assert!(
+                    out < 1.0,
+                    "{speed} rad/s from {start}: out of the box at {at} in step {step}"
+                );
+            }
+        }
+    }
+}
+
 /// Nothing slows a free turn: there is no largest angular velocity.
 #[test]
 fn free_turns_are_not_capped() {

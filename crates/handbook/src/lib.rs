@@ -20,6 +20,7 @@ pages! {
     readme_of_rapier3d_f64: "../../rapier3d-f64/README.md",
     getting_started: "../../../docs/guide/getting-started.md",
     bodies: "../../../docs/guide/bodies.md",
+    fast_bodies: "../../../docs/guide/fast-bodies.md",
     colliders: "../../../docs/guide/colliders.md",
     contacts_and_events: "../../../docs/guide/contacts-and-events.md",
     smooth_ground: "../../../docs/guide/smooth-ground.md",

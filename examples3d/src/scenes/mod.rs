@@ -14,6 +14,7 @@ pub mod dominance;
 pub mod gyroscope;
 pub mod platforms;
 pub mod sensors;
+pub mod bullets;
 pub mod collision_groups;
 pub mod solver_groups;
 pub mod contact_forces;
@@ -59,7 +60,7 @@ pub mod ragdolls;
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 56] = [
+pub const SCENES: [SceneInfo; 57] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -74,6 +75,7 @@ pub const SCENES: [SceneInfo; 56] = [
     gyroscope::INFO,
     platforms::INFO,
     sensors::INFO,
+    bullets::INFO,
     collision_groups::INFO,
     solver_groups::INFO,
     contact_forces::INFO,

@@ -58,6 +58,7 @@ pub struct RigidBody {
     pub(crate) dominance: i8,
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
+    pub(crate) ccd_active: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Is there anything in [`Self::push`]?
     pub(super) pushed: bool,
@@ -113,6 +114,7 @@ impl RigidBody {
             dominance: 0,
             enabled: true,
             ccd_enabled: false,
+            ccd_active: false,
             gyroscopic_forces_enabled: true,
             pushed: false,
             mprops: RigidBodyMassProps::default(),

@@ -122,6 +122,13 @@ impl RigidBody {
         self.ccd_enabled = enabled;
     }
 
+    /// Was the body's path searched in the last step, because it moved or turned so far that it could have passed through
+    /// something: farther than half its thickness? [`Self::is_ccd_enabled`] says what is searched for, and changes nothing
+    /// about this.
+    pub fn is_ccd_active(&self) -> bool {
+        self.ccd_active && self.is_dynamic()
+    }
+
     /// How far ahead of its surface the body looks for contacts (length units).
     pub fn soft_ccd_prediction(&self) -> Real {
         self.soft_ccd_prediction

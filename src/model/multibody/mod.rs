@@ -8,6 +8,7 @@
 //! The laws of motion are in [`crate::multibody`]; the step's part is in its solver.
 
 mod coupling;
+mod course;
 mod handle;
 mod joint;
 mod link;
@@ -18,6 +19,7 @@ mod split;
 mod tests;
 
 pub use coupling::MultibodyDofCoupling;
+pub(crate) use course::Course;
 pub use handle::{MultibodyIndex, MultibodyJointHandle, MultibodyLinkId};
 pub use joint::MultibodyJoint;
 pub use link::MultibodyLink;

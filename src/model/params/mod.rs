@@ -89,10 +89,10 @@ pub struct IntegrationParameters {
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.
     pub allowed_linear_error: Real,
     /// Are fast bodies stopped at what they hit on their way? Not if this is 0; any other number (default 1) says
-    /// yes. A stopped body goes on in the next step, whatever the number.
+    /// yes. A step is not divided at impacts: a stopped body goes on in the next step, whatever the number.
     pub max_ccd_substeps: usize,
-    /// Does continuous collision detection also stop a body that moves deeper into something it
-    /// overlaps already (default true)?
+    /// Does continuous collision detection also stop a body that touches or overlaps something already, before its middle
+    /// gets in (default true)? If not, contacts alone must hold it.
     pub ccd_on_penetration: bool,
     /// How friction is modelled (default [`FrictionModel::Standard`]). In 2D both agree but for the
     /// number of rows.
@@ -121,8 +121,8 @@ pub struct IntegrationParameters {
     /// Share of the last impulses with which a substep starts (0 to 1, default 1). Anything less
     /// weakens stacks; of use only to study the solver.
     pub warmstart_coefficient: Real,
-    /// Kept for programs that set it (s, default 1/6000); nothing reads it, because a body that is stopped moves on in
-    /// the next step.
+    /// The shortest piece into which impacts divide a step (s, default 1/6000). They divide none, so nothing reads it: it is kept for
+    /// programs that set it, and checked as other times are.
     pub min_ccd_dt: Real,
 }
 

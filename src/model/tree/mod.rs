@@ -40,6 +40,8 @@ pub struct BroadPhaseBvh {
     fixed_meet: bool,
     /// Has any collider ever been on a kinematic body?
     has_kinematics: bool,
+    /// Has any collider ever been a sensor?
+    has_sensors: bool,
 }
 
 impl BroadPhaseBvh {
@@ -129,6 +131,11 @@ impl BroadPhaseBvh {
     /// May any movable collider be on a kinematic body?
     pub(crate) fn has_kinematics(&self) -> bool {
         self.has_kinematics
+    }
+
+    /// May any collider be a sensor?
+    pub(crate) fn has_sensors(&self) -> bool {
+        self.has_sensors
     }
 
     /// Must a collider of this kind look for neighbours among those of the other?

@@ -21,6 +21,7 @@ impl BroadPhaseBvh {
         }
         let kind = kind_of(body);
         self.has_kinematics |= body.is_some_and(RigidBody::is_kinematic);
+        self.has_sensors |= collider.is_sensor();
         if kind == TreeKind::Fixed {
             let types = collider.active_collision_types();
             self.fixed_meet |= types.intersects(ActiveCollisionTypes::FIXED_FIXED);

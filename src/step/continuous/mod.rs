@@ -1,39 +1,50 @@
 //! # Continuous — nothing passes through
 //!
 //! Reads:   how fast bodies moved, colliders, enlarged boxes, joints, hooks
-//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there
+//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
 //! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
-//! thickness in one step (`src/step/solver/bodies/store.rs`) could be on the other side before it ever touched. So its path is searched, from
+//! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. So its path is searched, from
 //! where its colliders still are to where the solver has put it, and it is stopped where it would get through
 //! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
 //! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
 //! have more energy than it fell from.
 //!
 //! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
-//! bullets included: see [`bullets`]. Links of multibodies are not stopped: where a link is, the coordinates of its
-//! joints say.
+//! bullets included: see [`bullets`]. Sensors stop nobody, but are told: see [`sensors`].
+//!
+//! Bodies that joints hold together stop together, when the first of them does: see [`groups`]. A multibody is such a whole, and
+//! goes back the way that its coordinates came: see [`ways`].
 //!
 //! The alternative that lost is to find such contacts in advance, by boxes as long as the path (*speculative contacts*):
 //! they stop bodies that would have flown past, and a fast body finds half of the world near it.
 
 mod bullets;
+mod groups;
 mod path;
+mod sensors;
+mod ways;
 
 use crate::base::tasks::Tasks;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
 use crate::model::counters::CCDCounters;
+use crate::model::event::CollisionEvent;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
+use crate::model::multibody::{Course, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::FastMotion;
 use bullets::Bullets;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use groups::Groups;
 use path::{Path, sweep_of};
+use sensors::Passage;
+use ways::Ways;
 
 /// Fast bodies that are worth being searched for by another thread.
 const BODIES_PER_TASK: usize = 2;
@@ -43,7 +54,13 @@ const BODIES_PER_TASK: usize = 2;
 pub(crate) struct ContinuousScratch {
     /// By fast body: what share of its motion happens.
     stops: Vec<Real>,
+    ways: Ways,
+    groups: Groups,
     bullets: Bullets,
+    /// By fast body: the sensors that it passes.
+    passages: Vec<Vec<Passage>>,
+    /// Pairs of colliders whose paths were searched.
+    searched: AtomicUsize,
 }
 
 /// What paths are searched in.
@@ -51,45 +68,82 @@ pub(crate) struct ContinuousScratch {
 pub(crate) struct Surroundings<'a> {
     pub bodies: &'a RigidBodySet,
     pub colliders: &'a ColliderSet,
+    pub multibodies: &'a MultibodyJointSet,
     pub islands: &'a IslandManager,
     pub trees: &'a BroadPhaseBvh,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
+    /// How bodies moved that are fast, and multibodies of which one is a link.
+    pub fast: &'a [FastMotion],
+    pub courses: &'a [Course],
 }
 
-/// Finds out where bodies are stopped that moved fast. The shares of their motions that happen are in `scratch`.
+/// What a search knows: the world, and the fast bodies in it.
+#[derive(Copy, Clone)]
+struct Search<'a> {
+    world: Surroundings<'a>,
+    ways: &'a Ways,
+    groups: &'a Groups,
+    searched: &'a AtomicUsize,
+}
+
+/// Finds out where bodies are stopped that moved fast, and which sensors they pass. The shares of their motions that happen are in
+/// `scratch`.
 pub(crate) fn find_impacts(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
-    fast: &[FastMotion],
-    ContinuousScratch { stops, bullets }: &mut ContinuousScratch,
+    world: Surroundings<'_>,
+    scratch: &mut ContinuousScratch,
 ) {
+    let ContinuousScratch { stops, ways, groups, bullets, passages, searched } = scratch;
     stops.clear();
-    if fast.is_empty() || around.params.max_ccd_substeps == 0 {
+    passages.clear();
+    *searched.get_mut() = 0;
+    if world.fast.is_empty() || world.params.max_ccd_substeps == 0 {
         return;
     }
+    ways.find(world);
+    groups.find(world);
     // Whose path could not be searched because a hook panicked is not moved.
-    stops.resize(fast.len(), 0.0);
-    tasks.par_fill(stops, BODIES_PER_TASK, |index| {
-        let path = Path::of(around, &fast[index], 1.0);
-        path.map_or(1.0, |path| path.first_stop(around))
+    stops.resize(world.fast.len(), 0.0);
+    let search = Search { world, ways, groups, searched };
+    tasks.par_fill(stops, BODIES_PER_TASK, |position| {
+        let path = Path::of(search, position, 1.0);
+        path.map_or(1.0, |path| path.first_stop(search))
     });
-    bullets.find(around, fast, stops);
+    groups.stop_together(stops);
+    bullets.find(search, stops);
+    if world.trees.has_sensors() {
+        passages.resize_with(world.fast.len(), Vec::new);
+        tasks.par_fill(passages, BODIES_PER_TASK, |position| {
+            sensors::passages(search, position, stops[position])
+        });
+    }
 }
 
-/// Puts the bodies where they were stopped.
+/// Puts the bodies where they were stopped, and notes the sensors that were passed.
 pub(crate) fn stop(
     bodies: &mut RigidBodySet,
-    fast: &[FastMotion],
+    multibodies: &mut MultibodyJointSet,
+    (fast, courses): (&[FastMotion], &[Course]),
+    dt: Real,
     scratch: &ContinuousScratch,
-    counters: &mut CCDCounters,
+    (events, counters): (&mut Vec<CollisionEvent>, &mut CCDCounters),
 ) {
-    counters.num_substeps = 0;
-    for (motion, &share) in fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0) {
+    counters.num_fast_bodies = fast.len();
+    counters.num_searches = scratch.searched.load(Ordering::Relaxed);
+    let stopped = fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0);
+    for (motion, &share) in stopped {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
-        body.pose = sweep_of(motion, motion.start, share).at(share);
-        body.linvel = motion.velocity_before(1.0 - share, body.linvel);
-        body.update_world_mass_properties();
         counters.num_substeps += 1;
+        if motion.link.is_none() {
+            body.pose = sweep_of(motion, motion.start, share).at(share);
+            body.linvel = motion.velocity_before(1.0 - share, body.linvel);
+            body.update_world_mass_properties();
+        }
+    }
+    scratch.ways.stop(bodies, multibodies, (fast, courses), &scratch.stops, dt);
+    for passage in scratch.passages.iter().flatten() {
+        counters.num_sensors_passed += 1;
+        events.extend(passage.events());
     }
 }

@@ -1,6 +1,6 @@
 //! The path of one fast body, and what stops it.
 
-use super::Surroundings;
+use super::Search;
 use crate::collide::{Sweep, SweepGoal, first_impact};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
@@ -9,6 +9,7 @@ use crate::model::hooks::PairFilterContext;
 use crate::model::island::NONE;
 use crate::model::tree::TreeKind;
 use crate::step::notes::FastMotion;
+use core::sync::atomic::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use smallvec::SmallVec;
 
@@ -20,28 +21,52 @@ const GAP_MIN: Real = 0.01;
 pub(super) struct Mover<'a> {
     pub handle: ColliderHandle,
     pub collider: &'a Collider,
-    pub sweep: Sweep,
+    pub sweep: Sweep<'a>,
 }
 
-/// The solid colliders of a body on their way.
+/// The colliders of a body on their way.
 pub(super) struct Path<'a> {
     pub body: &'a RigidBody,
     pub movers: SmallVec<[Mover<'a>; 2]>,
 }
 
+impl Search<'_> {
+    /// The least gap at which bodies are stopped (length units).
+    pub fn gap_min(&self) -> Real {
+        GAP_MIN * self.world.params.prediction_distance()
+    }
+}
+
 impl<'a> Path<'a> {
-    /// The path of a fast body, as far as it is known to come.
-    pub fn of(around: Surroundings<'a>, motion: &FastMotion, stop: Real) -> Option<Self> {
-        let body = around.bodies.get(motion.body)?;
-        let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
-        Some(Self { body, movers: movers(around, body, sweep) })
+    /// The path of the solid colliders of the fast body at a position, as far as it is known to come.
+    pub fn of(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
+        let mut path = Self::of_all(search, position, stop)?;
+        path.movers.retain(|mover| !mover.collider.is_sensor());
+        Some(path)
     }
 
-    /// The path of a body that is not fast.
-    pub fn of_slow(around: Surroundings<'a>, handle: RigidBodyHandle) -> Option<Self> {
-        let body = around.bodies.get(handle)?;
-        let sweep = |collider: &Collider| sweep_of_slow(around, body, collider);
-        Some(Self { body, movers: movers(around, body, sweep) })
+    /// The path of all colliders of the fast body at a position.
+    pub fn of_all(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
+        let motion = &search.world.fast[position];
+        let body = search.world.bodies.get(motion.body)?;
+        let legs = motion.link.map_or(&[] as &[_], |link| search.ways.of(link));
+        let sweep = |collider: &Collider| match (&collider.parent, legs) {
+            (_, []) | (None, _) => sweep_of(motion, collider.pose, stop),
+            (Some(parent), legs) => {
+                let center = body.local_center_of_mass();
+                Sweep::along(legs, &parent.pos_wrt_parent, center).until(stop)
+            }
+        };
+        Some(Self { body, movers: movers(search, body, sweep) })
+    }
+
+    /// The path of the solid colliders of a body that is not fast.
+    pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
+        let body = search.world.bodies.get(handle)?;
+        let sweep = |collider: &Collider| sweep_of_slow(search, body, collider);
+        let mut movers = movers(search, body, sweep);
+        movers.retain(|mover| !mover.collider.is_sensor());
+        Some(Self { body, movers })
     }
 
     /// A box around all places of all colliders.
@@ -50,24 +75,23 @@ impl<'a> Path<'a> {
         regions.fold(Aabb::new_invalid(), |all, region| all.merged(&region))
     }
 
-    /// The share of the motion after which the first fixed or kinematic collider stops it.
-    pub fn first_stop(&self, around: Surroundings<'_>) -> Real {
+    /// The share of the motion after which the first fixed or kinematic collider stops it. It must be that of solid colliders.
+    pub fn first_stop(&self, search: Search<'_>) -> Real {
         let mut first = 1.0;
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(mover.collider.shape());
-            let movable = around.trees.has_kinematics().then_some(TreeKind::Movable);
+            let movable = search.world.trees.has_kinematics().then_some(TreeKind::Movable);
             for kind in movable.into_iter().chain([TreeKind::Fixed]) {
-                around.trees.for_each_overlapping(kind, &region, |slot| {
-                    let Some((handle, collider)) = around.colliders.at_slot(slot) else { return };
-                    let body = collider.parent().and_then(|body| around.bodies.get(body));
-                    if body.is_some_and(RigidBody::is_dynamic) {
+                search.world.trees.for_each_overlapping(kind, &region, |slot| {
+                    let Some((handle, collider)) = search.world.colliders.at_slot(slot) else {
+                        return;
+                    };
+                    let body = collider.parent().and_then(|body| search.world.bodies.get(body));
+                    if collider.is_sensor() || body.is_some_and(RigidBody::is_dynamic) {
                         return;
                     }
-                    let sweep = body.map_or(Sweep::at_rest(collider.pose), |body| {
-                        sweep_of_slow(around, body, collider)
-                    });
-                    let other = Mover { handle, collider, sweep };
-                    first = mover.impact(&other, around, first).unwrap_or(first);
+                    let Some(other) = Mover::not_fast(search, handle, collider) else { return };
+                    first = mover.impact(&other, search, first).unwrap_or(first);
                 });
             }
         }
@@ -75,94 +99,123 @@ impl<'a> Path<'a> {
     }
 
     /// The share of the step after which this path is stopped by another body; `None` if not before `until`.
-    pub fn impact(&self, other: &Path<'_>, around: Surroundings<'_>, until: Real) -> Option<Real> {
+    pub fn impact(&self, other: &Path<'_>, search: Search<'_>, until: Real) -> Option<Real> {
         let mut first = None;
         for mover in &self.movers {
             for target in &other.movers {
-                first = mover.impact(target, around, first.unwrap_or(until)).or(first);
+                first = mover.impact(target, search, first.unwrap_or(until)).or(first);
             }
         }
         first
     }
 }
 
-impl Mover<'_> {
-    /// The share of the step after which this collider is stopped by another; `None` if not before `until`.
-    fn impact(&self, other: &Mover<'_>, around: Surroundings<'_>, until: Real) -> Option<Real> {
-        if !self.is_stopped_by(other, around) {
+impl<'a> Mover<'a> {
+    /// A collider of a body that is not fast, or of none; `None` if it is fast.
+    pub fn not_fast(
+        search: Search<'a>,
+        handle: ColliderHandle,
+        collider: &'a Collider,
+    ) -> Option<Self> {
+        let parent = collider.parent();
+        if parent.is_some_and(|body| search.groups.position(body.into_raw_parts().0).is_some()) {
             return None;
         }
-        let params = around.params;
+        let body = parent.and_then(|body| search.world.bodies.get(body));
+        let sweep = body
+            .map_or(Sweep::at_rest(collider.pose), |body| sweep_of_slow(search, body, collider));
+        Some(Self { handle, collider, sweep })
+    }
+
+    /// The share of the step after which this collider is stopped by another; `None` if not before `until`.
+    fn impact(&self, other: &Mover<'_>, search: Search<'_>, until: Real) -> Option<Real> {
+        if !self.is_stopped_by(other, search) {
+            return None;
+        }
+        search.searched.fetch_add(1, Ordering::Relaxed);
+        let params = search.world.params;
         let skin = self.collider.contact_skin + other.collider.contact_skin;
-        let gap = params.allowed_linear_error().max(GAP_MIN * params.prediction_distance());
-        let goal = SweepGoal { gap: gap + skin, on_penetration: params.ccd_on_penetration };
+        let goal = SweepGoal {
+            gap: params.allowed_linear_error().max(search.gap_min()) + skin,
+            near: params.prediction_distance() + skin,
+            on_penetration: params.ccd_on_penetration,
+        };
         let shapes = [self.collider.shape(), other.collider.shape()];
         first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
     }
 
     /// Would the two press on each other if they touched? Where the user's hook has a say in what contacts do, only they
     /// can know.
-    fn is_stopped_by(&self, other: &Mover<'_>, around: Surroundings<'_>) -> bool {
+    fn is_stopped_by(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
         let (own, others) = (self.collider, other.collider);
         let hooks = own.active_hooks() | others.active_hooks();
         !others.is_sensor()
             && may_interact(own, others)
             && own.solver_groups().test(others.solver_groups())
             && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
-            && !self.is_parted_from(other, around)
-            && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS) || {
-                let (low, high) = if self.handle.into_raw_parts() < other.handle.into_raw_parts() {
-                    (self, other)
-                } else {
-                    (other, self)
-                };
-                around.hooks.filter_contact_pair(&PairFilterContext {
-                    bodies: around.bodies,
-                    colliders: around.colliders,
-                    collider1: low.handle,
-                    collider2: high.handle,
-                    rigid_body1: low.collider.parent(),
-                    rigid_body2: high.collider.parent(),
-                })
-            })
+            && !self.is_parted_from(other, search)
+            && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
+                || search.world.hooks.filter_contact_pair(&self.filter_context(other, search)))
     }
 
-    fn is_parted_from(&self, other: &Mover<'_>, around: Surroundings<'_>) -> bool {
+    /// What a hook is told of the two.
+    pub fn filter_context<'b>(
+        &self,
+        other: &Mover<'_>,
+        search: Search<'b>,
+    ) -> PairFilterContext<'b> {
+        let [low, high] = self.in_order(other);
+        PairFilterContext {
+            bodies: search.world.bodies,
+            colliders: search.world.colliders,
+            collider1: low.handle,
+            collider2: high.handle,
+            rigid_body1: low.collider.parent(),
+            rigid_body2: high.collider.parent(),
+        }
+    }
+
+    /// The two as pairs have them.
+    pub fn in_order<'b>(&'b self, other: &'b Mover<'a>) -> [&'b Mover<'a>; 2] {
+        let is_first = self.handle.into_raw_parts() < other.handle.into_raw_parts();
+        if is_first { [self, other] } else { [other, self] }
+    }
+
+    fn is_parted_from(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
         let (own, others) = (self.collider.parent(), other.collider.parent());
         own.zip(others).is_some_and(|(own, others)| {
-            around.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
+            search.world.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
         })
     }
 }
 
 fn movers<'a>(
-    around: Surroundings<'a>,
+    search: Search<'a>,
     body: &RigidBody,
-    sweep: impl Fn(&Collider) -> Sweep,
+    sweep: impl Fn(&'a Collider) -> Sweep<'a>,
 ) -> SmallVec<[Mover<'a>; 2]> {
-    let solid = body.colliders.iter().filter_map(|&handle| {
-        let collider = around.colliders.get(handle)?;
-        let is_solid = collider.is_enabled() && !collider.is_sensor();
-        is_solid.then(|| Mover { handle, collider, sweep: sweep(collider) })
+    let enabled = body.colliders.iter().filter_map(|&handle| {
+        let collider = search.world.colliders.get(handle)?;
+        collider.is_enabled().then(|| Mover { handle, collider, sweep: sweep(collider) })
     });
-    solid.collect()
+    enabled.collect()
 }
 
 /// The motion of something on a fast body that was at `start`, as far as `stop`.
-pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep {
+pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'static> {
     Sweep::new(start, motion.center, motion.shift, motion.turn).until(stop)
 }
 
 /// From where the collider still is to where its body is.
-fn sweep_of_slow(around: Surroundings<'_>, body: &RigidBody, collider: &Collider) -> Sweep {
+fn sweep_of_slow(search: Search<'_>, body: &RigidBody, collider: &Collider) -> Sweep<'static> {
     let Some(parent) = &collider.parent else { return Sweep::at_rest(collider.pose) };
-    if around.islands.motion_of(body_slot(collider)) == 0.0 {
+    if search.world.islands.motion_of(body_slot(collider)) == 0.0 {
         return Sweep::at_rest(collider.pose);
     }
     let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());
     let center = collider.pose * local_center;
     let shift: Vector = body.mprops.world_com - center;
-    Sweep::new(collider.pose, center, shift, body.angvel * around.params.dt)
+    Sweep::new(collider.pose, center, shift, body.angvel * search.world.params.dt)
 }
 
 fn body_slot(collider: &Collider) -> u32 {

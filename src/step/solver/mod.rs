@@ -35,7 +35,7 @@ use crate::model::counters::SolverCounters;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::MultibodyJointSet;
+use crate::model::multibody::{Course, MultibodyJointSet};
 use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
 use crate::step::notes::{FastMotion, Lost};
 use bodies::SolverBodies;
@@ -76,6 +76,8 @@ pub(crate) struct Scene<'a> {
     pub islands: &'a mut IslandManager,
     /// Gets the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
+    /// Gets the ways of fast multibodies.
+    pub courses: &'a mut Vec<Course>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
     /// Gets the bodies that cannot be stored.
@@ -96,6 +98,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
     let mut calm = true;
+    counters.nlimited_bodies = 0;
     for (group, constraints) in groups.iter().zip(&mut *constraints) {
         counters.velocity_assembly_time.resume();
         states.enter(group, groups);
@@ -127,9 +130,11 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     counters.velocity_writeback_time.resume();
     if lost.is_empty() {
         let world = World { narrow_phase, set, trees, islands, bodies };
-        store_constraints(constraints, world, (scene.broken, params), counters, tasks);
+        let Scene { fast, courses, broken, .. } = scene;
+        let mut notes = Notes { fast, courses, broken };
+        store_constraints(constraints, world, &mut notes, params, (counters, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
-        let any_far = states.store(groups, world, params, scene.fast, tasks);
+        let any_far = states.store(groups, world, params, notes.fast, tasks);
         islands.strained = any_far || !calm || groups.are_strained();
     } else {
         constraints.iter_mut().for_each(|of_group| of_group.multibodies.give_back(trees));
@@ -156,13 +161,20 @@ struct World<'a> {
     bodies: &'a mut RigidBodySet,
 }
 
+/// What is noted for later stages while everything is stored.
+struct Notes<'a> {
+    fast: &'a mut Vec<FastMotion>,
+    courses: &'a mut Vec<Course>,
+    broken: &'a mut Vec<JointBreakEvent>,
+}
+
 /// Writes impulses to manifolds and joints, and multibodies to their links; breaks joints that bear too much.
 fn store_constraints(
     constraints: &mut [Constraints],
     world: World<'_>,
-    (broken, params): (&mut Vec<JointBreakEvent>, &IntegrationParameters),
-    counters: &mut SolverCounters,
-    tasks: Tasks<'_>,
+    Notes { fast, courses, broken }: &mut Notes<'_>,
+    params: &IntegrationParameters,
+    (counters, tasks): (&mut SolverCounters, Tasks<'_>),
 ) {
     let World { narrow_phase, set, trees, islands, bodies } = world;
     (counters.nconstraints, counters.ncontacts) = (0, 0);
@@ -170,7 +182,8 @@ fn store_constraints(
         contacts.store(narrow_phase, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        multibodies.store(trees, islands, bodies);
+        let ways = (&mut **fast, &mut **courses);
+        counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, ways);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
@@ -209,11 +222,13 @@ fn solve_group(
     counters.velocity_assembly_time.pause();
 
     counters.velocity_resolution_time.resume();
+    let mut limited = 0;
     for substep in 0..substeps {
         let last = if substep == 0 { &mut states.before } else { &mut states.states };
         contacts.note_velocities(last);
         multibodies.note_velocities(last);
-        states.integrate_velocities(h, params, substep == 0, (simd, tasks));
+        let slowed = states.integrate_velocities(h, params, substep == 0, (simd, tasks));
+        limited = limited.max(slowed);
         if substep > 0 {
             multibodies.follow_loops(place.1, states);
         }
@@ -240,5 +255,6 @@ fn solve_group(
         contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
     }
+    counters.nlimited_bodies += limited;
     counters.velocity_resolution_time.pause();
 }

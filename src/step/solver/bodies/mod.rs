@@ -18,6 +18,7 @@ use crate::model::contact::Placement;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use core::ops::Range;
+use core::sync::atomic::{AtomicUsize, Ordering};
 use load::Places;
 use motion::{Accelerate, Advance, Movers};
 
@@ -117,18 +118,21 @@ impl SolverBodies {
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
     /// At the first substep the states hold the impulses of the last step already, which must not be
-    /// damped with the velocity.
+    /// damped with the velocity. Returns how many bodies were slowed down to the largest speed.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
         params: &IntegrationParameters,
         is_first: bool,
         (simd, tasks): (Simd, Tasks<'_>),
-    ) {
+    ) -> usize {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        let limited = AtomicUsize::new(0);
         self.for_all_moving(tasks, |bodies| {
-            simd.run(Accelerate { bodies, h, warmth, speed_max, is_first });
+            let slowed = simd.run(Accelerate { bodies, h, warmth, speed_max, is_first });
+            limited.fetch_add(slowed, Ordering::Relaxed);
         });
+        limited.into_inner()
     }
 
     /// Takes over what an impact did to the velocities since the `start`, or as much of it as `share` says for an

@@ -57,23 +57,28 @@ pub(super) struct Accelerate<'a> {
 }
 
 impl Kernel for Accelerate<'_> {
-    type Output = ();
+    /// How many were slowed down to the largest speed.
+    type Output = usize;
 
     #[inline(always)]
-    fn run<W: Wide>(self) {
-        let (warmth, limits) = (W::splat(self.warmth), (self.h, self.speed_max));
+    fn run<W: Wide>(self) -> usize {
+        let (warmth, mut limited) = (W::splat(self.warmth), 0);
         for Movers { states, before, motions } in self.bodies.chunks() {
             let [old, unmoved] = load_states::<W>(before);
             let [velocity, displacement] = load_states::<W>(states);
             let linear = (velocity.linear - old.linear) * warmth;
             let angular = (velocity.angular - old.angular) * warmth;
             let start = if self.is_first { old } else { velocity };
-            let free = accelerated(motions, start, limits);
+            let mut free = accelerated(motions, start, self.h);
+            let (slow, are_faster) = free.linear.clamped(self.speed_max);
+            free.linear = slow;
+            limited += are_faster.count_ones() as usize;
             store_states(before, [free, unmoved]);
             let linear = free.linear + linear;
             let angular = free.angular + angular;
             store_states(states, [WideMotion { linear, angular }, displacement]);
         }
+        limited
     }
 }
 

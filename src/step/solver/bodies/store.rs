@@ -18,10 +18,6 @@ use crate::step::solver::multibodies::SolverMultibodies;
 use core::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A body is fast if it moves farther than this share of its thickness in one step: what was not in contact might else
-/// end with its middle on the other side of something thin.
-const FAST: Real = 0.5;
-
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did. Returns
     /// whether one of them is far away.
@@ -46,9 +42,12 @@ impl SolverBodies {
                     let (start, center) = (body.pose, body.mprops.world_com);
                     let (shift, turn) = commit(body, state, motion);
                     let bound = bound_of(shift, turn, body.extent);
-                    if bound > FAST * body.thickness && body.is_dynamic() {
+                    body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
+                    if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
-                        let fast = FastMotion { body, start, center, shift, turn, acceleration };
+                        let link = None;
+                        let fast =
+                            FastMotion { body, start, center, shift, turn, acceleration, link };
                         lock(&found).push((position, fast));
                     }
                     bound

@@ -2,7 +2,7 @@
 
 use super::{Moving, NOT_NOW, SolverMultibodies};
 use crate::base::measure::{CALM, FAR, is_coordinate};
-use crate::dim::math::{Pose, Real, SpatialVector, ang_length_squared};
+use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
@@ -10,8 +10,9 @@ use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::MultibodyJointSet;
-use crate::step::notes::Lost;
+use crate::model::multibody::{Course, MultibodyJointSet};
+use crate::model::params::IntegrationParameters;
+use crate::step::notes::{FastMotion, Lost};
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
@@ -62,21 +63,26 @@ impl SolverMultibodies {
         }
     }
 
-    /// Writes poses and velocities to bodies, and notes how far each one moved. The multibodies go back to their set.
+    /// Writes poses and velocities to bodies, and notes how far each one moved, and how those of fast multibodies did. The multibodies
+    /// go back to their set. Returns how many were slowed down to the largest speed.
     pub fn store(
         &mut self,
         set: &mut MultibodyJointSet,
-        islands: &mut IslandManager,
-        bodies: &mut RigidBodySet,
-    ) {
+        (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
+        params: &IntegrationParameters,
+        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+    ) -> usize {
+        let mut limited = 0;
         for mut moving in self.moving.drain(..) {
-            moving.store(islands, bodies);
+            limited += usize::from(moving.motion.is_limited);
+            moving.store((islands, bodies), params, (fast, courses));
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
             self.positions[moving.index.0.slot()] = NOT_NOW;
             self.spare.push(moving);
         }
+        limited
     }
 }
 
@@ -104,20 +110,59 @@ impl Moving {
         note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);
     }
 
-    fn store(&mut self, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
+    fn store(
+        &mut self,
+        (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
+        params: &IntegrationParameters,
+        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+    ) {
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
+        let (first, mut is_fast) = (fast.len(), false);
         for id in 0..self.multibody.links.len() {
-            self.store_link(id, islands, bodies);
+            let Some((bound, motion)) = self.store_link(id, islands, bodies) else { continue };
+            let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
+            body.ccd_active = FastMotion::is_one(body, bound, params);
+            is_fast |= body.ccd_active;
+            fast.push(FastMotion { link: Some((courses.len(), id)), ..motion });
+        }
+        if is_fast {
+            courses.push(self.course(params.dt));
+        } else {
+            fast.truncate(first);
         }
     }
 
-    fn store_link(&mut self, id: usize, islands: &mut IslandManager, bodies: &mut RigidBodySet) {
+    /// The way that it has gone.
+    fn course(&mut self, dt: Real) -> Course {
+        let mut root = [0.0; SPATIAL_DIM];
+        if self.motion.root_dofs() == 0 {
+            root = self.motion.link_velocities()[0].map(|rate| rate * dt);
+        }
+        let longest = |k: usize| self.travel.iter().map(|travel| travel[k]).fold(0.0, Real::max);
+        Course {
+            index: self.index,
+            start: core::mem::take(&mut self.start),
+            shift: core::mem::take(&mut self.shift),
+            root,
+            travel: [longest(0), longest(1)],
+        }
+    }
+
+    /// Writes the pose and velocity of a link to its body. Returns how it moved, and no more than how far, if it is moved.
+    fn store_link(
+        &mut self,
+        id: usize,
+        islands: &mut IslandManager,
+        bodies: &mut RigidBodySet,
+    ) -> Option<(Real, FastMotion)> {
         let velocity = self.motion.link_velocities()[id];
         let pose = self.pose(id);
         let link = &mut self.multibody.links[id];
-        let Some(body) = bodies.get_unnoted_mut(link.body) else { return };
+        let body = bodies.get_unnoted_mut(link.body)?;
+        let mut moved = None;
         if body.is_dynamic() {
             body.use_up_push();
+            let start = body.pose;
             (body.linvel, body.angvel) = (linear(&velocity), angular(&velocity));
             body.pose = pose;
             let old_center = body.mprops.world_com;
@@ -127,6 +172,19 @@ impl Moving {
             let [way, turn] = self.travel[id];
             let bound = rounded.max(way) + turn * body.extent;
             islands.set_motion(link.body.into_raw_parts().0, bound);
+            let (shift, turn) = (body.mprops.world_com - old_center, ANG_ZERO);
+            let force = linear(&self.motion.forces[id].wrench);
+            let acceleration = force * body.mprops.local.inv_mass;
+            let motion = FastMotion {
+                body: link.body,
+                start,
+                center: old_center,
+                shift,
+                turn,
+                acceleration,
+                link: None,
+            };
+            moved = Some((bound, motion));
             link.pose = pose;
             if link.joint.kinematic && body.is_moving() {
                 body.activation.time_since_can_sleep = 0.0;
@@ -134,6 +192,7 @@ impl Moving {
         }
         link.seen_pose = Some(body.pose);
         link.seen_velocity = Some(RigidBodyVelocity::new(body.linvel, body.angvel));
+        moved
     }
 
     /// The pose of a link's body.

@@ -1,0 +1,320 @@
+//! When do two shapes that move first touch?
+//!
+//! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996): two convex
+//! parts that are `d` apart along the direction `n` between their closest points cannot touch before
+//!
+//! ```text
+//! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
+//! ```
+//!
+//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre about which
+//! it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance or cannot meet any
+//! more. Shapes of several parts are searched part by part, those that the path comes near.
+//!
+//! Root finding on a chosen pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps where a
+//! thing spins; jumps need no features, so that everything with a support function takes part.
+//!
+//! ## Cores
+//! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it; and what
+//! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
+//! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
+//! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
+//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
+//!
+//! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it was not near to when the step
+//! began. If it was near, one of its corners say, its middle half is searched with; if that was near, too, there are contacts all
+//! over it, and these must do.
+//!
+//! ## Sensors
+//! Nothing is stopped by a sensor, but who passes through wants to be known: [`passes`] says whether two shapes are apart when the motion
+//! begins and when it ends, and meet in between.
+
+mod body;
+mod motion;
+
+pub(crate) use motion::{Leg, Sweep, turned};
+
+use super::manifolds::shapes_intersect;
+use super::parts::{Line, Near, Part, Parts};
+use crate::dim::math::{Real, Vector};
+use crate::model::collider::thickness;
+use body::Body;
+use motion::reach_about;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use parry::shape::{Shape, TypedShape};
+
+/// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
+/// capsule its axis, of a board a thin one.
+const CORE_DEPTH: Real = 0.98;
+/// How near a core comes to what it hits, as a share of the shape's thickness.
+const CORE_TOLERANCE: Real = 0.05;
+/// The size of the middle of what has no inside.
+const MIDDLE: Real = 0.5;
+/// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
+/// hundreds of times the thickness. Each leg allows one more.
+const MAX_JUMPS: usize = 256;
+
+/// What the search is to find.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct SweepGoal {
+    /// The gap at which shapes touch (length units).
+    pub gap: Real,
+    /// The gap from which on they have contacts (length units), which stop what has no inside.
+    pub near: Real,
+    /// Is what is in contact from the beginning stopped, too, before its middle gets in?
+    pub on_penetration: bool,
+}
+
+/// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
+pub(crate) fn first_impact(
+    shapes: [&dyn Shape; 2],
+    sweeps: [&Sweep<'_>; 2],
+    goal: SweepGoal,
+    until: Real,
+) -> Option<Real> {
+    let mut first = None;
+    for_each_pair(shapes, sweeps, &mut |parts| {
+        let until = first.unwrap_or(until);
+        first = impact_of_parts(parts, goal, until).or(first);
+    });
+    first
+}
+
+/// Calls `visit` with the parts of two shapes that may meet, and their motions.
+fn for_each_pair(
+    shapes: [&dyn Shape; 2],
+    sweeps: [&Sweep<'_>; 2],
+    visit: &mut dyn FnMut([(&Part<'_>, &Sweep<'_>); 2]),
+) {
+    let parts = shapes.map(Parts::of);
+    // What of one shape may be met by the whole of the other.
+    let near = [0, 1].map(|side| match parts[side] {
+        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
+        _ => path_of_other(shapes, sweeps, side),
+    });
+    parts[0].for_each_part(&near[0], &mut |part1| {
+        let sweep1 = sweeps[0].of_part(&part1.pose());
+        parts[1].for_each_part(&near[1], &mut |part2| {
+            let sweep2 = sweeps[1].of_part(&part2.pose());
+            visit([(&part1, &sweep1), (&part2, &sweep2)]);
+        });
+    });
+}
+
+/// Do two shapes meet on their ways that do not where these begin and end? What comes nearer than `tolerance` meets.
+pub(crate) fn passes(
+    shapes: [&dyn Shape; 2],
+    sweeps: [&Sweep<'_>; 2],
+    until: Real,
+    tolerance: Real,
+) -> bool {
+    let goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
+    let (mut meet, mut met) = (false, false);
+    for_each_pair(shapes, sweeps, &mut |[(part1, sweep1), (part2, sweep2)]| {
+        let other = other_of((part1, sweep1), (part2, sweep2), tolerance);
+        let bodies = Body::whole(part1.shape).zip(other);
+        let Some((body1, body2)) = bodies.filter(|_| !met) else { return };
+        match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
+            Meeting::FromTheBeginning => met = true,
+            Meeting::At(_) => meet = true,
+            Meeting::Never => {}
+        }
+    });
+    let [end1, end2] = sweeps.map(|sweep| sweep.at(until));
+    meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
+}
+
+/// A region, in the frame of the shape on a side, around all places of the other shape.
+fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) -> Near {
+    let (own, other, shape) = (sweeps[side], sweeps[1 - side], shapes[1 - side]);
+    let start = own.at(0.0);
+    let center = start.inverse_transform_point(other.center());
+    let [way, angle] = own.travel();
+    let region = other.region(shape).loosened(way).transform_by(&start.inverse());
+    if angle == 0.0 {
+        let together = way == 0.0 || own.stop == other.stop;
+        let straight = own.straight().zip(other.straight()).filter(|_| together);
+        let line = straight.and_then(|(own, leg)| {
+            let way = start.rotation.inverse() * ((leg.shift - own.shift) * other.stop);
+            Line::new(center, way, reach_about(shape, other.local_center), region)
+        });
+        return line.map_or(Near::Inside(region), Near::Along);
+    }
+    if let Some(bend) = bend_of_other(own, other) {
+        // As far from a straight path as it bends in the eyes of what turns.
+        let end = own.at(1.0).inverse_transform_point(other.at(1.0) * other.local_center);
+        let path = Aabb::new(center.min(end), center.max(end));
+        return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
+    }
+    // As seen from something that turns, the other moves by no more than both do.
+    let away = center.length() + other.travel()[0];
+    Near::Inside(region.loosened(angle * (away + own.local_center.length())))
+}
+
+/// The second part, as far as the first comes within `near` of it. What moves is taken as a whole.
+fn other_of<'a>(
+    (part, sweep): (&Part<'_>, &Sweep<'_>),
+    (other, other_sweep): (&Part<'a>, &Sweep<'_>),
+    near: Real,
+) -> Option<Body<'a>> {
+    let body = Body::whole(other.shape)?;
+    if other_sweep.travel() != [0.0; 2] {
+        return Some(body);
+    }
+    let region = sweep.region(part.shape).loosened(near);
+    Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
+}
+
+/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go straight. With `d` from one centre of
+/// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
+/// than an eighth of that.
+fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
+    let (leg, other_leg) = own.straight().zip(other.straight())?;
+    let speed = (other_leg.shift - leg.shift).length();
+    let away = (other_leg.center - leg.center).length() + speed;
+    let is_whole = own.stop >= 1.0 && other.stop >= 1.0;
+    is_whole.then(|| leg.angle() * (leg.angle() * away + 2.0 * speed) / 8.0)
+}
+
+/// When the first part is stopped by the second.
+fn impact_of_parts(
+    [(part1, sweep1), (part2, sweep2)]: [(&Part<'_>, &Sweep<'_>); 2],
+    goal: SweepGoal,
+    until: Real,
+) -> Option<Real> {
+    let sweeps = [sweep1, sweep2];
+    let thickness = thickness(part1.shape);
+    if thickness == Real::INFINITY {
+        return None;
+    }
+    let whole = Body::whole(part1.shape)?;
+    let other = other_of((part1, sweep1), (part2, sweep2), goal.near)?;
+    let goal_of_whole = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap, counts_at_once: false };
+    if thickness == 0.0 {
+        let poses = sweeps.map(|sweep| sweep.at(0.0));
+        let is_near =
+            |own: &Body<'_>| own.distance(&other, &poses, goal.near, Vector::ZERO).is_some();
+        let bodies = [Some(whole), Body::middle(part1.shape, MIDDLE)];
+        let far = bodies.into_iter().flatten().find(|own| !is_near(own))?;
+        return advance([&far, &other], sweeps, goal_of_whole, until).share();
+    }
+    let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
+    let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
+    let core_goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
+    let latest = advance([&core, &other], sweeps, core_goal, until).share()?;
+    match advance([&whole, &other], sweeps, goal_of_whole, latest) {
+        Meeting::At(share) => Some(share),
+        Meeting::Never => Some(latest),
+        Meeting::FromTheBeginning => goal.on_penetration.then_some(latest),
+    }
+}
+
+/// Within what distance parts have met.
+#[derive(Copy, Clone, Debug)]
+struct Goal {
+    gap: Real,
+    tolerance: Real,
+    /// Does it count as a meeting, if parts that are near from the beginning come half as near?
+    counts_at_once: bool,
+}
+
+/// How two parts come together.
+#[derive(Copy, Clone, Debug, PartialEq)]
+enum Meeting {
+    /// They do not.
+    Never,
+    /// They have met when the step begins.
+    FromTheBeginning,
+    /// After this share of the step.
+    At(Real),
+}
+
+impl Meeting {
+    /// After what share of the step they meet that have not met yet.
+    fn share(self) -> Option<Real> {
+        match self {
+            Self::At(share) => Some(share),
+            Self::Never | Self::FromTheBeginning => None,
+        }
+    }
+}
+
+/// Jumps ahead until two bodies have met.
+fn advance(
+    bodies: [&Body<'_>; 2],
+    sweeps: [&Sweep<'_>; 2],
+    mut goal: Goal,
+    until: Real,
+) -> Meeting {
+    let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
+    let closing_max = closing_max(sweeps, reaches, until);
+    let jumps = MAX_JUMPS + sweeps[0].legs().len() + sweeps[1].legs().len();
+    let (mut share, mut last_normal) = (0.0, Vector::ZERO);
+    for _ in 0..jumps {
+        let poses = sweeps.map(|sweep| sweep.at(share));
+        let reach = goal.gap + goal.tolerance + closing_max * (until - share);
+        let Some((normal, dist)) = bodies[0].distance(bodies[1], &poses, reach, last_normal) else {
+            return Meeting::Never;
+        };
+        last_normal = normal;
+        let across = poses[0].rotation * normal;
+        let nearing = (sweeps[0].velocity(share) - sweeps[1].velocity(share)).dot(across);
+        if dist <= goal.gap + goal.tolerance {
+            if share > 0.0 {
+                return Meeting::At(share);
+            }
+            let may_come_nearer = goal.counts_at_once && dist > goal.gap;
+            if !may_come_nearer {
+                return Meeting::FromTheBeginning;
+            }
+            goal.tolerance = 0.5 * (dist - goal.gap);
+        }
+        let closing = nearing + turning(sweeps.map(|sweep| sweep.leg(share).angle()), reaches);
+        // Not so far that they would touch: closest points of what touches are not always found.
+        let next = share + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
+        let change = sweeps[0].next_change(share).min(sweeps[1].next_change(share));
+        // Beyond a change of velocity this says nothing.
+        share = if next > change { change } else { next };
+        // Not if they part, and the quotient is infinite; nor if it is no number.
+        let may_meet = share < until;
+        if !may_meet {
+            return Meeting::Never;
+        }
+    }
+    Meeting::At(share)
+}
+
+/// How fast two bodies can come together at most (length units per step), until a share of the step.
+fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real {
+    let [legs1, legs2] = sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
+    if let Some((leg1, leg2)) = legs1.zip(legs2) {
+        let turning = turning([leg1.angle(), leg2.angle()], reaches);
+        return (leg1.shift - leg2.shift).length() + turning;
+    }
+    let fastest = |speed: fn(&Leg) -> Real| {
+        sweeps.map(|sweep| sweep.legs().iter().map(speed).fold(0.0, Real::max))
+    };
+    let shifts = fastest(|leg| leg.shift.length());
+    shifts[0] + shifts[1] + turning(fastest(Leg::angle), reaches)
+}
+
+/// How fast turns can bring bodies together that reach so far. What does not turn may reach to infinity.
+fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
+    let of = |k: usize| if angles[k] > 0.0 { angles[k] * reaches[k] } else { 0.0 };
+    of(0) + of(1)
+}
+
+/// How much smaller a box around a shape's core is at least on all sides, with what the search tolerates.
+fn layer_of(shape: &dyn Shape) -> Real {
+    let thickness = thickness(shape);
+    if thickness == Real::INFINITY {
+        return 0.0;
+    }
+    let share = match shape.as_typed_shape() {
+        TypedShape::Ball(_) | TypedShape::Capsule(_) | TypedShape::Cuboid(_) => CORE_DEPTH,
+        TypedShape::HalfSpace(_) => 0.0,
+        // Drawn together towards the middle, which need not be that of its box.
+        _ => 0.5 * CORE_DEPTH,
+    };
+    ((share - CORE_TOLERANCE) * thickness).max(0.0)
+}

@@ -1,0 +1,125 @@
+//! What the parameters and the settings of a body do.
+
+use super::{RADIUS, add_ball, wall};
+use crate::dim::{cuboid, vec};
+use crate::suite::physics::stage::weightless;
+use rapier::prelude::*;
+
+/// A wall of 2 cm, and a ball that flies at it at 100 m/s from 3 m away.
+fn scene() -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = weightless(60);
+    world.insert_collider(wall(), None);
+    let ball = add_ball(&mut world, vec(-3.0, 0.0), vec(100.0, 0.0));
+    (world, ball)
+}
+
+fn passes(world: &mut PhysicsWorld, ball: RigidBodyHandle) -> bool {
+    (0..10).any(|_| {
+        world.step();
+        world.bodies[ball].translation().x > 0.0
+    })
+}
+
+#[test]
+fn no_substeps_no_continuous_collision() {
+    for (substeps, wanted) in [(0, true), (1, false), (8, false)] {
+        let (mut world, ball) = scene();
+        world.integration_parameters.max_ccd_substeps = substeps;
+        assert_eq!(passes(&mut world, ball), wanted, "max_ccd_substeps = {substeps}");
+        let searches = world.physics_pipeline.counters.ccd.num_searches;
+        assert!(substeps > 0 || searches == 0);
+    }
+}
+
+/// No division of time, so no shortest one: whatever `min_ccd_dt` says, each bit is the same.
+#[test]
+fn the_shortest_substep_means_nothing() {
+    let place = |min_ccd_dt: Real| {
+        let (mut world, ball) = scene();
+        world.integration_parameters.min_ccd_dt = min_ccd_dt;
+        (0..10).for_each(|_| world.step());
+        world.bodies[ball].translation()
+    };
+    assert_eq!(place(0.0), place(1.0 / 6000.0));
+    assert_eq!(place(0.0), place(1.0));
+}
+
+/// A ball that is in a wall with its front already, its middle still outside, when a kinematic plate at 100 m/s drives it in further. Contacts
+/// alone would have to hold against it.
+#[test]
+fn what_overlaps_is_stopped_if_it_is_wanted() {
+    let place = |wanted: bool| {
+        let mut world = weightless(60);
+        world.integration_parameters.ccd_on_penetration = wanted;
+        world.insert_collider(wall(), None);
+        let ball = add_ball(&mut world, vec(-0.8 * RADIUS - 0.01, 0.0), Vector::ZERO);
+        let plate = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(100.0, 0.0));
+        let plate = plate.translation(vec(-1.8 * RADIUS - 0.021, 0.0));
+        world.insert(plate, cuboid(0.01, 1.0));
+        world.step();
+        (world.bodies[ball].translation().x, world.physics_pipeline.counters.ccd.num_substeps)
+    };
+    let (x, stopped) = place(true);
+    assert!(x <= 0.0 && stopped == 1, "at {x}, {stopped} stopped");
+    let (x, stopped) = place(false);
+    assert!(x > 0.0 && stopped == 0, "without it: at {x}, {stopped} stopped");
+}
+
+#[test]
+fn bodies_say_whether_they_were_searched_for() {
+    let (mut world, ball) = scene();
+    assert!(!world.bodies[ball].is_ccd_active() && !world.bodies[ball].is_ccd_enabled());
+    world.step();
+    assert!(world.bodies[ball].is_ccd_active(), "1.7 m in a step");
+    assert_eq!(world.physics_pipeline.counters.ccd.num_fast_bodies, 1);
+    assert_eq!(world.physics_pipeline.counters.ccd.num_searches, 0, "nothing is near");
+    world.step();
+    assert_eq!(world.physics_pipeline.counters.ccd.num_substeps, 1, "the wall");
+    assert_eq!(world.physics_pipeline.counters.ccd.num_searches, 1);
+    // Half the thickness of the ball in a step is 1.5 m/s.
+    world.bodies[ball].set_linvel(vec(0.0, 1.4), true);
+    world.step();
+    assert!(!world.bodies[ball].is_ccd_active(), "2.3 cm in a step");
+    assert_eq!(world.physics_pipeline.counters.ccd.num_fast_bodies, 0);
+    world.bodies[ball].enable_ccd(true);
+    assert!(world.bodies[ball].is_ccd_enabled() && !world.bodies[ball].is_ccd_active());
+    world.bodies[ball].set_linvel(vec(0.0, 1.6), true);
+    world.step();
+    assert!(world.bodies[ball].is_ccd_active(), "2.7 cm in a step");
+    world.bodies[ball].set_body_type(RigidBodyType::KinematicVelocityBased, true);
+    assert!(!world.bodies[ball].is_ccd_active(), "nothing stops what is kinematic");
+}
+
+/// Bodies that are not marked pass each other; with a prediction as long as the way of a step, contacts stop them.
+#[test]
+fn soft_prediction_stops_what_is_straight_ahead() {
+    for (prediction, wanted) in [(0.0, true), (2.0, false)] {
+        let mut world = weightless(60);
+        let target = add_ball(&mut world, Vector::ZERO, Vector::ZERO);
+        let ball = add_ball(&mut world, vec(-3.0, 0.0), vec(100.0, 0.0));
+        world.bodies[ball].set_soft_ccd_prediction(prediction);
+        assert_eq!(world.bodies[ball].soft_ccd_prediction(), prediction);
+        let passes = (0..10).any(|_| {
+            world.step();
+            world.bodies[ball].translation().x > world.bodies[target].translation().x
+        });
+        assert_eq!(passes, wanted, "soft_ccd_prediction = {prediction}");
+    }
+}
+
+/// There is no largest speed but the one that is set, and who is held at that is counted.
+#[test]
+fn speeds_are_limited_where_it_is_wanted_alone() {
+    let mut world = weightless(60);
+    let ball = add_ball(&mut world, Vector::ZERO, vec(1.0e6, 0.0));
+    world.step();
+    assert_eq!(world.bodies[ball].linvel().x, 1.0e6);
+    assert_eq!(world.physics_pipeline.counters.solver.nlimited_bodies, 0);
+    world.integration_parameters.normalized_max_linear_velocity = 500.0;
+    world.step();
+    assert!((world.bodies[ball].linvel().length() - 500.0).abs() < 0.01);
+    assert_eq!(world.physics_pipeline.counters.solver.nlimited_bodies, 1);
+    world.bodies[ball].set_linvel(vec(499.0, 0.0), true);
+    world.step();
+    assert_eq!(world.physics_pipeline.counters.solver.nlimited_bodies, 0);
+}
