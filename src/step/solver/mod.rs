@@ -121,7 +121,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         constraints.joints.finish(states, simd, tasks);
         let links_are_calm = constraints.multibodies.finish(lost, pass.substep);
         let group_is_calm = links_are_calm & states.are_calm(tasks);
-        if !group_is_calm || islands.strained {
+        if !group_is_calm || states.any_far {
             states.find_lost(groups, bodies, &constraints.multibodies, lost);
         }
         calm &= group_is_calm;
@@ -134,8 +134,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let mut notes = Notes { fast, courses, broken };
         store_constraints(constraints, world, &mut notes, params, (counters, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
-        let any_far = states.store(groups, world, params, notes.fast, tasks);
-        islands.strained = any_far || !calm || groups.are_strained();
+        states.store(groups, world, params, notes.fast, tasks);
+        islands.strained = !calm || states.any_far || groups.are_strained();
     } else {
         constraints.iter_mut().for_each(|of_group| of_group.multibodies.give_back(trees));
     }

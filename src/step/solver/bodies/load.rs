@@ -3,6 +3,7 @@
 use super::motion::motion_of;
 use super::{SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
+use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Real, Rotation, Vector};
 use crate::dim::motion::FreeMotion;
@@ -13,6 +14,7 @@ use crate::model::params::IntegrationParameters;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
 use core::ops::Range;
+use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverBodies {
     /// Gathers all awake bodies; those that multibodies move have a place and nobody in it.
@@ -28,10 +30,11 @@ impl SolverBodies {
         let order = groups.order();
         let around = Around { multibodies, gravity, params };
         let spectators = 0..groups.spectators();
-        self.load_members((order, spectators), bodies, &around, params.dt, tasks);
+        self.any_far = self.load_members((order, spectators), bodies, &around, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
-            self.load_members((order, group.members.clone()), bodies, &around, h, tasks);
+            let members = (order, group.members.clone());
+            self.any_far |= self.load_members(members, bodies, &around, h, tasks);
         }
     }
 
@@ -65,6 +68,7 @@ impl SolverBodies {
         }
     }
 
+    /// Returns whether one of them is far away.
     fn load_members(
         &mut self,
         (order, members): (&[RigidBodyHandle], Range<usize>),
@@ -72,8 +76,9 @@ impl SolverBodies {
         around: &Around<'_>,
         h: Real,
         tasks: Tasks<'_>,
-    ) {
+    ) -> bool {
         let (places, handles) = (self.places(), &order[members.clone()]);
+        let any_far = AtomicBool::new(false);
         let fill = |position: usize, body: Option<&mut RigidBody>| {
             let slot = handles[position].into_raw_parts().0;
             let index = members.start + position + 1;
@@ -82,6 +87,9 @@ impl SolverBodies {
                 let place = places.at(index);
                 match body {
                     Some(body) if !around.multibodies.moves(slot) => {
+                        if body.pose.translation.abs().max_element() > FAR {
+                            any_far.store(true, Ordering::Relaxed);
+                        }
                         place.fill(body, around, h);
                         places.list(index, body, slot);
                     }
@@ -91,6 +99,7 @@ impl SolverBodies {
         };
         // SAFETY: the order names each body once.
         unsafe { bodies.visit(handles, tasks, fill) };
+        any_far.into_inner()
     }
 }
 

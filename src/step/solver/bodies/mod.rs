@@ -41,6 +41,8 @@ pub(super) struct SolverBodies {
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
+    /// Was one of them far away when the step began?
+    pub any_far: bool,
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX;

@@ -2,7 +2,6 @@
 
 use super::SolverBodies;
 use crate::base::disjoint::DisjointMut;
-use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
 use crate::collide::turned;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
@@ -15,12 +14,10 @@ use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
-use core::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did. Returns
-    /// whether one of them is far away.
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
     pub fn store(
         &self,
         groups: &Groups,
@@ -28,8 +25,8 @@ impl SolverBodies {
         params: &IntegrationParameters,
         fast: &mut Vec<FastMotion>,
         tasks: Tasks<'_>,
-    ) -> bool {
-        let (found, any_far) = (Mutex::new(Vec::new()), AtomicBool::new(false));
+    ) {
+        let found = Mutex::new(Vec::new());
         let order = groups.order();
         let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
         let store = |position: usize, body: Option<&mut RigidBody>| {
@@ -53,9 +50,6 @@ impl SolverBodies {
                     bound
                 }
             };
-            if body.pose.translation.abs().max_element() > FAR {
-                any_far.store(true, Ordering::Relaxed);
-            }
             // SAFETY: every slot of a body has a bound, and it is this body's.
             unsafe { *bounds.get_mut(slot as usize) = bound };
         };
@@ -64,7 +58,6 @@ impl SolverBodies {
         let found = &mut *lock(&found);
         found.sort_unstable_by_key(|&(position, _)| position);
         fast.extend(found.drain(..).map(|(_, motion)| motion));
-        any_far.into_inner()
     }
 }
 
@@ -91,8 +84,9 @@ pub(super) fn outcome(
 fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
     body.use_up_push();
     let Some((pose, velocity)) = outcome(body, state, motion) else {
-        // The survey lets nobody pass who cannot be stored: from a calm velocity nobody leaves the world.
-        debug_assert!(false, "{:?} cannot be stored", body.pose);
+        // The survey finds who is fast or far; left is who turns about a centre of mass at the other end of the world.
+        log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
+        (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         return (Vector::ZERO, ANG_ZERO);
     };
     let (center, (shift, turn)) = (body.mprops.world_com, state.displacement());

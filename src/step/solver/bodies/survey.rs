@@ -5,7 +5,8 @@
 //! is stored.
 //!
 //! That look is cheap, because it only asks whether everything is [`CALM`]: a comparison for each number of a state, in the
-//! order in which they stand in memory. Where something is not, and for one step more, each body is asked.
+//! order in which they stand in memory. Where something is not, or somebody is so far away that a calm motion could lead out of the world, each body is
+//! asked.
 
 use super::SolverBodies;
 use super::store::outcome;
