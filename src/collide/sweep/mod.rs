@@ -80,11 +80,14 @@ pub(crate) fn first_impact(
     first
 }
 
+/// A part of a shape, and its motion.
+type MovingPart<'a, 'b> = (&'a Part<'b>, &'a Sweep<'b>);
+
 /// Calls `visit` with the parts of two shapes that may meet, and their motions.
 fn for_each_pair(
     shapes: [&dyn Shape; 2],
     sweeps: [&Sweep<'_>; 2],
-    visit: &mut dyn FnMut([(&Part<'_>, &Sweep<'_>); 2]),
+    visit: &mut dyn FnMut([MovingPart<'_, '_>; 2]),
 ) {
     let parts = shapes.map(Parts::of);
     // What of one shape may be met by the whole of the other.
@@ -178,7 +181,7 @@ fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
 
 /// When the first part is stopped by the second.
 fn impact_of_parts(
-    [(part1, sweep1), (part2, sweep2)]: [(&Part<'_>, &Sweep<'_>); 2],
+    [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
     goal: SweepGoal,
     until: Real,
 ) -> Option<Real> {

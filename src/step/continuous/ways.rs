@@ -8,15 +8,16 @@
 
 use super::Surroundings;
 use crate::collide::Leg;
-use crate::dim::math::Real;
+use crate::dim::math::{AngVector, Real, Vector, rotation_to_angle};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{Course, Multibody, MultibodyJointSet};
 use crate::multibody::Station;
 use crate::step::notes::FastMotion;
 use core::ops::Range;
 
-/// How far a link may be off its leg, as a share of the thickness of the thinnest fast link.
-const DEVIATION: Real = 0.1;
+/// How far a link may be off its leg, as a share of the thickness of the thinnest fast link: less than what the search leaves between a
+/// core and what it hits, or the link could be put back with its middle inside.
+const DEVIATION: Real = 0.01;
 
 /// The legs of all links of multibodies that are fast.
 #[derive(Default)]
@@ -29,7 +30,7 @@ pub(super) struct Ways {
 struct Tree {
     /// Its legs begin here, link by link.
     legs: usize,
-    /// So many of them each link has.
+    /// Each link has one more than this many.
     pieces: usize,
     /// Its links among the fast bodies.
     links: Range<usize>,
@@ -51,7 +52,7 @@ impl Ways {
             let pieces = course.pieces(DEVIATION * thickness(world, &world.fast[links.clone()]));
             self.of_tree.push(Tree { legs: self.legs.len(), pieces, links });
             if let Some(multibody) = world.multibodies.get_multibody(course.index) {
-                self.walk(course, multibody, pieces);
+                self.walk(world, course, multibody, pieces);
             }
         }
     }
@@ -59,8 +60,8 @@ impl Ways {
     /// The legs of a link of a multibody; none if it is not there.
     pub fn of(&self, (tree, link): (usize, usize)) -> &[Leg] {
         let Tree { legs, pieces, .. } = self.of_tree[tree];
-        let start = legs + link * pieces;
-        self.legs.get(start..start + pieces).unwrap_or_default()
+        let (start, count) = (legs + link * (pieces + 1), pieces + 1);
+        self.legs.get(start..start + count).unwrap_or_default()
     }
 
     /// Puts multibodies back to where they were stopped.
@@ -85,34 +86,60 @@ impl Ways {
                     links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
+            let share = gone(share, tree.pieces);
             course.go_back(multibody, bodies, (share, tree.pieces, dt), acceleration);
         }
     }
 
-    fn walk(&mut self, course: &Course, multibody: &Multibody, pieces: usize) {
+    fn walk(
+        &mut self,
+        world: Surroundings<'_>,
+        course: &Course,
+        multibody: &Multibody,
+        pieces: usize,
+    ) {
         let start = self.legs.len();
-        let piece = 1.0 / pieces as Real;
+        let count = pieces + 1;
         let mut last: Vec<Station> = Vec::new();
         course.walk(multibody, pieces, |at, stations| {
-            for (link, (from, to)) in last.iter().zip(stations).enumerate() {
-                let until = if at == pieces { 1.0 } else { at as Real * piece };
-                let leg = Leg {
-                    from: (at - 1) as Real * piece,
-                    until,
-                    rotation: from.rotation,
-                    center: from.center,
-                    shift: (to.center - from.center) * pieces as Real,
-                    turn: (from.angular + to.angular) * 0.5,
-                };
-                self.legs[start + link * pieces + at - 1] = leg;
-            }
             if at == 0 {
-                self.legs.resize(start + stations.len() * pieces, Leg::AT_REST);
+                self.legs.resize(start + stations.len() * count, Leg::AT_REST);
+            }
+            for (link, (from, to)) in last.iter().zip(stations).enumerate() {
+                let turn = (from.angular + to.angular) * (0.5 / pieces as Real);
+                self.legs[start + link * count + at - 1] =
+                    leg(at - 1, pieces, from, to.center, turn);
             }
             last.clear();
             last.extend_from_slice(stations);
         });
+        for (id, (link, from)) in multibody.links.iter().zip(&last).enumerate() {
+            let Some(body) = world.bodies.get(link.body) else { continue };
+            let turn = rotation_to_angle(&(body.pose.rotation * from.rotation.inverse()));
+            let to = body.mprops.world_com;
+            self.legs[start + id * count + pieces] = leg(pieces, pieces, from, to, turn);
+        }
     }
+}
+
+/// The leg number `at` of a way in so many pieces, and one more: to where the solver has put the link. Where it turned about one axis
+/// after the other that is not quite where the way leads. The last two take half as long as the others.
+fn leg(at: usize, pieces: usize, from: &Station, to: Vector, turn: AngVector) -> Leg {
+    let time = |at: usize| match at {
+        at if at < pieces => at as Real / pieces as Real,
+        at if at == pieces => 1.0 - 0.5 / pieces as Real,
+        _ => 1.0,
+    };
+    let (begin, end) = (time(at), time(at + 1));
+    let pace = 1.0 / (end - begin);
+    let (shift, turn) = ((to - from.center) * pace, turn * pace);
+    Leg { from: begin, until: end, rotation: from.rotation, center: from.center, shift, turn }
+}
+
+/// What share of a way in so many pieces has been gone after a share of the step. Who was stopped on the last leg is where that begins.
+fn gone(share: Real, pieces: usize) -> Real {
+    let last = 1.0 - 1.0 / pieces as Real;
+    if share <= last { share } else { (share + share - last).min(1.0) }
 }
 
 /// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are looked for.
