@@ -86,8 +86,12 @@ impl RigidBodySet {
         body.detach_from_set();
         body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
         let handle = RigidBodyHandle(self.bodies.insert(body));
+        let place = BodyLink::of_slot(handle.into_raw_parts().0);
+        if let Some(body) = self.bodies.get_mut(handle.0) {
+            body.link = place;
+        }
         self.notes.modified.push(handle);
-        self.notes.places.push(BodyLink::default());
+        self.notes.places.push(place);
         handle
     }
 
@@ -193,11 +197,6 @@ impl RigidBodySet {
         core::mem::take(&mut self.notes.modified)
     }
 
-    /// The same list, as long as nobody has taken it.
-    pub(crate) fn modified(&self) -> &[RigidBodyHandle] {
-        &self.notes.modified
-    }
-
     /// Gives bodies that were put in the place of others the places of those, and returns their
     /// handles. They are to be looked at as if they were new.
     pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
@@ -205,7 +204,9 @@ impl RigidBodySet {
         // Backwards: a replaced body may have left a second note, and the first one is right.
         for (&handle, &place) in self.notes.modified.iter().zip(&self.notes.places).rev() {
             let Some(body) = self.bodies.get_mut(handle.0) else { continue };
-            if body.link != place {
+            let is_noted = body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
+            // Without its note it is an older copy of itself.
+            if body.link != place || !is_noted {
                 body.link = place;
                 body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
                 replaced.push(handle);

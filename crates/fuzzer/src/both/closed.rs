@@ -42,6 +42,7 @@ pub fn run(mut choices: Choices<'_>) -> Tally {
         tally.steps += 1;
         check(&world);
         let now = energy(&world);
+        choices.tell(|| format!("step {}: {now:.2} J of {first:.2} J", tally.steps));
         assert!(now <= most, "the energy rose from {first} to {now} J within {} steps", tally.steps);
     }
     tally
@@ -59,6 +60,7 @@ fn fill(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Vec<RigidBodyHan
         let solid = shape(choices.below(SOLIDS), 0.4, choices).unwrap_or_else(|| cuboid(0.4));
         let restitution = if choices.coin() { 0.0 } else { within(choices, 0.0, 1.0) };
         let solid = solid.friction(within(choices, 0.0, 1.0)).restitution(restitution);
+        choices.tell(|| format!("a body with {:?} of restitution {restitution} at {speed}", solid.shape.shape_type()));
         let (body, _) = world.insert(body, solid.density(within(choices, 0.5, 3.0)));
         if let Some(&before) = bodies.last().filter(|_| choices.once_in(3)) {
             hold(world, [before, body], choices);
@@ -74,7 +76,9 @@ fn hold(world: &mut PhysicsWorld, [body1, body2]: [RigidBodyHandle; 2], choices:
     let middle = (at2 - at1) * 0.5;
     let locked = choices.pick(&[JointAxesMask::LIN_AXES, JointAxesMask::all()]);
     let joint = GenericJointBuilder::new(locked).local_anchor1(middle).local_anchor2(-middle);
-    if choices.coin() {
+    let is_impulse = choices.coin();
+    choices.tell(|| format!("    held by {locked:?}, by impulses: {is_impulse}"));
+    if is_impulse {
         world.insert_impulse_joint(body1, body2, joint.build());
     } else {
         world.insert_multibody_joint(body1, body2, joint.build());
