@@ -30,7 +30,9 @@ mod tests {
     fn only_panics_on_purpose_are_caught() {
         assert!(comes_to_its_end(|| {}));
         assert!(!comes_to_its_end(|| leave()));
-        let other = std::panic::catch_unwind(|| comes_to_its_end(|| std::panic::resume_unwind(Box::new(1))));
+        let other = std::panic::catch_unwind(|| {
+            comes_to_its_end(|| std::panic::resume_unwind(Box::new(1)))
+        });
         assert!(other.is_err());
     }
 }

@@ -50,12 +50,18 @@ fn main() -> ExitCode {
 }
 
 fn parse(arguments: &[String]) -> Result<Options, String> {
-    let mut options =
-        Options { crates: CRATES.to_vec(), operations: 1_000_000, seed: 0, bytes: 2000, replay: None };
+    let mut options = Options {
+        crates: CRATES.to_vec(),
+        operations: 1_000_000,
+        seed: 0,
+        bytes: 2000,
+        replay: None,
+    };
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
         let value = rest.next().ok_or_else(|| format!("`{argument}` needs a value after it"))?;
-        let number = || value.parse().map_err(|_| format!("`{argument}` needs a number, not `{value}`"));
+        let number =
+            || value.parse().map_err(|_| format!("`{argument}` needs a number, not `{value}`"));
         match argument.as_str() {
             "--crate" => options.crates.retain(|(name, _)| name == value),
             "--operations" => options.operations = number()?,
@@ -74,7 +80,9 @@ fn parse(arguments: &[String]) -> Result<Options, String> {
 /// Was nothing found?
 fn run(options: &Options) -> Result<bool, String> {
     if !cfg!(debug_assertions) {
-        eprintln!("without the checks inside of the engine: use `cargo run --profile fuzz -p fuzzer`");
+        eprintln!(
+            "without the checks inside of the engine: use `cargo run --profile fuzz -p fuzzer`"
+        );
     }
     if let Some(file) = &options.replay {
         let bytes = std::fs::read(file).map_err(|error| format!("{file}: {error}"))?;
@@ -90,7 +98,8 @@ fn run(options: &Options) -> Result<bool, String> {
     }
     let mut progress = Progress::new(options.operations);
     let mut findings: BTreeMap<String, usize> = BTreeMap::new();
-    let turns = (options.seed..).flat_map(|seed| options.crates.iter().map(move |&which| (seed, which)));
+    let turns =
+        (options.seed..).flat_map(|seed| options.crates.iter().map(move |&which| (seed, which)));
     for (seed, (name, run)) in turns {
         let bytes = random_bytes(seed, options.bytes);
         match search(run, &bytes) {
@@ -157,6 +166,8 @@ impl Progress {
     fn line(&self, findings: usize) -> String {
         let Tally { operations, steps } = self.tally;
         let rate = operations as f64 / self.start.elapsed().as_secs_f64();
-        format!("{operations} operations, {steps} steps, {rate:.0} operations/s, {findings} findings")
+        format!(
+            "{operations} operations, {steps} steps, {rate:.0} operations/s, {findings} findings"
+        )
     }
 }

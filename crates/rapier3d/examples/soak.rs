@@ -97,7 +97,8 @@ impl Life {
     fn spawn(&mut self, step: usize) {
         let k = step as Real;
         let place = Vector::new(4.0 * (k * 0.37).sin(), 6.0, 4.0 * (k * 0.53).cos());
-        let body = RigidBodyBuilder::dynamic().translation(place).ccd_enabled(step.is_multiple_of(7));
+        let body =
+            RigidBodyBuilder::dynamic().translation(place).ccd_enabled(step.is_multiple_of(7));
         let (body, collider) = self.world.insert(body, shape(step));
         self.note(0, body.into_raw_parts().0);
         self.note(1, collider.into_raw_parts().0);
@@ -166,7 +167,8 @@ fn shape(step: usize) -> ColliderBuilder {
         2 => ColliderBuilder::capsule_y(0.3, 0.3),
         3 => ColliderBuilder::cylinder(0.4, 0.3),
         4 => {
-            let corners = [-Vector::ONE, Vector::X, Vector::Y, Vector::Z].map(|corner| corner * 0.5);
+            let corners =
+                [-Vector::ONE, Vector::X, Vector::Y, Vector::Z].map(|corner| corner * 0.5);
             let faces = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
             ColliderBuilder::trimesh(corners.to_vec(), faces).unwrap_or_default().mass(1.0)
         }

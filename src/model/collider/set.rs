@@ -313,7 +313,9 @@ impl ColliderSet {
         }
         let place = collider.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
         collider.leave_body();
-        if let Some((parent, body)) = parent.and_then(|parent| Some((parent, bodies.get_mut(parent)?))) {
+        if let Some((parent, body)) =
+            parent.and_then(|parent| Some((parent, bodies.get_mut(parent)?)))
+        {
             collider.join_body(parent, place, body);
             if !body.colliders().contains(&handle) {
                 body.attach_collider(handle);
@@ -329,9 +331,8 @@ impl ColliderSet {
     /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
     /// itself.
     pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
-        let is_noted = |collider: &Collider| {
-            collider.changes.contains(ColliderChanges::IN_MODIFIED_SET)
-        };
+        let is_noted =
+            |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
         for index in 0..self.notes.modified.len() {
             let handle = self.notes.modified[index];
             if self.is_replaced(handle) || self.get(handle).is_some_and(|it| !is_noted(it)) {

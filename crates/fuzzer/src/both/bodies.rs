@@ -4,8 +4,8 @@ use super::colliders::some_collider;
 use super::dim::about_z;
 use super::play::{BODIES_MAX, COLLIDERS_MAX, Play};
 use super::rapier::prelude::*;
-use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use super::values::told;
+use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
 
 const TYPES: [RigidBodyType; 6] = [
@@ -96,7 +96,8 @@ pub fn edit(play: &mut Play<'_>) {
             }
         }
         3 => {
-            let others = world.bodies.iter_mut().filter(|(handle, _)| !bystanders.bodies.contains(handle));
+            let others =
+                world.bodies.iter_mut().filter(|(handle, _)| !bystanders.bodies.contains(handle));
             others.for_each(|(_, body)| push(body, choices));
         }
         choice => {
@@ -159,7 +160,9 @@ fn configure(body: &mut RigidBody, choices: &mut Choices<'_>) {
         }
         9 => body.enable_ccd(choices.coin()),
         10 => body.set_additional_solver_iterations(choices.below(3)),
-        11 => body.set_locked_axes(LockedAxes::from_bits_truncate(choices.below(64) as u8), wake_up),
+        11 => {
+            body.set_locked_axes(LockedAxes::from_bits_truncate(choices.below(64) as u8), wake_up)
+        }
         _ => {
             let activation = body.activation_mut();
             activation.normalized_linear_threshold = value;

@@ -23,7 +23,8 @@ impl Bystanders {
     pub fn new(world: &mut PhysicsWorld) -> Self {
         let own = InteractionGroups::new(APART, APART);
         let mut stand = |height: Real| {
-            let body = RigidBodyBuilder::dynamic().translation(Vector::ONE * PLACE + Vector::Y * height);
+            let body =
+                RigidBodyBuilder::dynamic().translation(Vector::ONE * PLACE + Vector::Y * height);
             let body = body.gravity_scale(0.0).user_data(MARK);
             world.insert(body, cuboid(0.5).collision_groups(own))
         };
@@ -37,7 +38,9 @@ impl Bystanders {
     /// If one has moved. Who is not there any more (because a whole set was exchanged) has not.
     pub fn check(&self, world: &PhysicsWorld) {
         for (handle, pose) in self.bodies.iter().zip(&self.poses) {
-            let Some(body) = world.bodies.get(*handle).filter(|body| body.user_data == MARK) else { continue };
+            let Some(body) = world.bodies.get(*handle).filter(|body| body.user_data == MARK) else {
+                continue;
+            };
             assert!(
                 body.position() == pose && body.vels().is_zero(),
                 "nobody touched {handle:?}, but it moved from {pose:?} to {:?}",

@@ -3,14 +3,15 @@
 use super::dim::{SHAPES, about_z, shape};
 use super::play::{COLLIDERS_MAX, Play};
 use super::rapier::prelude::*;
-use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use super::values::told;
+use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
 
 /// The group of the bystanders, which nobody else may meet.
 pub const APART: Group = Group::GROUP_32;
 /// Everybody else.
-pub const OTHERS: InteractionGroups = InteractionGroups::new(APART.complement(), APART.complement());
+pub const OTHERS: InteractionGroups =
+    InteractionGroups::new(APART.complement(), APART.complement());
 
 /// A collider of any kind.
 pub fn some_collider(choices: &mut Choices<'_>) -> ColliderBuilder {
@@ -79,7 +80,10 @@ pub fn edit(play: &mut Play<'_>) {
             }
         }
         5 => {
-            let others = world.colliders.iter_mut().filter(|(handle, _)| !bystanders.colliders.contains(handle));
+            let others = world
+                .colliders
+                .iter_mut()
+                .filter(|(handle, _)| !bystanders.colliders.contains(handle));
             others.for_each(|(_, collider)| meet_others(collider, choices));
         }
         choice => {

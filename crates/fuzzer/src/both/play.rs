@@ -87,7 +87,9 @@ pub fn run(choices: Choices<'_>) -> Tally {
 impl<'a> Play<'a> {
     fn new(choices: Choices<'a>) -> Self {
         let mut world = PhysicsWorld::new();
-        let ground = ColliderBuilder::halfspace(Vector::Y).active_events(ActiveEvents::all()).collision_groups(colliders::OTHERS);
+        let ground = ColliderBuilder::halfspace(Vector::Y)
+            .active_events(ActiveEvents::all())
+            .collision_groups(colliders::OTHERS);
         let ground = world.insert_collider(ground, None);
         let bystanders = Bystanders::new(&mut world);
         Self {
@@ -162,7 +164,10 @@ impl<'a> Play<'a> {
             5 => params.num_additional_friction_iterations = choices.below(4),
             6 => params.max_ccd_substeps = choices.below(4),
             7 => params.length_unit = some_real(choices),
-            8 => params.friction_model = choices.pick(&[FrictionModel::Standard, FrictionModel::Coulomb]),
+            8 => {
+                params.friction_model =
+                    choices.pick(&[FrictionModel::Standard, FrictionModel::Coulomb])
+            }
             _ => change_softness(params, choices),
         }
     }

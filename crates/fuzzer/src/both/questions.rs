@@ -12,7 +12,8 @@ pub fn ask(play: &mut Play<'_>) {
     let (collider, body) = (play.collider(), play.body());
     let Play { choices, world, queries, .. } = play;
     let everyone = |_: ColliderHandle, collider: &Collider| collider.is_enabled();
-    let mut filter = QueryFilter::from(QueryFilterFlags::from_bits_truncate(choices.below(64) as u32));
+    let mut filter =
+        QueryFilter::from(QueryFilterFlags::from_bits_truncate(choices.below(64) as u32));
     match choices.below(6) {
         0 => filter = filter.exclude_collider(collider),
         1 => filter = filter.exclude_rigid_body(body),
@@ -24,7 +25,11 @@ pub fn ask(play: &mut Play<'_>) {
     if own {
         queries.update(&world.colliders);
     }
-    let view = if own { queries.view(&world.colliders, filter) } else { world.query_pipeline_with_filter(filter) };
+    let view = if own {
+        queries.view(&world.colliders, filter)
+    } else {
+        world.query_pipeline_with_filter(filter)
+    };
     match choices.below(4) {
         0 => cast_rays(view, choices),
         1 => look_around(view, choices),

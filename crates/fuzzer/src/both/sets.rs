@@ -1,4 +1,6 @@
 //! What is done to whole sets, and to the world as a whole.
+//!
+//! All sets are exchanged or none: they belong together, as `PhysicsPipeline::step` says.
 
 use super::play::Play;
 use super::rapier::prelude::*;
@@ -43,7 +45,7 @@ impl Copy {
 pub fn meddle(play: &mut Play<'_>) {
     let handle = play.body();
     let manner = play.choices.below(10);
-    play.choices.tell(|| format!("    {manner}"));
+    play.choices.tell(|| format!("    way {manner}"));
     match manner {
         0 | 1 => play.copy = Some(Copy::of(&play.world)),
         2 | 3 => {
@@ -68,27 +70,6 @@ pub fn meddle(play: &mut Play<'_>) {
                 body.recompute_mass_properties_from_colliders(colliders);
             }
         }
-        8 if std::env::var_os("X1").is_some() => exchange_one(play),
         _ => play.world.wake_up(handle, play.choices.coin()),
     }
-}
-
-/// One set for an empty one, or for one of another time.
-fn exchange_one(play: &mut Play<'_>) {
-    let Play { choices, world, copy, .. } = play;
-    let mut empty = Copy::of(&PhysicsWorld::new());
-    let other = match copy {
-        Some(copy) if choices.coin() => copy,
-        _ => &mut empty,
-    };
-    match choices.below(7) {
-        0 => core::mem::swap(&mut other.islands, &mut world.islands),
-        1 => core::mem::swap(&mut other.broad_phase, &mut world.broad_phase),
-        2 => core::mem::swap(&mut other.narrow_phase, &mut world.narrow_phase),
-        3 => core::mem::swap(&mut other.bodies, &mut world.bodies),
-        4 => core::mem::swap(&mut other.colliders, &mut world.colliders),
-        5 => core::mem::swap(&mut other.impulse_joints, &mut world.impulse_joints),
-        _ => core::mem::swap(&mut other.multibody_joints, &mut world.multibody_joints),
-    }
-    play.witness.lose_track();
 }

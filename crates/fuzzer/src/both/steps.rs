@@ -30,7 +30,8 @@ pub fn step(play: &mut Play<'_>) -> usize {
         play.witness.lose_track(); // of the events that nobody heard
     }
     // Without the edits nothing is up to date, and a step that was left early or refused has not seen them.
-    let refused = play.world.integration_parameters.validate().is_err() || !is_possible(play.world.gravity);
+    let refused =
+        play.world.integration_parameters.validate().is_err() || !is_possible(play.world.gravity);
     if in_order && !refused && manner != 3 {
         check(&play.world);
     }
@@ -46,7 +47,11 @@ fn is_possible(gravity: Vector) -> bool {
     gravity.is_finite() && gravity.abs().max_element() <= 1.0e15
 }
 
-fn detect_without_changes(world: &mut PhysicsWorld, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+fn detect_without_changes(
+    world: &mut PhysicsWorld,
+    hooks: &dyn PhysicsHooks,
+    events: &dyn EventHandler,
+) {
     world.collision_pipeline.step(
         &world.integration_parameters,
         &mut world.islands,
@@ -62,7 +67,11 @@ fn detect_without_changes(world: &mut PhysicsWorld, hooks: &dyn PhysicsHooks, ev
     );
 }
 
-fn step_with_new_pipeline(world: &mut PhysicsWorld, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+fn step_with_new_pipeline(
+    world: &mut PhysicsWorld,
+    hooks: &dyn PhysicsHooks,
+    events: &dyn EventHandler,
+) {
     let mut pipeline = PhysicsPipeline::new();
     pipeline.set_wide_instructions(false);
     pipeline.step(
@@ -111,7 +120,10 @@ impl PhysicsHooks for Moody {
     fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> bool {
         let both_exist = context.colliders.contains(context.collider1)
             && context.colliders.contains(context.collider2)
-            && [context.rigid_body1, context.rigid_body2].iter().flatten().all(|&body| context.bodies.contains(body));
+            && [context.rigid_body1, context.rigid_body2]
+                .iter()
+                .flatten()
+                .all(|&body| context.bodies.contains(body));
         assert!(both_exist, "a hook is asked about what does not exist");
         !(self.next() + self.mood).is_multiple_of(3)
     }
@@ -149,7 +161,13 @@ impl EventHandler for Leaver {
         leave();
     }
 
-    fn handle_contact_force_event(&self, _: Real, _: &ContactForceEvent, _: &RigidBodySet, _: &ColliderSet) {
+    fn handle_contact_force_event(
+        &self,
+        _: Real,
+        _: &ContactForceEvent,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+    ) {
         leave();
     }
 

@@ -29,7 +29,12 @@ fn walk_as_character(play: &mut Play<'_>) {
     let note = |collision| collisions.push(collision);
     let moved = if choices.once_in(4) {
         let mut contacts = CharacterContacts::new();
-        let hooks = CharacterHooks { hooks: &(), bodies: &world.bodies, character: collider, contacts: &mut contacts };
+        let hooks = CharacterHooks {
+            hooks: &(),
+            bodies: &world.bodies,
+            character: collider,
+            contacts: &mut contacts,
+        };
         controller.move_shape_with_hooks(dt, &view, &*shape, &pose, wish, hooks, note)
     } else {
         controller.move_shape(dt, &view, &*shape, &pose, wish, note)
@@ -56,7 +61,8 @@ fn some_controller(choices: &mut Choices<'_>) -> KinematicCharacterController {
             3 => {
                 let (max_height, min_width) = (length, choices.pick(&lengths));
                 let include_dynamic_bodies = choices.coin();
-                controller.autostep = Some(CharacterAutostep { max_height, min_width, include_dynamic_bodies });
+                controller.autostep =
+                    Some(CharacterAutostep { max_height, min_width, include_dynamic_bodies });
             }
             4 => controller.max_slope_climb_angle = value,
             5 => controller.min_slope_slide_angle = value,
@@ -76,7 +82,8 @@ fn follow(play: &mut Play<'_>) {
         let (kp, ki, kd) = (some_real(choices), some_real(choices), some_real(choices));
         *pid = PidController::new(kp, ki, kd, AxesMask::all());
     }
-    let (target, dt) = (some_pose(choices, 3.0), if choices.coin() { 1.0 / 60.0 } else { some_real(choices) });
+    let (target, dt) =
+        (some_pose(choices, 3.0), if choices.coin() { 1.0 / 60.0 } else { some_real(choices) });
     let correction = pid.rigid_body_correction(dt, body, target, RigidBodyVelocity::zero());
     body.set_vels(body.vels() + correction, choices.coin());
 }

@@ -47,7 +47,10 @@ pub fn shape(kind: usize, s: Real, choices: &mut Choices<'_>) -> Option<Collider
         9 => ColliderBuilder::polyline(corners, Some(vec![[0, 1], [1, 2], [2, 3], [3, 0]])),
         10 => ColliderBuilder::oriented_polyline(points(s, choices), None),
         11 => voxels(s, choices),
-        12 => ColliderBuilder::heightfield(points(s, choices).iter().map(|p| p.y).collect(), Vector::splat(4.0 * s)),
+        12 => ColliderBuilder::heightfield(
+            points(s, choices).iter().map(|p| p.y).collect(),
+            Vector::splat(4.0 * s),
+        ),
         13 => ColliderBuilder::trimesh(points(s, choices), vec![[0, 1, 2], [0, 2, 3]]).ok()?,
         14 => ColliderBuilder::convex_hull(&points(s, choices))?,
         15 => ColliderBuilder::round_convex_hull(&points(s, choices), s * 0.1)?,

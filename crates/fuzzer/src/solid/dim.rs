@@ -138,7 +138,8 @@ pub fn drive(play: &mut Play<'_>) {
     match choices.below(6) {
         0 => *vehicle = DynamicRayCastVehicleController::new(chassis),
         1 => {
-            let (at, down, axle) = (some_vector(choices, 1.0), -Vector::Y, some_vector(choices, 1.0));
+            let (at, down, axle) =
+                (some_vector(choices, 1.0), -Vector::Y, some_vector(choices, 1.0));
             let (rest, radius) = (some_positive(choices), some_positive(choices));
             if vehicle.wheels().len() < 6 {
                 vehicle.add_wheel(at, down, axle, rest, radius, &WheelTuning::default());
