@@ -5,7 +5,8 @@
 //!
 //! The strings come from a seed (`cargo test -p fuzzer`, and for as long as one likes
 //! `cargo run --profile fuzz -p fuzzer`), or from a fuzzer that learns which ones lead to new places in the engine
-//! (`fuzz/` beside the workspace). A string that found something once is kept in `corpus/`.
+//! (`fuzz/` beside the workspace). What a string found once has a test of its own, mostly in `tests/hostile/`: a string means
+//! something else as soon as an operation is added here, a test does not.
 //!
 //! All of it is compiled four times, once against each crate: what stands in `both/` says `rapier` and `dim`, and
 //! the modules here say which ones these are.
