@@ -41,7 +41,9 @@ pub fn search(run: Run, bytes: &[u8]) -> Result<Tally, Finding> {
 
 fn note(info: &PanicHookInfo<'_>) {
     let place = info.location().map_or_else(String::new, ToString::to_string);
-    let message = info.payload_as_str().unwrap_or_default().to_owned();
+    let text = info.payload().downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| info.payload().downcast_ref::<&str>().copied());
+    let message = text.unwrap_or_default().to_owned();
     if std::env::var_os("FUZZ_TELL").is_some() {
         eprintln!("{}", std::backtrace::Backtrace::capture());
     }

@@ -107,9 +107,9 @@ pub fn spin(choices: &mut Choices<'_>) -> AngVector {
 
 /// There are no vehicles in 2D.
 #[derive(Copy, Clone, Default)]
-pub struct Vehicle;
+pub struct Vehicle {}
 
 /// Does nothing: there are no vehicles in 2D.
 pub fn drive(play: &mut Play<'_>) {
-    let Vehicle = play.vehicle;
+    let Vehicle {} = play.vehicle;
 }
