@@ -2,11 +2,6 @@
 
 use rapier::prelude::*;
 
-/// Is every number of an angular vector finite?
-pub fn ang_is_finite(w: AngVector) -> bool {
-    w.is_finite()
-}
-
 /// Rotations that are none.
 pub fn broken_rotations() -> [Rotation; 5] {
     let rotation = |re, im| Rotation { re, im };

@@ -4,11 +4,18 @@
 //! panic (but `Index` on a handle that a set does not hold), no number in the world may stop being
 //! finite, what is refused is named in an error or in the log, and bodies that have nothing to do with
 //! it must not notice: they end bit for bit where they would have ended.
+//!
+//! These are users that somebody thought of. One without sense is in `crates/fuzzer`, with the same [`world::check`].
+
+use crate::rapier;
 
 pub mod listener;
 mod random;
 mod scene;
 pub mod values;
+/// The fuzzer's own.
+#[allow(dead_code, reason = "here all events are heard")]
+#[path = "../../crates/fuzzer/src/both/witness.rs"]
 mod witness;
 mod world;
 
@@ -17,9 +24,9 @@ mod builders;
 mod colliders;
 mod edits;
 mod extremes;
-mod fuzz;
 mod handles;
 mod hooks;
 mod parameters;
 mod quarantine;
+mod replaced;
 mod shapes;

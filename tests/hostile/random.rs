@@ -29,11 +29,6 @@ impl Dice {
         self.below(times) == 0
     }
 
-    /// Heads or tails.
-    pub fn coin(&mut self) -> bool {
-        self.once_in(2)
-    }
-
     /// A number from `low` to `high`.
     pub fn within(&mut self, low: f64, high: f64) -> Real {
         let unit = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;

@@ -1,6 +1,5 @@
 //! Numbers that nobody should pass, and some that one might.
 
-use super::random::Dice;
 use crate::dim::vec;
 use rapier::prelude::*;
 
@@ -38,19 +37,4 @@ pub fn vectors_of(value: Real) -> [Vector; 3] {
 /// All vectors made of [`EDGES`].
 pub fn edge_vectors() -> impl Iterator<Item = Vector> {
     EDGES.into_iter().flat_map(vectors_of)
-}
-
-/// Numbers that are usable most of the time.
-pub fn some_real(dice: &mut Dice) -> Real {
-    if dice.once_in(8) { dice.pick(&EDGES) } else { dice.within(-2.0, 4.0) }
-}
-
-/// Vectors that are usable most of the time.
-pub fn some_vector(dice: &mut Dice, size: f64) -> Vector {
-    if dice.once_in(12) {
-        let edge = dice.pick(&EDGES);
-        return dice.pick(&vectors_of(edge));
-    }
-    let array = Vector::ZERO.to_array().map(|_| dice.within(-size, size));
-    Vector::from_array(array)
 }

@@ -1,7 +1,6 @@
 //! What must hold in every world, whatever was done to it.
 
-use crate::dim::hostile::ang_is_finite;
-use rapier::prelude::*;
+use super::rapier::prelude::*;
 
 /// Checks that a world is in order after a step.
 ///
@@ -21,7 +20,7 @@ fn check_bodies(world: &PhysicsWorld) {
         assert!((length - 1.0).abs() < 1.0e-3, "rotation of {handle:?} has the length {length}");
         assert!(body.next_position().is_finite(), "{handle:?} goes to {:?}", body.next_position());
         assert!(body.linvel().is_finite(), "{handle:?} moves at {:?}", body.linvel());
-        assert!(ang_is_finite(body.angvel()), "{handle:?} turns at {:?}", body.angvel());
+        assert!(body.angvel().is_finite(), "{handle:?} turns at {:?}", body.angvel());
         assert!(body.center_of_mass().is_finite(), "{handle:?}: {:?}", body.center_of_mass());
         assert!(body.mass().is_finite(), "{handle:?} weighs {:?}", body.mass());
         let takes_part = body.is_enabled() && !body.is_fixed();

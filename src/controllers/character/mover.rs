@@ -92,7 +92,9 @@ impl<'a> Mover<'a> {
             let way = self.gait.way(left, &self.planes, sticks);
             slides |= way.slides;
             self.report_planes(left);
-            if way.translation.length() <= self.gait.nothing() {
+            let length = way.translation.length();
+            // Between planes that lie farther out than squares can be computed, there is no way that is a number.
+            if length <= self.gait.nothing() || !length.is_finite() {
                 break;
             }
             let pose = self.pose();

@@ -25,8 +25,9 @@ impl RigidBody {
     }
 
     /// Notes that a collider is attached. Its mass comes by [`Self::add_collider_mass`].
+    ///
+    /// A body that was put in the place of another may list it already. The next step lists its colliders anew.
     pub(crate) fn attach_collider(&mut self, handle: ColliderHandle) {
-        debug_assert!(!self.colliders.contains(&handle), "{handle:?} is attached already");
         self.colliders.push(handle);
         self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
     }

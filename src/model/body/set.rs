@@ -86,8 +86,12 @@ impl RigidBodySet {
         body.detach_from_set();
         body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
         let handle = RigidBodyHandle(self.bodies.insert(body));
+        let place = BodyLink::of_slot(handle.into_raw_parts().0);
+        if let Some(body) = self.bodies.get_mut(handle.0) {
+            body.link = place;
+        }
         self.notes.modified.push(handle);
-        self.notes.places.push(BodyLink::default());
+        self.notes.places.push(place);
         handle
     }
 
@@ -205,7 +209,9 @@ impl RigidBodySet {
         // Backwards: a replaced body may have left a second note, and the first one is right.
         for (&handle, &place) in self.notes.modified.iter().zip(&self.notes.places).rev() {
             let Some(body) = self.bodies.get_mut(handle.0) else { continue };
-            if body.link != place {
+            let is_noted = body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
+            // Without its note it is an older copy of itself.
+            if body.link != place || !is_noted {
                 body.link = place;
                 body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
                 replaced.push(handle);

@@ -121,8 +121,11 @@ impl ColliderSet {
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
         collider.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET;
-        collider.proxy = ColliderProxy::default(); // it may be the copy of one that is in a set
         let handle = ColliderHandle(self.colliders.insert(collider));
+        if let Some(collider) = self.colliders.get_mut(handle.0) {
+            // It may be the copy of one that is in a set.
+            collider.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
+        }
         self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
         self.notes.modified.push(handle);
         handle
@@ -140,6 +143,7 @@ impl ColliderSet {
         bodies: &mut RigidBodySet,
     ) {
         let count = self.colliders.len();
+        self.mend(handle, bodies);
         let Some(collider) = self.colliders.get_mut(handle.0) else {
             log::warn!("ColliderSet::set_parent ignored: {handle:?} finds no collider");
             return;
@@ -180,6 +184,7 @@ impl ColliderSet {
         bodies: &mut RigidBodySet,
         wake_up: bool,
     ) -> Option<Collider> {
+        self.mend(handle, bodies);
         let collider = self.take(handle, wake_up)?;
         if let Some(parent) = collider.parent() {
             if let Some(body) = bodies.get_mut(parent) {
@@ -275,6 +280,65 @@ impl ColliderSet {
                 (handle, collider)
             },
         )
+    }
+}
+
+/// Whoever has a collider in hand can put another one in its place (assign a copy, swap two of them), and with it what
+/// that one knew of *its* place.
+impl ColliderSet {
+    /// Whether the collider that a handle finds was put in the place of another one.
+    fn is_replaced(&self, handle: ColliderHandle) -> bool {
+        let slot = handle.into_raw_parts().0;
+        self.get(handle).is_some_and(|collider| collider.proxy.slot != slot)
+    }
+
+    /// Lets a collider that was put in the place of another one be what it is there: part of the body that it names,
+    /// and new to the step.
+    fn mend(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
+        if self.is_replaced(handle) {
+            self.settle_in(handle, bodies);
+        }
+    }
+
+    fn settle_in(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
+        let Some(collider) = self.colliders.get_mut(handle.0) else { return };
+        let listed = bodies.iter().filter(|(_, body)| body.colliders().contains(&handle));
+        let listed: Vec<_> = listed.map(|(body, _)| body).collect();
+        let parent = collider.parent().filter(|parent| bodies.contains(*parent));
+        for old in listed.into_iter().filter(|body| Some(*body) != parent) {
+            if let Some(body) = bodies.get_mut(old) {
+                body.detach_collider(handle);
+                body.wake_up(true);
+            }
+        }
+        let place = collider.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
+        collider.leave_body();
+        if let Some((parent, body)) =
+            parent.and_then(|parent| Some((parent, bodies.get_mut(parent)?)))
+        {
+            collider.join_body(parent, place, body);
+            if !body.colliders().contains(&handle) {
+                body.attach_collider(handle);
+            }
+            body.wake_up(true);
+        }
+        collider.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
+        let unchecked = collider.changes & ColliderChanges::UNCHECKED_SHAPE;
+        collider.changes =
+            ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET | unchecked;
+    }
+
+    /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
+    /// itself.
+    pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
+        let is_noted =
+            |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
+        for index in 0..self.notes.modified.len() {
+            let handle = self.notes.modified[index];
+            if self.is_replaced(handle) || self.get(handle).is_some_and(|it| !is_noted(it)) {
+                self.settle_in(handle, bodies);
+            }
+        }
     }
 }
 

@@ -15,10 +15,19 @@ pub(crate) struct BodyLink {
     pub island: u32,
     /// Position in the island's list of bodies.
     pub island_position: u32,
+    /// Whose place it is: the body's slot in its set; [`NONE`] outside of a set.
+    pub slot: u32,
+}
+
+impl BodyLink {
+    /// Of the body in a slot, in no list.
+    pub fn of_slot(slot: u32) -> Self {
+        Self { awake: NONE, island: NONE, island_position: NONE, slot }
+    }
 }
 
 impl Default for BodyLink {
     fn default() -> Self {
-        Self { awake: NONE, island: NONE, island_position: NONE }
+        Self::of_slot(NONE)
     }
 }

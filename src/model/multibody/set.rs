@@ -39,9 +39,9 @@ pub(crate) struct MultibodyEdits {
 pub struct MultibodyJointSet {
     multibodies: Arena<Multibody>,
     joints: Arena<MultibodyLinkId>,
-    /// By body slot: the body there that is a link, and which. A tree, because nothing bounds the slots of handles that a
-    /// user made up.
-    of_body: BTreeMap<u32, (RigidBodyHandle, MultibodyLinkId)>,
+    /// By body: which link it is. A tree, because nothing bounds the slots of handles that a user made up; the whole
+    /// handle counts, because a stale one may be of the slot of another link.
+    of_body: BTreeMap<u64, MultibodyLinkId>,
     /// Multibodies whose links changed since the last step, and whether they wake.
     modified: Vec<(MultibodyIndex, bool)>,
     /// Bodies that lost a joint since the last step, and whether they wake.
@@ -166,7 +166,7 @@ impl MultibodyJointSet {
             if let Some(joint) = link.handle.and_then(|handle| self.joints.get_mut(handle.0)) {
                 *joint = place;
             }
-            self.of_body.insert(link.body.into_raw_parts().0, (link.body, place));
+            self.of_body.insert(key(link.body), place);
         }
     }
 
@@ -215,7 +215,7 @@ impl MultibodyJointSet {
         let Some(whole) = self.multibodies.remove(index.0) else { return };
         for link in &whole.links {
             self.cut.push((link.body, wake_up));
-            self.of_body.remove(&link.body.into_raw_parts().0);
+            self.of_body.remove(&key(link.body));
             if let Some(handle) = link.handle.filter(|_| is_cut(link)) {
                 self.joints.remove(handle.0);
             }
@@ -258,8 +258,7 @@ impl MultibodyJointSet {
 
     /// Which link of which multibody a body is; `None` if it is none.
     pub fn rigid_body_link(&self, body: RigidBodyHandle) -> Option<&MultibodyLinkId> {
-        let (owner, place) = self.of_body.get(&body.into_raw_parts().0)?;
-        (*owner == body).then_some(place)
+        self.of_body.get(&key(body))
     }
 
     /// The multibody at an index.
@@ -379,4 +378,10 @@ impl MultibodyJointSet {
     pub(crate) fn note(&mut self, index: MultibodyIndex) {
         self.modified.push((index, false));
     }
+}
+
+/// The number under which a body is filed.
+fn key(body: RigidBodyHandle) -> u64 {
+    let (slot, generation) = body.into_raw_parts();
+    u64::from(slot) << 32 | u64::from(generation)
 }

@@ -75,7 +75,8 @@ impl Structure<'_> {
     /// Takes a body out of all lists, but leaves it in its set. Its pairs must have been detached.
     pub fn unlist_body(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
-        let link = core::mem::take(&mut body.link);
+        let unlisted = BodyLink::of_slot(handle.into_raw_parts().0);
+        let link = core::mem::replace(&mut body.link, unlisted);
         self.forget_bodies(&mut [(handle, link)]);
     }
 

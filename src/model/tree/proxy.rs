@@ -37,15 +37,23 @@ pub(crate) struct ColliderProxy {
     pub clearance: Real,
     /// Was the last box one that cannot be placed?
     pub is_refused: bool,
+    /// Whose place it is: the collider's slot.
+    pub slot: u32,
 }
 
 impl Default for ColliderProxy {
     fn default() -> Self {
-        Self { fat_aabb: Aabb::new_invalid(), tree: None, clearance: 0.0, is_refused: false }
+        Self::outside(u32::MAX)
     }
 }
 
 impl ColliderProxy {
+    /// Of a collider that stands in no tree yet.
+    pub fn outside(slot: u32) -> Self {
+        let fat_aabb = Aabb::new_invalid();
+        Self { fat_aabb, tree: None, clearance: 0.0, is_refused: false, slot }
+    }
+
     /// Is this still the place of a collider of this kind that needs this box? Then it knows how far from its walls it
     /// is.
     pub fn keeps(&mut self, kind: TreeKind, needed: &Aabb) -> bool {

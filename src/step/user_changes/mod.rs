@@ -14,7 +14,7 @@ mod moved;
 mod multibodies;
 mod removals;
 
-use crate::model::body::{RigidBody, RigidBodyChanges, RigidBodyHandle};
+use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::joint::ImpulseJointSet;
@@ -67,29 +67,18 @@ impl Digest<'_> {
         self.take_in_removals();
     }
 
-    /// Bodies that were put in the place of others get the colliders of those: no collider stands in two lists, and
-    /// threads that each work on a body may rely on that.
+    /// Colliders that were put in the place of others become part of the bodies that they name, and bodies that were
+    /// put in the place of others get the colliders of those: no collider stands in two lists, and threads that each
+    /// work on a body may rely on that.
     fn take_in_replacements(&mut self) {
-        let misfiled = self.list_misfiled();
-        let replaced = self.structure.bodies.settle_replaced();
-        for handle in replaced.into_iter().chain(misfiled) {
+        let Structure { bodies, colliders, .. } = &mut self.structure;
+        colliders.settle_replaced(bodies);
+        for handle in self.structure.bodies.settle_replaced() {
             let attached = self.colliders_of(handle);
             if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
                 body.colliders = attached;
             }
         }
-    }
-
-    /// Lists the modified bodies that have a collider of another body. Before its first step the place of a body says
-    /// nothing, and nobody sees that a copy was put there.
-    fn list_misfiled(&self) -> Vec<RigidBodyHandle> {
-        let Structure { bodies, colliders, .. } = &self.structure;
-        let is_misfiled = |handle: &RigidBodyHandle| {
-            let parents = bodies.get(*handle).into_iter().flat_map(RigidBody::colliders);
-            let mut parents = parents.filter_map(|collider| colliders.get(*collider));
-            parents.any(|collider| collider.parent() != Some(*handle))
-        };
-        bodies.modified().iter().copied().filter(is_misfiled).collect()
     }
 
     /// Notes, once, that a body's mass must be summed up again.

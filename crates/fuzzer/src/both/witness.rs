@@ -1,6 +1,6 @@
 //! A handler of events that believes nothing.
 
-use rapier::prelude::*;
+use super::rapier::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 
@@ -9,9 +9,16 @@ use std::sync::Mutex;
 pub struct Witness {
     touching: Mutex<BTreeSet<[ColliderHandle; 2]>>,
     lies: Mutex<Vec<String>>,
+    /// Some events were not heard: who touches whom cannot be known any more.
+    is_lost: bool,
 }
 
 impl Witness {
+    /// Some events were not heard.
+    pub fn lose_track(&mut self) {
+        self.is_lost = true;
+    }
+
     /// # Panics
     /// If an event made no sense.
     pub fn check(&self) {
@@ -37,7 +44,7 @@ impl EventHandler for Witness {
         key.sort_unstable();
         let mut touching = self.touching.lock().unwrap();
         if event.started() {
-            if !touching.insert(key) {
+            if !touching.insert(key) && !self.is_lost {
                 self.object(event, "what touches began to touch");
             }
             if event.removed() || living < 2 {
@@ -47,7 +54,7 @@ impl EventHandler for Witness {
                 self.object(event, "solid colliders have contacts, sensors have not");
             }
         } else {
-            if !touching.remove(&key) {
+            if !touching.remove(&key) && !self.is_lost {
                 self.object(event, "what did not touch stopped touching");
             }
             if event.removed() != (living < 2) {

@@ -1,0 +1,204 @@
+//! A world that anything is done to.
+
+use super::bystanders::Bystanders;
+use super::dim::{self, Vehicle};
+use super::rapier::prelude::*;
+use super::sets::Copy;
+use super::values::{some_real, some_vector};
+use super::witness::Witness;
+use super::{bodies, colliders, joints, multibodies, questions, sets, steps, walkers};
+use crate::Tally;
+use crate::choices::Choices;
+
+/// A world is kept from growing beyond this.
+pub const BODIES_MAX: usize = 30;
+pub const COLLIDERS_MAX: usize = 70;
+pub const JOINTS_MAX: usize = 30;
+
+type Act = (&'static str, fn(&mut Play<'_>));
+
+/// What can be done; what stands here often is done often.
+const ACTS: [Act; 30] = [
+    ("insert a body", bodies::insert),
+    ("insert a body", bodies::insert),
+    ("insert a body", bodies::insert),
+    ("insert a body", bodies::insert),
+    ("remove a body", bodies::remove),
+    ("edit a body", bodies::edit),
+    ("edit a body", bodies::edit),
+    ("edit a body", bodies::edit),
+    ("edit a body", bodies::edit),
+    ("edit a body", bodies::edit),
+    ("insert or remove a collider", colliders::insert_or_remove),
+    ("insert or remove a collider", colliders::insert_or_remove),
+    ("edit a collider", colliders::edit),
+    ("edit a collider", colliders::edit),
+    ("edit a collider", colliders::edit),
+    ("edit a collider", colliders::edit),
+    ("insert or remove a joint", joints::insert_or_remove),
+    ("insert or remove a joint", joints::insert_or_remove),
+    ("edit a joint", joints::edit),
+    ("edit a joint", joints::edit),
+    ("insert or remove a link", multibodies::insert_or_remove),
+    ("insert or remove a link", multibodies::insert_or_remove),
+    ("edit a multibody", multibodies::edit),
+    ("edit a multibody", multibodies::edit),
+    ("ask", questions::ask),
+    ("walk", walkers::walk),
+    ("drive", dim::drive),
+    ("meddle with the sets", sets::meddle),
+    ("change the rules", |play| play.change_rules()),
+    ("calm down", |play| play.calm_down()),
+];
+
+/// A world, and every handle that was ever given out in it.
+pub struct Play<'a> {
+    pub choices: Choices<'a>,
+    pub world: PhysicsWorld,
+    pub bodies: Vec<RigidBodyHandle>,
+    pub colliders: Vec<ColliderHandle>,
+    pub joints: Vec<ImpulseJointHandle>,
+    pub links: Vec<MultibodyJointHandle>,
+    /// What was taken out, to be put in again.
+    pub removed: Vec<RigidBody>,
+    /// How the world was some time ago.
+    pub copy: Option<Copy>,
+    pub bystanders: Bystanders,
+    pub witness: Witness,
+    pub vehicle: Vehicle,
+    pub pid: PidController,
+    pub queries: QueryPipeline,
+    tally: Tally,
+}
+
+/// Makes a world and does what the choices say until they are used up.
+pub fn run(choices: Choices<'_>) -> Tally {
+    let mut play = Play::new(choices);
+    while !play.choices.is_over() {
+        for _ in 0..play.choices.below(6) {
+            play.act();
+            play.tally.operations += 1;
+        }
+        play.tally.steps += steps::step(&mut play);
+    }
+    play.tally
+}
+
+impl<'a> Play<'a> {
+    fn new(choices: Choices<'a>) -> Self {
+        let mut world = PhysicsWorld::new();
+        let ground = ColliderBuilder::halfspace(Vector::Y)
+            .active_events(ActiveEvents::all())
+            .collision_groups(colliders::OTHERS);
+        let ground = world.insert_collider(ground, None);
+        let bystanders = Bystanders::new(&mut world);
+        Self {
+            choices,
+            world,
+            bodies: vec![RigidBodyHandle::invalid()],
+            colliders: vec![ground],
+            joints: vec![ImpulseJointHandle::invalid()],
+            links: vec![MultibodyJointHandle::invalid()],
+            removed: Vec::new(),
+            copy: None,
+            bystanders,
+            witness: Witness::default(),
+            vehicle: Vehicle::default(),
+            pid: PidController::default(),
+            queries: QueryPipeline::new(),
+            tally: Tally::default(),
+        }
+    }
+
+    fn act(&mut self) {
+        let (name, act) = self.choices.pick(&ACTS);
+        self.choices.tell(|| name.to_owned());
+        act(self);
+    }
+
+    /// Any body handle: most often of a body that exists, sometimes a stale or foreign one; never a bystander's.
+    pub fn body(&mut self) -> RigidBodyHandle {
+        let handle = if self.choices.once_in(30) {
+            let (slot, generation) = (self.choices.below(70) as u32, self.choices.below(4) as u32);
+            RigidBodyHandle::from_raw_parts(slot, generation)
+        } else {
+            recent(&self.bodies, &mut self.choices)
+        };
+        self.choices.tell(|| format!("    {handle:?}"));
+        if self.bystanders.bodies.contains(&handle) { RigidBodyHandle::invalid() } else { handle }
+    }
+
+    /// Any collider handle but a bystander's.
+    pub fn collider(&mut self) -> ColliderHandle {
+        let handle = if self.choices.once_in(30) {
+            let (slot, generation) = (self.choices.below(70) as u32, self.choices.below(4) as u32);
+            ColliderHandle::from_raw_parts(slot, generation)
+        } else {
+            recent(&self.colliders, &mut self.choices)
+        };
+        self.choices.tell(|| format!("    {handle:?}"));
+        let spared = self.bystanders.colliders.contains(&handle);
+        if spared { ColliderHandle::invalid() } else { handle }
+    }
+
+    /// Any joint handle.
+    pub fn joint(&mut self) -> ImpulseJointHandle {
+        recent(&self.joints, &mut self.choices)
+    }
+
+    /// Any handle of a joint of a multibody.
+    pub fn link(&mut self) -> MultibodyJointHandle {
+        recent(&self.links, &mut self.choices)
+    }
+
+    /// Changes the world as a whole.
+    fn change_rules(&mut self) {
+        let choices = &mut self.choices;
+        let params = &mut self.world.integration_parameters;
+        match choices.below(10) {
+            0 => self.world.gravity = some_vector(choices, 20.0),
+            1 => params.dt = choices.pick(&[1.0 / 60.0, 0.0, 1.0e-9, 0.5, 10.0]),
+            2 => params.dt = some_real(choices),
+            3 => params.num_solver_iterations = choices.below(9),
+            4 => params.num_internal_pgs_iterations = choices.below(4),
+            5 => params.num_additional_friction_iterations = choices.below(4),
+            6 => params.max_ccd_substeps = choices.below(4),
+            7 => params.length_unit = some_real(choices),
+            8 => {
+                params.friction_model =
+                    choices.pick(&[FrictionModel::Standard, FrictionModel::Coulomb])
+            }
+            _ => change_softness(params, choices),
+        }
+    }
+
+    /// Back to rules with which something happens.
+    pub fn calm_down(&mut self) {
+        self.world.integration_parameters = IntegrationParameters::default();
+        self.world.gravity = Vector::Y * -9.81;
+    }
+}
+
+fn change_softness(params: &mut IntegrationParameters, choices: &mut Choices<'_>) {
+    let value = some_real(choices);
+    match choices.below(12) {
+        0 => params.erp = value,
+        1 => params.damping_ratio = value,
+        2 => params.joint_erp = value,
+        3 => params.joint_damping_ratio = value,
+        4 => params.allowed_linear_error = value,
+        5 => params.normalized_prediction_distance = value,
+        6 => params.normalized_max_corrective_velocity = value,
+        7 => params.normalized_max_linear_velocity = value,
+        8 => params.normalized_contact_recycle_distance = value,
+        9 => params.warmstart_coefficient = value,
+        10 => params.min_ccd_dt = value,
+        _ => params.ccd_on_penetration = choices.coin(),
+    }
+}
+
+/// One of the last handles that were given out.
+fn recent<T: core::marker::Copy>(handles: &[T], choices: &mut Choices<'_>) -> T {
+    let first = handles.len().saturating_sub(40);
+    handles[first + choices.below(handles.len() - first)]
+}

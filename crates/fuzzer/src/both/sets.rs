@@ -1,0 +1,75 @@
+//! What is done to whole sets, and to the world as a whole.
+//!
+//! All sets are exchanged or none: they belong together, as `PhysicsPipeline::step` says.
+
+use super::play::Play;
+use super::rapier::prelude::*;
+
+/// All state of a world.
+pub struct Copy {
+    islands: IslandManager,
+    broad_phase: BroadPhaseBvh,
+    narrow_phase: NarrowPhase,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    impulse_joints: ImpulseJointSet,
+    multibody_joints: MultibodyJointSet,
+}
+
+impl Copy {
+    fn of(world: &PhysicsWorld) -> Self {
+        Self {
+            islands: world.islands.clone(),
+            broad_phase: world.broad_phase.clone(),
+            narrow_phase: world.narrow_phase.clone(),
+            bodies: world.bodies.clone(),
+            colliders: world.colliders.clone(),
+            impulse_joints: world.impulse_joints.clone(),
+            multibody_joints: world.multibody_joints.clone(),
+        }
+    }
+
+    /// This state for the one in the world.
+    fn exchange(&mut self, world: &mut PhysicsWorld) {
+        core::mem::swap(&mut self.islands, &mut world.islands);
+        core::mem::swap(&mut self.broad_phase, &mut world.broad_phase);
+        core::mem::swap(&mut self.narrow_phase, &mut world.narrow_phase);
+        core::mem::swap(&mut self.bodies, &mut world.bodies);
+        core::mem::swap(&mut self.colliders, &mut world.colliders);
+        core::mem::swap(&mut self.impulse_joints, &mut world.impulse_joints);
+        core::mem::swap(&mut self.multibody_joints, &mut world.multibody_joints);
+    }
+}
+
+/// Copies, exchanges, wakes, or throws away.
+pub fn meddle(play: &mut Play<'_>) {
+    let handle = play.body();
+    let manner = play.choices.below(10);
+    play.choices.tell(|| format!("    way {manner}"));
+    match manner {
+        0 | 1 => play.copy = Some(Copy::of(&play.world)),
+        2 | 3 => {
+            if let Some(copy) = &mut play.copy {
+                copy.exchange(&mut play.world);
+                play.witness.lose_track();
+            }
+        }
+        4 => {
+            let PhysicsWorld { gravity, integration_parameters, .. } = play.world;
+            play.world = PhysicsWorld { gravity, integration_parameters, ..PhysicsWorld::new() };
+            play.witness.lose_track();
+        }
+        5 => play.world.wake_up_all(play.choices.coin()),
+        6 => {
+            let colliders = &mut play.world.colliders;
+            play.world.bodies.propagate_modified_body_positions_to_colliders(colliders);
+        }
+        7 => {
+            let PhysicsWorld { bodies, colliders, .. } = &mut play.world;
+            if let Some(body) = bodies.get_mut(handle) {
+                body.recompute_mass_properties_from_colliders(colliders);
+            }
+        }
+        _ => play.world.wake_up(handle, play.choices.coin()),
+    }
+}

@@ -1,0 +1,173 @@
+//! Random operations for as long as one likes, with a progress bar: see `--help`.
+
+use fuzzer::findings::{Finding, minimised, search};
+use fuzzer::{CRATES, Run, Tally, random_bytes};
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+const HELP: &str = "Does random things to worlds and looks whether all is in order.
+
+Usage: fuzzer [OPTIONS]
+
+  --crate NAME        rapier2d, rapier3d, rapier2d-f64 or rapier3d-f64 (default: all by turns)
+  --operations N      stop after so many operations (default: 1000000)
+  --seed N            where the seeds begin (default: 0)
+  --bytes N           length of a string of random bytes (default: 2000)
+  --replay FILE       does what the bytes of a file say, and nothing else
+  -h, --help          print this
+
+Each finding is minimised and left in a file of the current folder. Checks inside of the engine are on in the
+profile `fuzz`: cargo run --profile fuzz -p fuzzer";
+
+/// How often the progress bar moves.
+const TICK: Duration = Duration::from_millis(500);
+const BAR: usize = 30;
+
+struct Options {
+    crates: Vec<(&'static str, Run)>,
+    operations: usize,
+    seed: u64,
+    bytes: usize,
+    replay: Option<String>,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.iter().any(|argument| argument == "-h" || argument == "--help") {
+        println!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    match parse(&arguments).and_then(|options| run(&options)) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("fuzzer: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn parse(arguments: &[String]) -> Result<Options, String> {
+    let mut options = Options {
+        crates: CRATES.to_vec(),
+        operations: 1_000_000,
+        seed: 0,
+        bytes: 2000,
+        replay: None,
+    };
+    let mut rest = arguments.iter();
+    while let Some(argument) = rest.next() {
+        let value = rest.next().ok_or_else(|| format!("`{argument}` needs a value after it"))?;
+        let number =
+            || value.parse().map_err(|_| format!("`{argument}` needs a number, not `{value}`"));
+        match argument.as_str() {
+            "--crate" => options.crates.retain(|(name, _)| name == value),
+            "--operations" => options.operations = number()?,
+            "--seed" => options.seed = number()? as u64,
+            "--bytes" => options.bytes = number()?,
+            "--replay" => options.replay = Some(value.clone()),
+            _ => return Err(format!("unknown option `{argument}`; `--help` lists the options")),
+        }
+    }
+    if options.crates.is_empty() {
+        return Err("there is no such crate; `--help` lists them".into());
+    }
+    Ok(options)
+}
+
+/// Was nothing found?
+fn run(options: &Options) -> Result<bool, String> {
+    if !cfg!(debug_assertions) {
+        eprintln!(
+            "without the checks inside of the engine: use `cargo run --profile fuzz -p fuzzer`"
+        );
+    }
+    if let Some(file) = &options.replay {
+        let bytes = std::fs::read(file).map_err(|error| format!("{file}: {error}"))?;
+        let outcomes = options.crates.iter().map(|&(name, run)| (name, search(run, &bytes)));
+        let outcomes: Vec<_> = outcomes.collect();
+        for (name, outcome) in &outcomes {
+            match outcome {
+                Ok(tally) => println!("{name}: in order after {} steps", tally.steps),
+                Err(finding) => println!("{name}: {finding}"),
+            }
+        }
+        return Ok(outcomes.iter().all(|(_, outcome)| outcome.is_ok()));
+    }
+    let mut progress = Progress::new(options.operations);
+    let mut findings: BTreeMap<String, usize> = BTreeMap::new();
+    let turns =
+        (options.seed..).flat_map(|seed| options.crates.iter().map(move |&which| (seed, which)));
+    for (seed, (name, run)) in turns {
+        let bytes = random_bytes(seed, options.bytes);
+        match search(run, &bytes) {
+            Ok(tally) => progress.add(tally),
+            Err(finding) => {
+                let times = findings.entry(finding.place.clone()).or_default();
+                *times += 1;
+                if *times == 1 {
+                    report(name, seed, &minimised(run, &bytes, &finding), &finding)?;
+                }
+            }
+        }
+        progress.show(findings.len());
+        if progress.tally.operations >= options.operations {
+            break;
+        }
+    }
+    progress.finish(findings.len());
+    findings.iter().for_each(|(place, times)| println!("{times:>6} times {place}"));
+    Ok(findings.is_empty())
+}
+
+fn report(name: &str, seed: u64, bytes: &[u8], finding: &Finding) -> Result<(), String> {
+    let file = format!("finding-{name}-{seed}.bin");
+    std::fs::write(&file, bytes).map_err(|error| format!("{file}: {error}"))?;
+    println!("\r\x1b[K{name}, seed {seed}, {} bytes in {file}:\n    {finding}", bytes.len());
+    Ok(())
+}
+
+/// A bar, and how fast it grows.
+struct Progress {
+    start: Instant,
+    shown: Instant,
+    goal: usize,
+    tally: Tally,
+}
+
+impl Progress {
+    fn new(goal: usize) -> Self {
+        let now = Instant::now();
+        Self { start: now, shown: now, goal: goal.max(1), tally: Tally::default() }
+    }
+
+    fn add(&mut self, tally: Tally) {
+        self.tally.operations += tally.operations;
+        self.tally.steps += tally.steps;
+    }
+
+    fn show(&mut self, findings: usize) {
+        if self.shown.elapsed() < TICK {
+            return;
+        }
+        self.shown = Instant::now();
+        let full = (BAR * self.tally.operations / self.goal).min(BAR);
+        let bar = "#".repeat(full) + &".".repeat(BAR - full);
+        print!("\r[{bar}] {}", self.line(findings));
+        let _ = std::io::stdout().flush();
+    }
+
+    fn finish(&self, findings: usize) {
+        println!("\r\x1b[K{}", self.line(findings));
+    }
+
+    fn line(&self, findings: usize) -> String {
+        let Tally { operations, steps } = self.tally;
+        let rate = operations as f64 / self.start.elapsed().as_secs_f64();
+        format!(
+            "{operations} operations, {steps} steps, {rate:.0} operations/s, {findings} findings"
+        )
+    }
+}

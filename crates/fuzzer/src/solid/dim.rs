@@ -1,0 +1,179 @@
+//! What the fuzzer says differently in 3D.
+
+use super::both::colliders::OTHERS;
+use super::both::play::Play;
+use super::both::values::{some_positive, some_real, some_vector, within};
+use super::rapier::parry::utils::Array2;
+use super::rapier::prelude::*;
+use crate::choices::Choices;
+
+/// All axes of a joint.
+pub const AXES: [JointAxis; 6] = JointAxis::ALL;
+/// How many kinds of shapes there are.
+pub const SHAPES: usize = 22;
+
+/// A rotation vector or angular velocity about the axis that points out of the picture.
+pub fn about_z(angle: Real) -> AngVector {
+    AngVector::new(0.0, 0.0, angle)
+}
+
+/// A rotation that is none.
+pub fn broken_rotation(value: Real) -> Rotation {
+    Rotation::from_xyzw(value, 0.0, 1.0, 1.0)
+}
+
+/// A box.
+pub fn cuboid(half: Real) -> ColliderBuilder {
+    ColliderBuilder::cuboid(half, half, half)
+}
+
+/// The energy of a body's rotation: `ω I ω / 2`.
+pub fn spin_energy(body: &RigidBody) -> f64 {
+    let local = body.mass_properties().local_mprops();
+    let to_world = *body.rotation() * local.principal_inertia_local_frame;
+    let spin = to_world.inverse() * body.angvel();
+    0.5 * f64::from(spin.dot(local.principal_inertia() * spin))
+}
+
+/// A shape of one of the kinds, about as large as `s`.
+pub fn shape(kind: usize, s: Real, choices: &mut Choices<'_>) -> Option<ColliderBuilder> {
+    let corners = [point![-s, -s, -s], point![s, -s, -s], point![0.0, s, -s], point![0.0, 0.0, s]];
+    let [a, b, c, _] = corners;
+    Some(match kind {
+        0 => ColliderBuilder::cuboid(s, s * 0.5, s),
+        1 => ColliderBuilder::ball(s),
+        2 => ColliderBuilder::round_cuboid(s, s * 0.5, s, s * 0.1),
+        3 => ColliderBuilder::capsule_x(s, s * 0.3),
+        4 => ColliderBuilder::capsule_z(s, s * 0.3),
+        5 => ColliderBuilder::cylinder(s, s * 0.5),
+        6 => ColliderBuilder::round_cylinder(s, s * 0.5, s * 0.1),
+        7 => ColliderBuilder::cone(s, s * 0.5),
+        8 => ColliderBuilder::round_cone(s, s * 0.5, s * 0.1),
+        9 => ColliderBuilder::segment(a, b),
+        10 => ColliderBuilder::triangle(a, b, c),
+        11 => ColliderBuilder::round_triangle(a, b, c, s * 0.1),
+        12 => compound(s, choices),
+        13 => ColliderBuilder::polyline(points(s, choices), None),
+        14 => voxels(s, choices),
+        15 => heights(s, choices),
+        16 => mesh(points(s, choices), choices)?,
+        17 => ColliderBuilder::convex_hull(&points(s, choices))?,
+        18 => ColliderBuilder::round_convex_hull(&points(s, choices), s * 0.1)?,
+        19 => ColliderBuilder::convex_mesh(corners.to_vec(), &TETRAHEDRON)?,
+        20 => ColliderBuilder::round_convex_mesh(corners.to_vec(), &TETRAHEDRON, s * 0.1)?,
+        _ => ColliderBuilder::halfspace(vector![some_real(choices), 1.0, 0.0]),
+    })
+}
+
+const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+
+fn points(s: Real, choices: &mut Choices<'_>) -> Vec<Vector> {
+    let size = 2.0 * f64::from(s);
+    let count = 4 + choices.below(5);
+    let mut number = || within(choices, -size, size);
+    (0..count).map(|_| point![number(), number(), number()]).collect()
+}
+
+fn mesh(points: Vec<Vector>, choices: &mut Choices<'_>) -> Option<ColliderBuilder> {
+    let flags = TriMeshFlags::from_bits_truncate(choices.below(256) as u16);
+    ColliderBuilder::trimesh_with_flags(points, TETRAHEDRON.to_vec(), flags).ok()
+}
+
+fn heights(s: Real, choices: &mut Choices<'_>) -> ColliderBuilder {
+    let (rows, columns) = (choices.below(3) + 2, choices.below(3) + 2);
+    let heights = (0..rows * columns).map(|_| within(choices, -0.5, 0.5)).collect();
+    ColliderBuilder::heightfield(Array2::new(rows, columns, heights), Vector::splat(6.0 * s))
+}
+
+fn compound(s: Real, choices: &mut Choices<'_>) -> ColliderBuilder {
+    let count = choices.below(3) + 1;
+    let parts = (0..count).map(|k| {
+        let at = Pose::translation(s * k as Real, within(choices, -1.0, 1.0), 0.0);
+        let part = choices.pick(&[SharedShape::cuboid(s, s * 0.5, s), SharedShape::ball(s)]);
+        (at, part)
+    });
+    ColliderBuilder::compound(parts.collect())
+}
+
+fn voxels(s: Real, choices: &mut Choices<'_>) -> ColliderBuilder {
+    let count = choices.below(9) + 1;
+    let mut number = || choices.below(3) as Int;
+    let cells = (0..count).map(|_| [number(), number(), number()].into());
+    ColliderBuilder::voxels(Vector::splat(s), &cells.collect::<Vec<_>>())
+}
+
+/// A joint of some kind, without limits and motors.
+pub fn joint(choices: &mut Choices<'_>) -> GenericJoint {
+    let axis = choices.pick(&[Vector::X, Vector::Y, Vector::Z, vector![0.6, 0.0, 0.8]]);
+    let reach = some_real(choices);
+    match choices.below(8) {
+        0 => RevoluteJointBuilder::new(axis).build().into(),
+        1 => FixedJointBuilder::new().build().into(),
+        2 => PrismaticJointBuilder::new(axis).build().into(),
+        3 => SphericalJointBuilder::new().build().into(),
+        4 => SphericalJointBuilder::new().swing_limit(reach).build().into(),
+        5 => RopeJointBuilder::new(reach).build().into(),
+        6 => SpringJointBuilder::new(Vector::ZERO, axis, reach, some_real(choices)).build().into(),
+        _ => {
+            let mask = JointAxesMask::from_bits_truncate(choices.below(64) as u8);
+            let coupled = JointAxesMask::from_bits_truncate(choices.below(64) as u8);
+            GenericJointBuilder::new(mask).coupled_axes(coupled).build()
+        }
+    }
+}
+
+/// A shape that is sent through the world turns, too.
+pub fn spin(choices: &mut Choices<'_>) -> AngVector {
+    some_vector(choices, 2.0)
+}
+
+/// A vehicle, once there is one.
+pub type Vehicle = Option<DynamicRayCastVehicleController>;
+
+/// Builds, tunes or moves a vehicle.
+pub fn drive(play: &mut Play<'_>) {
+    let chassis = play.body();
+    let Play { choices, world, vehicle, .. } = play;
+    let vehicle = vehicle.get_or_insert_with(|| DynamicRayCastVehicleController::new(chassis));
+    match choices.below(6) {
+        0 => *vehicle = DynamicRayCastVehicleController::new(chassis),
+        1 => {
+            let (at, down, axle) =
+                (some_vector(choices, 1.0), -Vector::Y, some_vector(choices, 1.0));
+            let (rest, radius) = (some_positive(choices), some_positive(choices));
+            if vehicle.wheels().len() < 6 {
+                vehicle.add_wheel(at, down, axle, rest, radius, &WheelTuning::default());
+            }
+        }
+        2 => {
+            vehicle.index_up_axis = choices.below(4);
+            vehicle.index_forward_axis = choices.below(4);
+        }
+        _ => {
+            for wheel in vehicle.wheels_mut() {
+                tune(wheel, choices);
+            }
+            let dt = if choices.coin() { 1.0 / 60.0 } else { some_real(choices) };
+            let others = QueryFilter::default().groups(OTHERS);
+            vehicle.update_vehicle(dt, world.query_pipeline_mut(others));
+        }
+    }
+}
+
+fn tune(wheel: &mut Wheel, choices: &mut Choices<'_>) {
+    let value = some_real(choices);
+    match choices.below(12) {
+        0 => wheel.engine_force = value,
+        1 => wheel.brake = value,
+        2 => wheel.steering = value,
+        3 => wheel.suspension_stiffness = value,
+        4 => wheel.damping_compression = value,
+        5 => wheel.damping_relaxation = value,
+        6 => wheel.friction_slip = value,
+        7 => wheel.max_suspension_force = value,
+        8 => wheel.roll_influence = value,
+        9 => wheel.axle_cs = Vector::X * value,
+        10 => wheel.direction_cs = Vector::Y * value,
+        _ => wheel.engine_force = 10.0,
+    }
+}

@@ -1,0 +1,52 @@
+//! Random operations on each of the four crates, with all checks on.
+//!
+//! How many may be said with `FUZZ_OPERATIONS` (for each crate), and where the seeds begin with `FUZZ_SEED`.
+
+use fuzzer::findings::search;
+use fuzzer::{CRATES, random_bytes};
+
+/// For each crate: some seconds.
+const OPERATIONS: usize = 10_000;
+/// Length of a string of bytes: a world of some hundred operations.
+const BYTES: usize = 2000;
+
+fn variable(name: &str, default: usize) -> usize {
+    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
+}
+
+fn operations_leave_the_world_in_order(name: &str) {
+    if !cfg!(debug_assertions) {
+        eprintln!("without its own checks the engine keeps its mistakes to itself");
+    }
+    let (_, run) = CRATES.into_iter().find(|(other, _)| *other == name).expect("one of the crates");
+    let (goal, mut seed) =
+        (variable("FUZZ_OPERATIONS", OPERATIONS), variable("FUZZ_SEED", 0) as u64);
+    let mut done = 0;
+    while done < goal {
+        match search(run, &random_bytes(seed, BYTES)) {
+            Ok(tally) => done += tally.operations,
+            Err(finding) => panic!("{name}, seed {seed}: {finding}"),
+        }
+        seed += 1;
+    }
+}
+
+#[test]
+fn operations_leave_2d_worlds_in_order() {
+    operations_leave_the_world_in_order("rapier2d");
+}
+
+#[test]
+fn operations_leave_3d_worlds_in_order() {
+    operations_leave_the_world_in_order("rapier3d");
+}
+
+#[test]
+fn operations_leave_2d_worlds_of_double_precision_in_order() {
+    operations_leave_the_world_in_order("rapier2d-f64");
+}
+
+#[test]
+fn operations_leave_3d_worlds_of_double_precision_in_order() {
+    operations_leave_the_world_in_order("rapier3d-f64");
+}
