@@ -23,8 +23,8 @@
 //! The iteration of the implicit half contracts by the angle of half a substep times how much more easily a link turns about
 //! one axis than it carries what hangs on it about another: forty times for a chain of thin limbs, so that 25 rad/s at
 //! 240 substeps a second are too many for it, and the explicit half makes more energy of what is wrong. Where the visits do not
-//! come together, inertia turns no velocity in that substep, and the links may take no more energy along than contacts have left
-//! them: whips are dull for a moment and never explode. (Shorter flights would keep them sharp, at the cost of several
+//! come together, or the second half makes energy, inertia turns no velocity in that substep, and the links may take no more
+//! energy along than contacts have left them, nor get any from contacts, whose rows have turned away: whips are dull for a moment and never explode. (Shorter flights would keep them sharp, at the cost of several
 //! factorisations in each substep.)
 //!
 //! # Momentum
@@ -36,7 +36,7 @@
 use super::factor::{Factor, Resistance};
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{ZERO, add_scaled, carry_back, turn};
-use crate::dim::math::{Real, SpatialVector, Vector, ang_dot};
+use crate::dim::math::{Real, SpatialVector, Vector, ang_dot, ang_length_squared};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::multibody::{Multibody, MultibodyLink};
@@ -46,6 +46,10 @@ const VISITS: usize = 3;
 /// A flight is wild if a visit changes more than this share of what the visit before changed. What is left of an error after
 /// [`VISITS`] is its third power.
 const WILD: Real = 0.3;
+/// It is wild, too, if its second half, or contacts of links that turn far, make the energy so many times what it was.
+const JUMP: Real = 1.5;
+/// How far a link turns in a substep (rad) if contacts may be wrong.
+const FAR_TURN: Real = 0.25;
 
 /// What acts on a link all through a step.
 #[derive(Copy, Clone, Debug)]
@@ -234,6 +238,26 @@ impl Motion {
         }
     }
 
+    /// The energy that contacts may leave. If links turn far in a substep of `h` seconds, contacts make energy, as their rows are
+    /// those of the beginning of the step; so there is a limit for these, and none for others.
+    pub fn energy_before_contacts(&mut self, h: Real) -> Real {
+        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        let turns_far =
+            |v: &SpatialVector| ang_length_squared(angular(v)) * h * h > FAR_TURN * FAR_TURN;
+        let is_fast = self.is_wild || self.velocities.iter().any(turns_far);
+        if is_fast { self.kinetic_energy() } else { Real::MAX }
+    }
+
+    /// Takes away what contacts made of this energy.
+    pub fn keep_energy(&mut self, before: Real) {
+        if before < Real::MAX {
+            self.is_wild |= self.kinetic_energy() > JUMP * before;
+            if self.is_wild {
+                self.limit_energy(before);
+            }
+        }
+    }
+
     /// Slows all degrees of freedom down alike if the links have more energy than this.
     fn limit_energy(&mut self, most: Real) {
         let energy = self.kinetic_energy();
@@ -303,7 +327,7 @@ impl Motion {
     /// than `speed_max`.
     pub fn advance(&mut self, multibody: &mut Multibody, h: Real, speed_max: Real) {
         let root_center = self.kinematics.links[0].center;
-        let energy = if self.is_wild { self.kinetic_energy() } else { Real::MAX };
+        let energy = self.kinetic_energy();
         multibody.integrate(h, &self.rates, &self.root);
         self.kinematics.update(multibody);
         self.resist(h);
@@ -311,6 +335,10 @@ impl Motion {
             let mut change = core::mem::take(&mut self.change);
             self.drift(0.5 * h, &mut change);
             add_all(&mut self.rates, &change, 1.0);
+            self.is_wild = self.kinetic_energy() > JUMP * energy;
+            if self.is_wild {
+                add_all(&mut self.rates, &change, -1.0);
+            }
             self.change = change;
         }
         self.keep_momentum(root_center);
@@ -390,7 +418,13 @@ impl Motion {
         change.clear();
         change.resize(self.rates.len(), 0.0);
         self.factor.solve(&self.kinematics, &[missing], &mut change);
+        let energy = self.kinetic_energy();
         add_all(&mut self.rates, &change, 1.0);
+        // More than an error: what was pushed has turned away since.
+        if self.kinetic_energy() > JUMP * energy {
+            add_all(&mut self.rates, &change, -1.0);
+            self.momentum = self.root_momentum();
+        }
         self.change = change;
     }
 

@@ -57,6 +57,8 @@ pub(super) struct Moving {
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
     before_blow: BeforeBlow,
+    /// The energy that contacts may leave.
+    energy: Real,
     /// The joints and the root's pose when the step began.
     start: (Vec<MultibodyJoint>, Pose),
 }
@@ -235,6 +237,7 @@ impl SolverMultibodies {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
+            moving.energy = moving.motion.energy_before_contacts(h);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -263,6 +266,7 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, true);
+        self.moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -272,10 +276,15 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
+        let h = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
+        for moving in &mut self.moving {
+            moving.energy = moving.motion.energy_before_contacts(h);
+        }
         self.visit(bodies, pass, params, false);
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         contacts.rub(numbers, &mut actors);
+        moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
         if pass.is_last_visit {
             joints.count();
             loops.count();
