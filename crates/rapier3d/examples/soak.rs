@@ -143,7 +143,7 @@ impl Life {
 fn ground(step: usize) -> ColliderBuilder {
     const SIDE: usize = 12;
     let height = |i: usize, j: usize| 0.3 * ((i * 7 + j * 3 + step) % 5) as Real;
-    if step / GROUND_LIFE % 2 == 0 {
+    if (step / GROUND_LIFE).is_multiple_of(2) {
         let heights = (0..SIDE * SIDE).map(|k| height(k / SIDE, k % SIDE)).collect();
         let heights = rapier3d::parry::utils::Array2::new(SIDE, SIDE, heights);
         return ColliderBuilder::heightfield(heights, Vector::new(24.0, 1.0, 24.0));
