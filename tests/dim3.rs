@@ -16,6 +16,8 @@ mod limbs;
 mod top;
 #[path = "joints/space.rs"]
 mod joints;
+#[path = "multibody/whips.rs"]
+mod whips;
 #[path = "physics/tumbling.rs"]
 mod tumbling;
 #[path = "physics/turntable.rs"]

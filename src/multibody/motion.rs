@@ -47,9 +47,9 @@ const VISITS: usize = 3;
 /// [`VISITS`] is its third power.
 const WILD: Real = 0.3;
 /// It is wild, too, if its second half, or contacts of links that turn far, make the energy so many times what it was.
-const JUMP: Real = 1.5;
+const JUMP: Real = 1.1;
 /// How far a link turns in a substep (rad) if contacts may be wrong.
-const FAR_TURN: Real = 0.25;
+const FAR_TURN: Real = 0.1;
 
 /// What acts on a link all through a step.
 #[derive(Copy, Clone, Debug)]
