@@ -53,3 +53,36 @@ fn chains_that_hit_a_corner_gain_no_energy() {
         }
     }
 }
+
+/// Thin walls hold them, whatever the links behind press: a board of 2 cm and a sheet without any thickness.
+#[test]
+fn chains_do_not_whip_through_walls() {
+    for is_sheet in [false, true] {
+        for speed in [50.0, 100.0, 400.0, 1000.0] {
+            for phase in 0..4_u8 {
+                let mut world = world(60);
+                let ground = ColliderBuilder::cuboid(60.0, 1.0, 60.0);
+                world.insert_collider(ground.translation(Vector::NEG_Y), None);
+                world.insert_collider(if is_sheet { sheet() } else { board() }, None);
+                let links = throw(&mut world, speed, 0.25 * Real::from(phase));
+                for _ in 0..240 {
+                    world.step();
+                    let beyond =
+                        |link: &&RigidBodyHandle| world.bodies[**link].translation().x > 0.0;
+                    let passed = links.iter().filter(beyond).count();
+                    assert_eq!(passed, 0, "{speed} m/s, phase {phase}, a sheet: {is_sheet}");
+                }
+            }
+        }
+    }
+}
+
+fn board() -> ColliderBuilder {
+    ColliderBuilder::cuboid(0.01, 30.0, 30.0)
+}
+
+fn sheet() -> ColliderBuilder {
+    let corners = [(-30.0, -30.0), (30.0, -30.0), (30.0, 30.0), (-30.0, 30.0)];
+    let corners = corners.map(|(y, z)| Vector::new(0.0, y, z)).to_vec();
+    ColliderBuilder::trimesh(corners, vec![[0, 1, 2], [0, 2, 3]]).expect("two triangles")
+}
