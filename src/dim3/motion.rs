@@ -30,6 +30,9 @@ const ISOTROPY: Real = 1.0e-3;
 const TURN_MIN: Real = 1.0e-4;
 /// Tumbling that makes the energy so many times what it was is not followed.
 const JUMP: Real = 1.5;
+/// The same for a body that turns by more than this in a substep (rad): no more than rounding.
+const JUMP_FAR: Real = 1.001;
+const FAR_TURN: Real = 0.5;
 
 /// Numbers that every body needs; as many are for those that tumble alone.
 const PLAIN_LEN: usize = 16;
@@ -152,7 +155,7 @@ pub(crate) fn tumble<W: Wide>(
     let mut own = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[..PLAIN_LEN]));
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
-    let at_end = gyroscope.velocity_at_end(end, w);
+    let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
     let tumbles = W::zero().lt(own[TUMBLES]);
     *velocity = WideVector::select(tumbles, at_end, w);
     *before = WideVector::select(tumbles, at_end - (w - *before), *before);
@@ -274,7 +277,7 @@ impl<W: Wide> Gyroscope<W> {
         self.take_in(rotation, angvel);
         self.start = rotation;
         let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
-        self.turn_soundly(middle, angvel)
+        self.turn_soundly(middle, angvel, h)
     }
 
     /// The angular velocity at the end of the substep, at the orientation `end`, if it is `angvel` in
@@ -284,9 +287,10 @@ impl<W: Wide> Gyroscope<W> {
         &mut self,
         end: WideRotation<W>,
         angvel: WideAngVector<W>,
+        h: W,
     ) -> WideAngVector<W> {
         self.take_in(self.start, angvel);
-        self.turn_soundly(end, angvel)
+        self.turn_soundly(end, angvel, h)
     }
 
     /// As [`Self::turn_to`], unless the angular velocity `before` would get much energy by that: then it stays, and the
@@ -296,8 +300,11 @@ impl<W: Wide> Gyroscope<W> {
         &mut self,
         rotation: WideRotation<W>,
         before: WideAngVector<W>,
+        h: W,
     ) -> WideAngVector<W> {
-        let most = self.momentum.dot(before) * W::splat(JUMP);
+        let turns_far = W::splat(FAR_TURN * FAR_TURN).lt(before.dot(before) * (h * h));
+        let jump = W::select(turns_far, W::splat(JUMP_FAR), W::splat(JUMP));
+        let most = self.momentum.dot(before) * jump;
         let turned = self.turn_to(rotation);
         let is_sound = self.momentum.dot(turned).le(most);
         self.momentum = WideVector::select(is_sound, self.momentum, WideVector::zero());
