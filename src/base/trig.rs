@@ -58,7 +58,7 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
 /// Programs for Mathematical Functions" (1989), right to the last digit or two of a double.
 const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
-    -122.886_666_849_013_61,
+    -122.886_668_449_013_61,
     -75.008_557_923_147_05,
     -16.157_537_187_333_652,
     -0.875_060_860_003_190_4,
