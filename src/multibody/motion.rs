@@ -23,9 +23,10 @@
 //! The iteration of the implicit half contracts by the angle of half a substep times how much more easily a link turns about
 //! one axis than it carries what hangs on it about another: forty times for a chain of thin limbs, so that 25 rad/s at
 //! 240 substeps a second are too many for it, and the explicit half makes more energy of what is wrong. Where the visits do not
-//! come together, or the second half makes energy, inertia turns no velocity in that substep, and the links may take no more
-//! energy along than contacts have left them, nor get any from contacts, whose rows have turned away: whips are dull for a moment and never explode. (Shorter flights would keep them sharp, at the cost of several
-//! factorisations in each substep.)
+//! come together, or the second half makes energy, inertia turns no velocity in that substep, and the links take no more
+//! energy along than contacts have left them, nor get any from contacts, whose rows have turned away; what motors and
+//! other joints do is theirs. Whips are dull for a moment and never explode. (Shorter flights would keep them sharp, at
+//! the cost of several factorisations in each substep.)
 //!
 //! # Momentum
 //! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third order, and so do

@@ -82,6 +82,24 @@ fn motors_accelerate_links_and_armature() {
     }
 }
 
+/// A strong motor spins a wheel up however fast it turns already: no guard against energy from nowhere takes its work for that.
+#[test]
+fn strong_motors_spin_wheels_up() {
+    for rate in RATES {
+        let mut world = weightless(rate);
+        let (_, handle) = hang(&mut world, 0.1, 0.1, 0.0);
+        let inertia = inertia(1.0, 0.1) + 0.01;
+        let acceleration = 2000.0;
+        let joint = &mut joint(&mut world, handle).data;
+        joint.set_motor_velocity(AXIS, 1.0e4, 1.0e4);
+        joint.set_motor_max_force(AXIS, acceleration * inertia);
+        let time = 0.2;
+        run(&mut world, time);
+        let (found, expected) = (rate_of(&world, handle), acceleration * time);
+        assert!((found / expected - 1.0).abs() < 1.0e-3, "{found} rad/s at {rate} Hz");
+    }
+}
+
 /// Motors without a largest force reach what they are told, and hold it.
 #[test]
 fn motors_reach_velocities_and_positions() {

@@ -65,6 +65,11 @@ impl Gears {
         self.gears.iter_mut().for_each(|gear| gear.impulse *= factor);
     }
 
+    /// All rows, and the impulses that they have given in this substep.
+    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
+        self.gears.iter().map(|gear| (&gear.row, gear.impulse))
+    }
+
     /// Solves all rows once; with `bias`, errors are undone.
     pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
         for gear in &mut self.gears {

@@ -188,6 +188,13 @@ impl JointRows {
         }
     }
 
+    /// All rows, and the impulses that they have given in this substep.
+    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
+        let limits =
+            self.limits.iter().map(|limit| (&limit.row, limit.impulses[0] - limit.impulses[1]));
+        limits.chain(self.drives.iter().map(|drive| (&drive.row, drive.impulse)))
+    }
+
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
         self.limits

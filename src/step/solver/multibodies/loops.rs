@@ -328,6 +328,12 @@ impl Loops {
         self.locked().for_each(|locked| locked.impulse *= factor);
     }
 
+    /// All rows, and the impulses that they have given in this substep.
+    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
+        let locked = self.loops.iter().flat_map(|joint| &joint.locked);
+        locked.map(|axis| (&axis.row, axis.impulse))
+    }
+
     /// Solves all rows once; with `bias`, errors are undone.
     pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
         self.loops.iter_mut().for_each(|joint| joint.solve(numbers, actors, bias));

@@ -266,7 +266,7 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, true);
-        self.moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
+        self.keep_energy();
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -284,12 +284,25 @@ impl SolverMultibodies {
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         contacts.rub(numbers, &mut actors);
-        moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
         if pass.is_last_visit {
             joints.count();
             loops.count();
             contacts.count();
         }
+        self.keep_energy();
+    }
+
+    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and not the work of
+    /// motors and other joints.
+    fn keep_energy(&mut self) {
+        let Self { numbers, joints, gears, loops, moving, .. } = self;
+        if moving.iter().all(|moving| moving.energy >= Real::MAX) {
+            return;
+        }
+        for (row, impulse) in joints.rows().chain(gears.rows()).chain(loops.rows()) {
+            numbers.note_work(row, impulse, moving);
+        }
+        moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
     /// Visits all rows but those of friction.

@@ -144,6 +144,19 @@ impl Numbers {
         of(0) + of(1)
     }
 
+    /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
+    pub fn note_work(&self, row: &Row, impulse: Real, multibodies: &mut [Moving]) {
+        for part in &row.parts {
+            let Part::Links { multibody, start, span: [first, behind], .. } = *part else {
+                continue;
+            };
+            let moving = &mut multibodies[multibody];
+            let jacobian = &self.jacobians[start + first..start + behind];
+            let work = impulse * product(jacobian, &moving.motion.rates[first..behind]);
+            moving.energy += work.max(0.0);
+        }
+    }
+
     /// `Ċ`.
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
