@@ -65,8 +65,8 @@ pub struct SolverCounters {
     pub nquarantined: usize,
     /// Number of bodies that were faster than
     /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity) allows and
-    /// were slowed down, a multibody counting as one. The most
-    /// in one substep of each group of bodies with the same substeps. There is no other limit of speeds.
+    /// were slowed down, a multibody counting as one: the most in one substep, of each group of bodies with the same
+    /// substeps. There is no other limit of speeds.
     pub nlimited_bodies: usize,
 }
 
