@@ -5,7 +5,7 @@
 //! order of insertions and removals alone, never on addresses.
 
 use super::disjoint::DisjointMut;
-use super::wide::prefetch;
+use super::wide::{prefetch, prefetch_front};
 
 /// Where an element of an arena stands, and which of the slot's successive tenants it is.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -214,6 +214,14 @@ impl<T> Arena<T> {
         }
     }
 
+    /// As [`Self::prefetch`], of the first bytes of the element alone.
+    #[inline(always)]
+    pub fn prefetch_front(&self, slot: u32, bytes: usize) {
+        if let Some(slot) = self.slots.get(slot as usize) {
+            prefetch_front(slot, bytes + size_of::<Slot<T>>() - size_of::<T>());
+        }
+    }
+
     /// All elements in slot order.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (Index, &T)> {
         self.slots.iter().enumerate().filter_map(|(index, slot)| match slot {
@@ -261,5 +269,11 @@ impl<'a, T> SharedArena<'a, T> {
     #[inline(always)]
     pub fn prefetch(&self, slot: u32) {
         self.slots.prefetch(slot as usize);
+    }
+
+    /// As [`Self::prefetch`], of the first bytes of the element alone.
+    #[inline(always)]
+    pub fn prefetch_front(&self, slot: u32, bytes: usize) {
+        self.slots.prefetch_front(slot as usize, bytes + size_of::<Slot<T>>() - size_of::<T>());
     }
 }

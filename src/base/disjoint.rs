@@ -5,7 +5,7 @@
 //! the type in which it says so. What the compiler cannot check is the caller's promise, written down
 //! as the safety contract of each function.
 
-use super::wide::prefetch;
+use super::wide::{prefetch, prefetch_front};
 use core::cell::UnsafeCell;
 use core::ops::Range;
 
@@ -48,6 +48,14 @@ impl<'a, T> DisjointMut<'a, T> {
     pub fn prefetch(&self, index: usize) {
         if let Some(cell) = self.elements.get(index) {
             prefetch(cell);
+        }
+    }
+
+    /// As [`Self::prefetch`], of the element's first bytes alone.
+    #[inline(always)]
+    pub fn prefetch_front(&self, index: usize, bytes: usize) {
+        if let Some(cell) = self.elements.get(index) {
+            prefetch_front(cell, bytes);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Turning, lane by lane, in 2D.
 
 use super::math::TURN_MAX;
-use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
+use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::Wide;
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
@@ -40,13 +40,4 @@ pub(crate) fn turned_further<W: Wide>(
     by: WideAngVector<W>,
 ) -> WideAngVector<W> {
     turn + by
-}
-
-/// The inverse inertia of a body after the body has turned: the same in 2D.
-#[inline(always)]
-pub(crate) fn turned_inertia<W: Wide>(
-    inv_inertia: WideSymmetric<W>,
-    _turn: WideAngVector<W>,
-) -> WideSymmetric<W> {
-    inv_inertia
 }

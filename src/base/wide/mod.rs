@@ -34,7 +34,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use parry::math::Real;
 
 pub use dispatch::{Kernel, Simd};
-pub use prefetch::prefetch;
+pub use prefetch::{prefetch, prefetch_front};
 
 /// How many numbers a register holds: 8 single-precision or 4 double-precision ones.
 pub const LANES: usize = 32 / size_of::<Real>();

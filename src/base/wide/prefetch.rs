@@ -7,12 +7,18 @@ const LINE: usize = 64;
 /// Begins to bring a record near to the processor, and does not wait for it. Changes nothing but time.
 #[inline(always)]
 pub fn prefetch<T>(record: &T) {
+    prefetch_front(record, size_of::<T>());
+}
+
+/// As [`prefetch`], of the record's first bytes alone.
+#[inline(always)]
+pub fn prefetch_front<T>(record: &T, bytes: usize) {
     #[cfg(target_arch = "x86_64")]
     {
         use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         let start = core::ptr::from_ref(record).cast::<i8>();
         let mut offset = 0;
-        while offset < size_of::<T>() {
+        while offset < bytes {
             // SAFETY: a prefetch reads and writes nothing that a program can see, and never faults.
             unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(offset)) };
             offset += LINE;

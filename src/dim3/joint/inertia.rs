@@ -1,6 +1,12 @@
-//! The inertia of a body as one number.
+//! The inertias of jointed bodies.
 
+use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{AngularInertia, Real};
+use crate::dim3::turn::turned_inertia;
+use crate::dim3::wide::{
+    WideAngVector, WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane,
+    store_symmetric, symmetric_lane,
+};
 
 /// The harmonic mean of the moments of inertia of a body with this inverse; `None` if it cannot turn.
 pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
@@ -18,6 +24,70 @@ pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
     let largest =
         differences.into_iter().fold(0.0, |largest: Real, value| largest.max(value.abs()));
     largest <= ROUNDNESS * (m.m11 + m.m22 + m.m33)
+}
+
+/// The inverse inertias of the two bodies of each lane's joint.
+#[derive(Clone, Debug)]
+pub(crate) struct JointedInertias {
+    /// As the bodies stood when the step began.
+    start: [WideSymmetric<Lane>; 2],
+    /// As they stand where they were relaxed last.
+    now: [WideSymmetric<Lane>; 2],
+    /// One where a body turns so much that its inertia must turn with it, otherwise zero. That does not depend on
+    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    tumbles: [Lane; 2],
+    /// Is there any?
+    has_tumbling: bool,
+}
+
+impl JointedInertias {
+    /// No body in any lane.
+    pub const NONE: Self = Self {
+        start: [ZERO_INERTIA; 2],
+        now: [ZERO_INERTIA; 2],
+        tumbles: [Lane::ZERO; 2],
+        has_tumbling: false,
+    };
+
+    /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
+    pub fn set_lane(&mut self, side: usize, lane: usize, value: &AngularInertia, tumbles: bool) {
+        set_symmetric_lane(&mut self.start[side], lane, value);
+        set_symmetric_lane(&mut self.now[side], lane, value);
+        if tumbles {
+            self.tumbles[side].0[lane] = 1.0;
+            self.has_tumbling = true;
+        }
+    }
+
+    /// That of one lane's first or second body as it stands now.
+    pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
+        symmetric_lane(&self.now[side], lane)
+    }
+
+    /// Those of all lanes as they stand now, in memory.
+    #[inline(always)]
+    pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {
+        &self.now
+    }
+
+    /// Those of all lanes as they stand now.
+    #[inline(always)]
+    pub fn load<W: Wide>(&self) -> [WideSymmetric<W>; 2] {
+        [load_symmetric(&self.now[0]), load_symmetric(&self.now[1])]
+    }
+
+    /// The bodies have turned by so much since the step began.
+    #[inline(always)]
+    pub fn turn<W: Wide>(&mut self, turns: [WideAngVector<W>; 2]) {
+        if !self.has_tumbling {
+            return;
+        }
+        for side in 0..2 {
+            let turn = turns[side] * W::load(&self.tumbles[side]);
+            let turned = turned_inertia(load_symmetric::<W>(&self.start[side]), turn);
+            store_symmetric(turned, &mut self.now[side]);
+        }
+    }
 }
 
 /// The inertia of a body whose moments are all 1.

@@ -323,9 +323,11 @@ impl RigidBody {
     }
 }
 
-// What the solver reads of every awake body: four cache lines in single precision, twice that in double.
-const _: () = {
-    let first_cold = core::mem::offset_of!(RigidBody, mprops)
+impl RigidBody {
+    /// Bytes at the front of a body that are all that the solver reads of every awake body.
+    pub(super) const FRONT: usize = core::mem::offset_of!(Self, mprops)
         + core::mem::offset_of!(RigidBodyMassProps, locked_axes);
-    assert!(first_cold <= 4 * 64 * size_of::<Real>() / size_of::<f32>());
-};
+}
+
+// Four cache lines in single precision, twice that in double.
+const _: () = assert!(RigidBody::FRONT <= 4 * 64 * size_of::<Real>() / size_of::<f32>());

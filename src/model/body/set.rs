@@ -141,6 +141,12 @@ impl RigidBodySet {
         self.bodies.prefetch(slot);
     }
 
+    /// As [`Self::prefetch`], of what the solver reads of the body alone.
+    #[inline(always)]
+    pub(crate) fn prefetch_front(&self, slot: u32) {
+        self.bodies.prefetch_front(slot, RigidBody::FRONT);
+    }
+
     /// Whatever body stands in a slot (the first number of a handle) now, with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&RigidBody, RigidBodyHandle)> {
         self.at_slot(slot).map(|(handle, body)| (body, handle))

@@ -40,8 +40,11 @@ pub enum JointEnabled {
 /// .build();
 /// assert_eq!(piston.limits(JointAxis::LinX).map(|limits| limits.max), Some(1.0));
 /// ```
+//
+// The order of the fields is fixed (`repr(C)`): limits and motors are large, and few joints have them.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct GenericJoint {
     /// The joint's frame on the first body, in that body's frame.
     pub local_frame1: Pose,
@@ -56,10 +59,6 @@ pub struct GenericJoint {
     /// Axes that are measured together: two or three translations as one distance, two or three rotations
     /// as one angle. Limits and motor of the first of them are those of all.
     pub coupled_axes: JointAxesMask,
-    /// By axis: how far it reaches.
-    pub limits: [JointLimits; SPATIAL_DIM],
-    /// By axis: what drives it.
-    pub motors: [JointMotor; SPATIAL_DIM],
     /// How soft the locked axes are (default `None`: as stiff as the solver can make them, see
     /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
     pub softness: Option<SpringCoefficients>,
@@ -71,6 +70,10 @@ pub struct GenericJoint {
     pub contacts_enabled: bool,
     /// Does the joint act?
     pub enabled: JointEnabled,
+    /// By axis: how far it reaches.
+    pub limits: [JointLimits; SPATIAL_DIM],
+    /// By axis: what drives it.
+    pub motors: [JointMotor; SPATIAL_DIM],
     /// Whatever the user wants to find again.
     pub user_data: u128,
 }

@@ -31,13 +31,14 @@ impl ImpulseJointHandle {
 }
 
 /// A joint between two bodies, held by impulses.
+//
+// The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct ImpulseJoint {
     pub(super) body1: RigidBodyHandle,
     pub(super) body2: RigidBodyHandle,
-    /// What the joint locks, limits and drives.
-    pub data: GenericJoint,
     /// Impulses on the locked axes in the last substep, on the second body. The next step starts with
     /// them.
     pub impulses: SpatialVector,
@@ -46,9 +47,15 @@ pub struct ImpulseJoint {
     pub(crate) torque: AngVector,
     /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
     pub(crate) angles: Option<[crate::dim::math::Real; ANG_DIM]>,
+    /// What the joint locks, limits and drives.
+    pub data: GenericJoint,
 }
 
 impl ImpulseJoint {
+    /// Bytes at the front of a joint that are all that the step needs of one without limits and motors.
+    pub(crate) const FRONT: usize =
+        core::mem::offset_of!(Self, data) + core::mem::offset_of!(GenericJoint, limits);
+
     pub(super) fn new(body1: RigidBodyHandle, body2: RigidBodyHandle, data: GenericJoint) -> Self {
         let (force, torque) = (Vector::ZERO, ANG_ZERO);
         Self { body1, body2, data, impulses: [0.0; SPATIAL_DIM], force, torque, angles: None }

@@ -3,9 +3,39 @@
 //! The set of joints is the user's; this table says what the step has taken in of it. It changes where
 //! islands change, and only there.
 
-use super::ImpulseJointHandle;
+use super::{GenericJoint, ImpulseJointHandle};
+use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::RigidBodyHandle;
 use crate::model::constraint_graph::ColorSlot;
+
+/// What a joint's constraint is made of.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct JointForm {
+    /// The locked axes, one bit each.
+    pub locked: u8,
+    /// How many free axes it limits or drives.
+    pub driven: u8,
+    /// Does it lock all translations, and nothing else happens on any axis?
+    pub is_pin: bool,
+}
+
+impl JointForm {
+    /// That of a joint.
+    pub fn of(joint: &GenericJoint) -> Self {
+        let drives = joint.limit_axes | joint.motor_axes;
+        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
+            && drives.is_empty()
+            && joint.softness.is_none();
+        let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
+        Self { locked: joint.locked_axes.bits(), driven, is_pin }
+    }
+
+    /// Number of rows of locked axes.
+    pub fn row_count(self) -> usize {
+        self.locked.count_ones() as usize
+    }
+}
 
 /// What the step knows of one joint.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -15,6 +45,9 @@ pub(crate) struct JointLink {
     pub handle: ImpulseJointHandle,
     /// The two bodies.
     pub bodies: [RigidBodyHandle; 2],
+    /// Which constraint it will be. It is kept here so that who sorts constraints need not go through the joints, which
+    /// are large.
+    pub form: JointForm,
     /// Does the joint act, and can it move one of the bodies?
     pub attached: bool,
     /// Where it stands in the constraint graph.

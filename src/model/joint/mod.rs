@@ -27,7 +27,7 @@ pub use generic::{GenericJoint, JointEnabled};
 pub(crate) use generic::{mask_of, relative_rotation};
 pub use impulse_joint::{ImpulseJoint, ImpulseJointHandle};
 pub use limits::JointLimits;
-pub(crate) use links::{JointLink, JointLinks};
+pub(crate) use links::{JointForm, JointLink, JointLinks};
 pub use motor::{JointMotor, MotorModel};
 pub use prismatic::{PrismaticJoint, PrismaticJointBuilder};
 pub use revolute::{RevoluteJoint, RevoluteJointBuilder};

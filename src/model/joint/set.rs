@@ -6,8 +6,10 @@ use super::{
 use crate::base::arena::{Arena, SharedArena};
 use crate::model::body::RigidBodyHandle;
 
+/// A joint in its slot. The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub(crate) struct Entry {
     pub joint: ImpulseJoint,
     note: Note,
@@ -302,10 +304,10 @@ impl ImpulseJointSet {
         let _ = self.get_mut(handle);
     }
 
-    /// Begins to bring the joint in a slot near to the processor, for who will ask for it soon.
+    /// Begins to bring the front of the joint in a slot near to the processor, for who will ask for it soon.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
-        self.joints.prefetch(slot);
+        self.joints.prefetch_front(slot, ImpulseJoint::FRONT);
     }
 
     /// A joint for the step's own use: leaves no note.

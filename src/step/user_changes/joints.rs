@@ -3,7 +3,7 @@
 use super::Digest;
 use crate::model::body::RigidBodyHandle;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
-use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled, JointLink};
+use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled, JointForm, JointLink};
 
 impl Digest<'_> {
     /// Forgets the joints that were removed.
@@ -35,6 +35,7 @@ impl Digest<'_> {
         let link = JointLink {
             handle,
             bodies,
+            form: JointForm::of(&joint.data),
             attached: self.acts(joint),
             slot: None,
             parts_bodies: !joint.data.contacts_enabled
@@ -44,7 +45,11 @@ impl Digest<'_> {
             |body| self.structure.bodies.get(body).is_some_and(|body| body.is_enabled());
         let blocked = !bodies.into_iter().all(takes_part);
         self.structure.islands.joints.blocked.push((handle, blocked));
-        let known = self.structure.islands.joints.get(handle.into_raw_parts().0).copied();
+        let slot = handle.into_raw_parts().0;
+        let known = self.structure.islands.joints.get_mut(slot).map(|known| {
+            known.form = link.form;
+            *known
+        });
         let same = |known: JointLink| JointLink { slot: None, ..known } == link;
         if !known.is_some_and(same) {
             if let Some(known) = known {

@@ -1,11 +1,11 @@
 //! The memory of joint constraints.
 
 use crate::base::wide::{LANES, Lane};
+use crate::dim::joint::JointedInertias;
 use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::{
-    ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane,
-    set_ang_lane,
+    ANG_ZERO_LANES, WideAngVector, WideRotation, WideVector, ang_lane, set_ang_lane,
 };
 
 /// What stands for "no limit": far beyond every length, and still a number to calculate with.
@@ -24,9 +24,7 @@ pub(super) struct Wrench<W> {
 pub(super) struct JointBlock {
     pub bodies: [[u32; LANES]; 2],
     pub inv_mass: [WideVector<Lane>; 2],
-    /// As the bodies stood when the step began, and as they stand where they were relaxed last.
-    pub start_inertia: [WideSymmetric<Lane>; 2],
-    pub inv_inertia: [WideSymmetric<Lane>; 2],
+    pub inertias: JointedInertias,
     /// From the centres of mass to the anchors when the step began.
     pub levers: [WideVector<Lane>; 2],
     /// From the first anchor to the second when the step began.
@@ -64,11 +62,6 @@ pub(super) struct JointBlock {
     /// Is any lane solved exactly, and any in sweeps?
     pub has_exact: bool,
     pub has_swept: bool,
-    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
-    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
-    pub tumbles: [Lane; 2],
-    /// Is there any?
-    pub has_tumbling: bool,
 }
 
 impl JointBlock {
@@ -78,8 +71,7 @@ impl JointBlock {
         Self {
             bodies: [[READ_ONLY; LANES]; 2],
             inv_mass: [vector; 2],
-            start_inertia: [ZERO_INERTIA; 2],
-            inv_inertia: [ZERO_INERTIA; 2],
+            inertias: JointedInertias::NONE,
             levers: [vector; 2],
             separation: vector,
             frames: [WideRotation::IDENTITY; 2],
@@ -100,8 +92,6 @@ impl JointBlock {
             row_count: 0,
             has_exact: false,
             has_swept: false,
-            tumbles: [zero; 2],
-            has_tumbling: false,
         }
     };
 

@@ -13,7 +13,7 @@ use crate::dim::math::{
     ANG_DIM, AngularInertia, DIM, Pose, Real, Rotation, Vector, ang_length_squared, zero_inertia,
 };
 use crate::dim::state::READ_ONLY;
-use crate::dim::wide::{set_ang_lane, set_symmetric_lane, symmetric_lane};
+use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::island::IslandManager;
 use crate::model::joint::{
@@ -34,8 +34,6 @@ const TURN_MIN: Real = 1.0e-4;
 
 /// Joints that are worth being looked at by another thread.
 const JOINTS_PER_TASK: usize = 64;
-/// How many turns before it is needed a joint's record is asked for: they are spread over memory.
-const TURNS_AHEAD: usize = 4;
 
 /// What joints are loaded from.
 #[derive(Copy, Clone)]
@@ -55,7 +53,7 @@ impl SolverJoints {
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
-        self.find_members(joints, from, tasks);
+        self.find_members(from, tasks);
         self.direct.build(&self.members, from.bodies.states.len());
         self.give_seats();
         self.fill_blocks(joints, from, pass, tasks);
@@ -64,7 +62,7 @@ impl SolverJoints {
     }
 
     /// Finds out which joints take part.
-    fn find_members(&mut self, joints: &ImpulseJointSet, from: Sources<'_>, tasks: Tasks<'_>) {
+    fn find_members(&mut self, from: Sources<'_>, tasks: Tasks<'_>) {
         self.slots.clear();
         self.colors.clear();
         for (color, list) in from.islands.joint_graph.in_solving_order() {
@@ -74,10 +72,7 @@ impl SolverJoints {
         let slots = &self.slots;
         self.members.resize(slots.len(), Member::NOBODY);
         tasks.par_fill(&mut self.members, JOINTS_PER_TASK, |index| {
-            if let Some(&later) = slots.get(index + TURNS_AHEAD) {
-                joints.prefetch(later);
-            }
-            from.member(slots[index], joints).unwrap_or(Member::NOBODY)
+            from.member(slots[index]).unwrap_or(Member::NOBODY)
         });
         let mut rest = self.members.as_slice();
         for (_, count) in &mut self.colors {
@@ -95,9 +90,10 @@ impl SolverJoints {
         let mut rest = self.members.as_slice();
         for &(color, count) in &self.colors {
             let (members, others) = rest.split_at(count);
-            let is_pin = |member: &&Member| member.is_pin && !self.direct.contains(member.slot);
+            let is_pin =
+                |member: &&Member| member.form.is_pin && !self.direct.contains(member.slot);
             let slots = |member: &Member| member.slot;
-            let seat = |member: &Member| Seat { slot: member.slot, driven: member.driven };
+            let seat = |member: &Member| Seat { slot: member.slot, driven: member.form.driven };
             self.pins.add(color, members.iter().filter(is_pin).map(slots));
             self.layout.add(color, members.iter().filter(|member| !is_pin(member)).map(seat));
             rest = others;
@@ -163,7 +159,7 @@ impl SolverJoints {
                 for side in 0..2 {
                     let body = block.bodies[side][lane];
                     if body & READ_ONLY == 0 {
-                        let inv_inertia = symmetric_lane(&block.inv_inertia[side], lane);
+                        let inv_inertia = block.inertias.lane(side, lane);
                         self.tautness.note(body, &inv_inertia);
                     }
                 }
@@ -174,7 +170,7 @@ impl SolverJoints {
 
 impl Sources<'_> {
     /// The joint in a slot, if it takes part.
-    fn member(&self, slot: u32, joints: &ImpulseJointSet) -> Option<Member> {
+    fn member(&self, slot: u32) -> Option<Member> {
         let Self { bodies, multibodies, .. } = self;
         let link = self.islands.joints.get(slot)?;
         let slots = link.body_slots();
@@ -183,7 +179,7 @@ impl Sources<'_> {
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
         let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
-        Some(Member::new(slot, ends, inv_masses, &joints.get(link.handle)?.data))
+        Some(Member::new(slot, ends, inv_masses, link.form))
     }
 }
 
@@ -249,14 +245,9 @@ fn load_lane(
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
         block.inv_mass[side].set_lane(lane, end.inv_mass);
-        set_symmetric_lane(&mut block.start_inertia[side], lane, &end.inv_inertia);
-        set_symmetric_lane(&mut block.inv_inertia[side], lane, &end.inv_inertia);
+        block.inertias.set_lane(side, lane, &end.inv_inertia, end.tumbles);
         block.levers[side].set_lane(lane, end.lever);
         block.frames[side].set_lane(lane, &end.frame);
-        if end.tumbles {
-            block.tumbles[side].0[lane] = 1.0;
-            block.has_tumbling = true;
-        }
     }
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);

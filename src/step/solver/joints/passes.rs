@@ -9,10 +9,9 @@ use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
-use crate::dim::turn::{turned_further, turned_inertia};
+use crate::dim::turn::turned_further;
 use crate::dim::wide::{
-    ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, load_symmetric, store_ang,
-    store_symmetric, torque,
+    ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
 
@@ -197,8 +196,9 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    if !AHEAD && block.has_tumbling {
-        turn_inertia::<W>(block, &bodies.displacements);
+    if !AHEAD {
+        let [d1, d2] = &bodies.displacements;
+        block.inertias.turn([d1.angular, d2.angular]);
     }
     let masses = Masses::load(block);
     let locked = Locked::new(block, &geometry);
@@ -239,17 +239,6 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     }
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
-}
-
-/// Turns the inertias with the bodies, from where they stood when the step began.
-#[inline(always)]
-fn turn_inertia<W: Wide>(block: &mut JointBlock, displacements: &[WideMotion<W>; 2]) {
-    for side in 0..2 {
-        let start = load_symmetric::<W>(&block.start_inertia[side]);
-        let turned =
-            turned_inertia(start, displacements[side].angular * W::load(&block.tumbles[side]));
-        store_symmetric(turned, &mut block.inv_inertia[side]);
-    }
 }
 
 /// Gives the bodies what a wrench does to them in place of what they have got so far.

@@ -5,8 +5,8 @@ use crate::base::wide::{Lane, Wide};
 use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::WideMotion;
 use crate::dim::wide::{
-    ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ang_dot, load_ang, load_symmetric,
-    mul_inertia, store_ang,
+    ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ang_dot, load_ang, mul_inertia,
+    store_ang,
 };
 
 /// A pivot smaller than this share of the diagonal is rounding: nothing can move along that row that is
@@ -56,12 +56,7 @@ impl<W: Wide> Masses<W> {
     #[inline(always)]
     pub fn load(block: &JointBlock) -> Self {
         let each = [WideVector::load(&block.inv_mass[0]), WideVector::load(&block.inv_mass[1])];
-        let [first, second] = &block.inv_inertia;
-        Self {
-            sum: each[0] + each[1],
-            each,
-            inertia: [load_symmetric(first), load_symmetric(second)],
-        }
+        Self { sum: each[0] + each[1], each, inertia: block.inertias.load() }
     }
 
     /// `M⁻¹ Jᵀ` of a row, as a wrench per unit of impulse: the second body's velocities, and the negatives of

@@ -244,7 +244,7 @@ impl Factor {
             couple(component.members, &self.rows, [at, at], block);
             let yields = yields_of(member, memory);
             let (mut own, mut damping) = ([0.0; SPATIAL_DIM], [0.0; SPATIAL_DIM]);
-            for row in 0..member.row_count() {
+            for row in 0..member.form.row_count() {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
                     SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
@@ -269,7 +269,7 @@ impl Factor {
     fn eliminate(&mut self, component: Component<'_>) {
         self.inverses.clear();
         for (at, column) in component.columns.iter().enumerate() {
-            let size = component.members[at].row_count();
+            let size = component.members[at].form.row_count();
             let inverses = factorise(&mut self.diagonal[at], &self.own[at], size);
             self.inverses.push(inverses);
             let first = self.first_below[at];
@@ -301,7 +301,7 @@ impl Factor {
         };
         let (of_row, of_column) = (&done[start + first], &done[start + second]);
         let (size, columns) =
-            (component.members[at].row_count(), component.members[other].row_count());
+            (component.members[at].form.row_count(), component.members[other].form.row_count());
         for (column, target) in target[..columns].iter_mut().enumerate() {
             let mut sum = *target;
             for m in 0..size {
@@ -315,7 +315,7 @@ impl Factor {
     #[inline(always)]
     fn substitute(&mut self, component: Component<'_>) {
         for (at, column) in component.columns.iter().enumerate() {
-            let size = component.members[at].row_count();
+            let size = component.members[at].form.row_count();
             let (d, inverses) = (&self.diagonal[at], &self.inverses[at]);
             let mut x = self.x[at];
             for m in 0..size {
@@ -331,7 +331,7 @@ impl Factor {
             }
         }
         for (at, column) in component.columns.iter().enumerate().rev() {
-            let size = component.members[at].row_count();
+            let size = component.members[at].form.row_count();
             let (d, inverses) = (&self.diagonal[at], &self.inverses[at]);
             let mut x = self.x[at];
             for (block, &row) in self.below[self.first_below[at]..].iter().zip(column) {
@@ -357,7 +357,7 @@ impl Factor {
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
                 let mut change = [0.0; SPATIAL_DIM];
-                for row in 0..member.row_count() {
+                for row in 0..member.form.row_count() {
                     add(&mut change, &rows.responses[side][row], x[row]);
                 }
                 // SAFETY: the caller's promise.
@@ -402,7 +402,8 @@ fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &
         for (other_side, _) in of_column.movable().filter(|(_, other)| *other == body) {
             let jacobian = &rows[row].jacobians[side];
             let responses = &rows[column].responses[other_side];
-            for (target, response) in block[..of_column.row_count()].iter_mut().zip(responses) {
+            for (target, response) in block[..of_column.form.row_count()].iter_mut().zip(responses)
+            {
                 for (component, factor) in jacobian.iter().zip(response) {
                     add(target, component, *factor);
                 }
@@ -459,6 +460,6 @@ fn yields_of(member: &Member, memory: &[RowMemory]) -> f64 {
 }
 
 fn locked_axes(member: &Member) -> impl Iterator<Item = usize> + use<> {
-    let locked = member.locked;
+    let locked = member.form.locked;
     (0..SPATIAL_DIM).filter(move |axis| locked >> axis & 1 == 1)
 }

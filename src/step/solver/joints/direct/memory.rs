@@ -84,7 +84,7 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
         }
     }
     yields_of::<W, AHEAD>(block).store(&mut memory.yields);
-    (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, block.inv_inertia);
+    (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
 /// Rows and rates of the solve pass. Taut joints look ahead from where they are about to go, and take the rows

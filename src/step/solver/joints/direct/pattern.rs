@@ -1,11 +1,10 @@
 //! Which joints are connected, in which order they are eliminated, and where blocks stand.
 
 use super::order::{Ordering, products};
-use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::Real;
 use crate::dim::state::READ_ONLY;
 use crate::model::island::NONE;
-use crate::model::joint::GenericJoint;
+use crate::model::joint::JointForm;
 use core::ops::{Range, RangeInclusive};
 
 /// Most products of blocks that a joint may take on average: beyond that the sweeps are so much cheaper that they may leave
@@ -33,14 +32,9 @@ pub(in super::super) struct Member {
     pub lane: u32,
     /// Solver indices of its bodies.
     pub bodies: [u32; 2],
-    /// The locked axes, one bit each.
-    pub locked: u8,
-    /// How many free axes it limits or drives.
-    pub driven: u8,
     /// Of its bodies; none of those that cannot move.
     pub inv_masses: [Real; 2],
-    /// Does it lock all translations, and nothing else happens on any axis?
-    pub is_pin: bool,
+    pub form: JointForm,
 }
 
 impl Member {
@@ -50,21 +44,13 @@ impl Member {
         block: 0,
         lane: 0,
         bodies: [READ_ONLY; 2],
-        locked: 0,
-        driven: 0,
         inv_masses: [0.0; 2],
-        is_pin: false,
+        form: JointForm { locked: 0, driven: 0, is_pin: false },
     };
 
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
-    pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], joint: &GenericJoint) -> Self {
-        let drives = joint.limit_axes | joint.motor_axes;
-        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
-            && drives.is_empty()
-            && joint.softness.is_none();
-        let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        let locked = joint.locked_axes.bits();
-        Self { slot, block: 0, lane: 0, bodies, locked, driven, inv_masses, is_pin }
+    pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], form: JointForm) -> Self {
+        Self { slot, block: 0, lane: 0, bodies, inv_masses, form }
     }
 
     /// Is there a joint?
@@ -75,11 +61,6 @@ impl Member {
     /// The bodies that can move, with their sides.
     pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
         self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
-    }
-
-    /// Number of rows of locked axes.
-    pub fn row_count(&self) -> usize {
-        self.locked.count_ones() as usize
     }
 }
 
@@ -171,7 +152,7 @@ impl Pattern {
         self.given.extend_from_slice(given);
         let mut members = core::mem::take(&mut self.sorted);
         members.clear();
-        members.extend(given.iter().filter(|member| member.locked != 0));
+        members.extend(given.iter().filter(|member| member.form.locked != 0));
         members.sort_unstable_by_key(|member| member.slot);
         self.members.clear();
         self.components.clear();
@@ -303,7 +284,7 @@ impl Search {
     /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
     fn is_net(&self, members: &[Member]) -> bool {
         let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
-        is_wide && self.component(members).all(|member| member.is_pin) && self.is_even(members)
+        is_wide && self.component(members).all(|member| member.form.is_pin) && self.is_even(members)
     }
 
     fn is_even(&self, members: &[Member]) -> bool {

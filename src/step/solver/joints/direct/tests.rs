@@ -10,6 +10,7 @@ use crate::dim::math::{Real, SPATIAL_DIM, Vector};
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyState, READ_ONLY};
 use crate::dim::wide::set_symmetric_lane;
+use crate::model::joint::JointForm;
 
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
@@ -41,7 +42,8 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            Member { slot, block, lane, bodies, locked, driven: 0, inv_masses, is_pin: false }
+            let form = JointForm { locked, driven: 0, is_pin: false };
+            Member { slot, block, lane, bodies, inv_masses, form }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
@@ -80,7 +82,7 @@ impl Net {
         let (memory, lane) = (&self.memory[member.block as usize], member.lane as usize);
         let number = |from: &Lane| f64::from(from.0[lane]);
         let mut worst: f64 = 0.0;
-        for axis in (0..SPATIAL_DIM).filter(|axis| member.locked >> axis & 1 == 1) {
+        for axis in (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1) {
             let softened = number(&memory.yields) * number(&memory.changes[axis]);
             let mut error = number(&memory.rates[axis]);
             for (side, body) in member.movable() {

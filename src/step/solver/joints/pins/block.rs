@@ -3,13 +3,13 @@
 use super::super::rows::Factored;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim::joint::{axes, from_numbers, numbers, point_response};
+use crate::dim::joint::{JointedInertias, axes, from_numbers, numbers, point_response};
 use crate::dim::math::{DIM, Real};
 use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
-use crate::dim::turn::{turned_frame, turned_inertia, turned_lever};
+use crate::dim::turn::{turned_frame, turned_lever};
 use crate::dim::wide::{
-    ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane,
-    cross, load_ang, load_symmetric, mul_inertia, set_ang_lane, store_ang, store_symmetric, torque,
+    ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ang_lane, cross,
+    load_ang, mul_inertia, set_ang_lane, store_ang, torque,
 };
 use crate::model::params::JointPass;
 
@@ -21,9 +21,7 @@ const PIN_YIELD: Real = 1.0 / 16.0;
 pub(super) struct PinBlock {
     pub bodies: [[u32; LANES]; 2],
     pub inv_mass: [WideVector<Lane>; 2],
-    /// As the bodies stood when the step began, and as they stand where they were relaxed last.
-    pub start_inertia: [WideSymmetric<Lane>; 2],
-    pub inv_inertia: [WideSymmetric<Lane>; 2],
+    pub inertias: JointedInertias,
     /// From the centres of mass to the anchors when the step began.
     pub levers: [WideVector<Lane>; 2],
     /// From the first anchor to the second when the step began.
@@ -37,11 +35,6 @@ pub(super) struct PinBlock {
     pub total: WideVector<Lane>,
     /// The joint's first frame when the step began.
     pub frame: WideRotation<Lane>,
-    /// By body: one where it turns so much that its inertia must turn with it, otherwise zero. That does not depend on
-    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
-    pub tumbles: [Lane; 2],
-    /// Is there any?
-    pub has_tumbling: bool,
 }
 
 impl PinBlock {
@@ -49,16 +42,13 @@ impl PinBlock {
     pub const EMPTY: Self = Self {
         bodies: [[READ_ONLY; LANES]; 2],
         inv_mass: [WideVector::ZERO; 2],
-        start_inertia: [ZERO_INERTIA; 2],
-        inv_inertia: [ZERO_INERTIA; 2],
+        inertias: JointedInertias::NONE,
         levers: [WideVector::ZERO; 2],
         separation: WideVector::ZERO,
         impulse: WideVector::ZERO,
         turned: [ANG_ZERO_LANES; 2],
         total: WideVector::ZERO,
         frame: WideRotation::IDENTITY,
-        tumbles: [Lane::ZERO; 2],
-        has_tumbling: false,
     };
 
     /// Scales the impulses with which the next substep starts.
@@ -103,10 +93,7 @@ struct Masses<W> {
 impl<W: Wide> Masses<W> {
     #[inline(always)]
     fn load(block: &PinBlock) -> Self {
-        Self {
-            linear: load_both(&block.inv_mass),
-            angular: [load_symmetric(&block.inv_inertia[0]), load_symmetric(&block.inv_inertia[1])],
-        }
+        Self { linear: load_both(&block.inv_mass), angular: block.inertias.load() }
     }
 
     /// What the moments of an impulse make of the angular velocities.
@@ -193,8 +180,8 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
     };
     let mut velocities = [v1, v2];
-    if !BIASED && block.has_tumbling {
-        turn_inertia::<W>(block, [d1.angular, d2.angular]);
+    if !BIASED {
+        block.inertias.turn([d1.angular, d2.angular]);
     }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.levers);
@@ -265,14 +252,4 @@ fn load_both<W: Wide>(both: &[WideVector<Lane>; 2]) -> [WideVector<W>; 2] {
 fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PinBlock) {
     store_ang(first, &mut block.turned[0]);
     store_ang(second, &mut block.turned[1]);
-}
-
-/// Turns the inertias with the bodies, from where they stood when the step began.
-#[inline(always)]
-fn turn_inertia<W: Wide>(block: &mut PinBlock, turns: [WideAngVector<W>; 2]) {
-    for side in 0..2 {
-        let start = load_symmetric::<W>(&block.start_inertia[side]);
-        let turn = turns[side] * W::load(&block.tumbles[side]);
-        store_symmetric(turned_inertia(start, turn), &mut block.inv_inertia[side]);
-    }
 }

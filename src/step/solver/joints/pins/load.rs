@@ -4,7 +4,6 @@ use super::super::load::tumbles;
 use super::block::PinBlock;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::state::READ_ONLY;
-use crate::dim::wide::set_symmetric_lane;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::joint::ImpulseJoint;
 use crate::step::solver::bodies::SolverBodies;
@@ -45,12 +44,7 @@ fn load_end(
     block.bodies[side][lane] = index;
     if index & READ_ONLY == 0 {
         block.inv_mass[side].set_lane(lane, mprops.inv_mass);
-        set_symmetric_lane(&mut block.start_inertia[side], lane, &mprops.inv_inertia);
-        set_symmetric_lane(&mut block.inv_inertia[side], lane, &mprops.inv_inertia);
-        if tumbles(body, substep) {
-            block.tumbles[side].0[lane] = 1.0;
-            block.has_tumbling = true;
-        }
+        block.inertias.set_lane(side, lane, &mprops.inv_inertia, tumbles(body, substep));
     }
     let lever = body.position().rotation * (frame.translation - mprops.local.local_com);
     block.levers[side].set_lane(lane, lever);

@@ -29,7 +29,7 @@ use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::island::IslandManager;
-use crate::model::joint::ImpulseJointSet;
+use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
 use block::{PinBlock, PinPass};
 use core::ops::Range;
@@ -83,7 +83,7 @@ impl Pins {
             for &slot in layout.block_or_none(index + 1) {
                 joints.prefetch(slot);
                 if let Some(link) = islands.joints.get(slot) {
-                    link.body_slots().into_iter().for_each(|body| world.prefetch(body));
+                    link.body_slots().into_iter().for_each(|body| world.prefetch_front(body));
                 }
             }
             for (lane, &slot) in layout.block(index).iter().enumerate() {
@@ -144,7 +144,8 @@ impl Pins {
         let joints = joints.share();
         tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
             for index in range {
-                layout.block_or_none(index + 1).iter().for_each(|slot| joints.prefetch(*slot));
+                let later = layout.block_or_none(index + 1);
+                later.iter().for_each(|slot| joints.prefetch_front(*slot, ImpulseJoint::FRONT));
                 let block = &blocks[index];
                 for (lane, &slot) in layout.block(index).iter().enumerate() {
                     let Some(link) = islands.joints.get(slot) else { continue };
