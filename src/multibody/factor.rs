@@ -18,7 +18,7 @@
 //! ```
 //!
 //! Impulses become velocities the same way. Stiffness `k` and damping `d` of a degree of freedom, integrated implicitly over
-//! `h`, add `h d + h² k` to its armature: they are exact for any stiffness, and cost nothing.
+//! `h`, add `h d + h² k` to its armature: they are stable however stiff, and cost nothing.
 
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{SpatialMatrix, ZERO, add_scaled, carry, carry_back, dot};
@@ -103,6 +103,12 @@ impl Factor {
             self.sizes[parent][0] += mass;
             self.sizes[parent][1] += moment + mass * link.lever.length_squared();
         }
+    }
+
+    /// By degree of freedom: the acceleration by a force of 1 if all that comes later in the tree is free to move, and nothing
+    /// before.
+    pub fn ease(&self) -> impl Iterator<Item = Real> {
+        self.pivots.iter().map(|pivot| pivot.inv_inertia)
     }
 
     /// Turns forces on the degrees of freedom and wrenches on the links into accelerations (or impulses into velocities):

@@ -23,7 +23,8 @@
 //! | `factor.rs` | `M⁻¹ τ` in `O(n)`: the articulated-body algorithm, as a factorisation | Featherstone 2008, chapter 7 |
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
-//! | `motion.rs` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
+//! | `motion/` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
+//! | `whole.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
 //! | `course.rs` | the way through a step, and back | |
 //! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
 //!
@@ -44,6 +45,7 @@ mod spatial;
 mod sync;
 #[cfg(test)]
 mod tests;
+mod whole;
 
 pub(crate) use course::Station;
 pub use inverse::InverseKinematicsOption;

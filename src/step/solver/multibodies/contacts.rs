@@ -99,7 +99,8 @@ impl SolverMultibodies {
                 self.side(slots[0], dominance <= 0, world, bodies),
                 self.side(slots[1], dominance >= 0, world, bodies),
             ];
-            let geometry = Geometry::of(&sides, &pair.placement, manifold);
+            let normal = normal_of(&sides, &pair.placement, manifold);
+            let geometry = Geometry::of(&sides, &pair.placement, manifold, normal);
             let contact = self.contact(at, &sides, &geometry, manifold);
             self.contacts.contacts.push(contact);
         }
@@ -144,8 +145,8 @@ impl SolverMultibodies {
                 Point {
                     position,
                     separation,
-                    normal: self.row(sides, position, geometry.normal),
-                    tangents: along.map(|tangent| self.row(sides, position, tangent)),
+                    normal: self.row(sides, [position; 2], geometry.normal),
+                    tangents: along.map(|tangent| self.row(sides, [position; 2], tangent)),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
                     impulse: known.warmstart_impulse * share,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
@@ -162,13 +163,16 @@ impl SolverMultibodies {
     }
 
     /// Makes the rows of a contact anew, where links and bodies are now.
+    ///
+    /// Normal and levers stay as they were when the step began, as those of bodies do: below a ball that turns or rolls on is
+    /// another point of its surface, but always one below it.
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
         (narrow_phase, world): (&NarrowPhase, &RigidBodySet),
         bodies: &mut SolverBodies,
     ) {
-        let LinkContact { at, first_number, .. } = self.contacts.contacts[position];
+        let LinkContact { at, first_number, normal, .. } = self.contacts.contacts[position];
         let pair = &narrow_phase.contacts[at.pair];
         let manifold = &pair.manifolds[at.manifold as usize];
         let dominance = manifold.data.relative_dominance;
@@ -177,16 +181,20 @@ impl SolverMultibodies {
             self.side_now(slots[0], dominance <= 0, world, bodies),
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
-        let geometry = Geometry::of(&sides, &pair.placement, manifold);
+        let ways = [0, 1].map(|side| sides[side].way_since(world, slots[side]));
+        let separations = Geometry::of(&sides, &pair.placement, manifold, normal).points;
+        let along = tangents(normal);
         self.numbers.rewrite_from(first_number);
-        let fresh = self.contact(at, &sides, &geometry, manifold);
-        self.numbers.append();
-        let Self { numbers, contacts, moving, .. } = self;
-        let actors = Actors { multibodies: moving, states: &mut bodies.states };
-        for (point, fresh) in contacts.contacts[position].points.iter_mut().zip(fresh.points) {
-            (point.normal, point.tangents) = (fresh.normal, fresh.tangents);
-            point.separation = fresh.separation - numbers.displacement(&fresh.normal, &actors);
+        let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
+        for (point, (_, separation)) in points.iter_mut().zip(separations) {
+            let places = ways.map(|way| point.position + way);
+            point.normal = self.row(&sides, places, normal);
+            point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
+            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
+            point.separation = separation - self.numbers.displacement(&point.normal, &actors);
         }
+        self.numbers.append();
+        self.contacts.contacts[position].points = points;
     }
 
     /// With what share of their last impulses two sides begin.
@@ -201,11 +209,12 @@ impl SolverMultibodies {
         place.map_or(NONE, |place| self.moving[place.multibody].island)
     }
 
-    /// The row of the second side's velocity against the first's, at a point along a direction.
-    fn row(&mut self, sides: &[Side<'_>; 2], point: Vector, direction: Vector) -> Row {
+    /// The row of the second side's velocity against the first's along a direction, at a point of each.
+    fn row(&mut self, sides: &[Side<'_>; 2], points: [Vector; 2], direction: Vector) -> Row {
+        let [first, second] = points;
         self.row_of_wrenches(
             sides,
-            [sides[0].wrench(point, -direction), sides[1].wrench(point, direction)],
+            [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)],
         )
     }
 
@@ -257,6 +266,12 @@ impl SolverMultibodies {
 }
 
 impl Side<'_> {
+    /// How far its centre of mass has gone since the step began.
+    fn way_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
+        let start = world.at_slot(slot).map(|(_, body)| body.mprops.world_com);
+        self.center.zip(start).map_or(Vector::ZERO, |(now, start)| now - start)
+    }
+
     /// A unit force along a direction at a point, as a wrench on the centre of mass.
     pub fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
         let lever = self.center.map_or(Vector::ZERO, |center| point - center);
@@ -264,9 +279,19 @@ impl Side<'_> {
     }
 }
 
+/// The normal of a manifold, which turns with the first side.
+fn normal_of(sides: &[Side<'_>; 2], placed: &Placement, manifold: &ContactManifold) -> Vector {
+    sides[0].rotation * placed.rotations[0].inverse() * manifold.data.placed_normal
+}
+
 impl Geometry {
     /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
-    fn of(sides: &[Side<'_>; 2], placed: &Placement, manifold: &ContactManifold) -> Self {
+    fn of(
+        sides: &[Side<'_>; 2],
+        placed: &Placement,
+        manifold: &ContactManifold,
+        normal: Vector,
+    ) -> Self {
         let [x1, x2] = [0, 1].map(|side| sides[side].center.unwrap_or_default());
         let turns = [0, 1].map(|side| sides[side].rotation * placed.rotations[side].inverse());
         let has_world = sides.iter().any(|side| side.center.is_none());
@@ -274,7 +299,6 @@ impl Geometry {
             if has_world { (Vector::ZERO, Vector::ZERO) } else { (-placed.centers, x1 - x2) };
         let shift = (x2 - x1) - placed.centers;
         let origin = if sides[0].center.is_none() { x2 } else { x1 };
-        let normal = turns[0] * manifold.data.placed_normal;
         let follow = |known: &crate::model::contact::Contact| {
             let second = known.lever + offset;
             let (turned1, turned2) = (turns[0] * known.lever, turns[1] * second);
@@ -344,6 +368,11 @@ impl LinkContacts {
         }
     }
 
+    /// All rows with their impulses, and with the velocities that these bring about.
+    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real, Real)> {
+        self.contacts.iter().flat_map(|contact| &contact.points).flat_map(Point::rows)
+    }
+
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
         self.points().for_each(|point| point.total += point.impulse);
@@ -371,6 +400,11 @@ impl LinkContacts {
 }
 
 impl Point {
+    fn rows(&self) -> impl Iterator<Item = (&Row, Real, Real)> {
+        let along = (0..DIM - 1).map(|k| (&self.tangents[k], self.friction[k], self.surface[k]));
+        core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
+    }
+
     /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have been given already.
     pub fn friction_under(
         &self,

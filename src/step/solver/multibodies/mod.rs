@@ -20,6 +20,7 @@ use super::bodies::SolverBodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Pose, Real};
+use crate::dim::state::BodyState;
 use crate::model::body::RigidBodySet;
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::NarrowPhase;
@@ -266,6 +267,7 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, true);
+        self.note_work(&bodies.states);
         self.keep_energy();
     }
 
@@ -276,10 +278,6 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        let h = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
-        for moving in &mut self.moving {
-            moving.energy = moving.motion.energy_before_contacts(h);
-        }
         self.visit(bodies, pass, params, false);
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
@@ -292,17 +290,24 @@ impl SolverMultibodies {
         self.keep_energy();
     }
 
-    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and not the work of
-    /// motors and other joints.
-    fn keep_energy(&mut self) {
-        let Self { numbers, joints, gears, loops, moving, .. } = self;
+    /// Adds the work of motors and other joints, and that of bodies and belts which push links before them, to the energy that
+    /// contacts may leave.
+    fn note_work(&mut self, states: &[BodyState]) {
+        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
         if moving.iter().all(|moving| moving.energy >= Real::MAX) {
             return;
         }
         for (row, impulse) in joints.rows().chain(gears.rows()).chain(loops.rows()) {
             numbers.note_work(row, impulse, moving);
         }
-        moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
+        for (row, impulse, surface) in contacts.rows() {
+            numbers.note_shove(row, impulse, surface, states, moving);
+        }
+    }
+
+    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
+    fn keep_energy(&mut self) {
+        self.moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
     /// Visits all rows but those of friction.

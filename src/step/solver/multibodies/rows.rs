@@ -157,6 +157,30 @@ impl Numbers {
         }
     }
 
+    /// Adds the work that a body does on a link, which an impulse keeps from getting into it, to the energy that contacts
+    /// may leave: the body, or the belt on it, moves on as fast as it does, and the link at least as fast.
+    pub fn note_shove(
+        &self,
+        row: &Row,
+        impulse: Real,
+        surface: Real,
+        states: &[BodyState],
+        multibodies: &mut [Moving],
+    ) {
+        let [first, second] = &row.parts;
+        for (link, other) in [(first, second), (second, first)] {
+            let Part::Links { multibody, gives_way: true, .. } = *link else { continue };
+            let comes = match other {
+                Part::Body { index, jacobian, .. } => {
+                    let (linvel, angvel) = states[at(*index)].velocity();
+                    product(jacobian, &join(linvel, angvel))
+                }
+                _ => 0.0,
+            };
+            multibodies[multibody].energy += (impulse * (surface - comes)).max(0.0);
+        }
+    }
+
     /// `Ċ`.
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
         self.sum(row, |part| match part {
