@@ -12,8 +12,8 @@
 //!
 //! # Energy
 //! In a flight the multibody keeps its energy, seen from whatever moves evenly. Contacts with what is at rest do not add to
-//! it; but with links that turn far in a substep they do, as their rows are those of the beginning of the step. What is too much is
-//! taken from the change of shape alone.
+//! it. Numerically both may, where links turn far in a substep. What is too much for a flight is taken from the change of shape alone, and
+//! what is too much for contacts from what these have just done.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, add_scaled, carry_back, turn};
@@ -150,25 +150,48 @@ impl Motion {
         if mass > 0.0 { moving / mass } else { Vector::ZERO }
     }
 
-    /// The energy that contacts may leave. If links turn far in a substep of `h` seconds, contacts make energy, as their rows are
-    /// those of the beginning of the step; so there is a limit for these, and none for others, or for those whose root moves
-    /// as it is told.
-    pub fn energy_before_contacts(&mut self, h: Real) -> Real {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+    /// Does a link turn so far in a substep of `h` seconds that contacts are not what they were at its beginning?
+    pub fn turns_far(&mut self, h: Real) -> bool {
         let turns_far =
             |v: &SpatialVector| ang_length_squared(angular(v)) * h * h > FAR_TURN * FAR_TURN;
-        let is_fast = self.is_wild || self.velocities.iter().any(turns_far);
-        if is_fast && self.root == ZERO { self.kinetic_energy() } else { Real::MAX }
+        self.is_wild || self.link_velocities().iter().any(turns_far)
     }
 
-    /// Takes away what contacts made of this energy.
-    pub fn keep_energy(&mut self, before: Real) {
-        if before < Real::MAX {
-            self.is_wild |= self.kinetic_energy() > JUMP * before;
-            if self.is_wild {
-                self.limit_energy(before, Vector::ZERO);
-            }
+    /// The energy that contacts with what is at rest may leave; no limit if the root moves as it is told.
+    pub fn energy_before_contacts(&mut self) -> Real {
+        if self.root == ZERO { self.kinetic_energy() } else { Real::MAX }
+    }
+
+    /// Notes the velocities before contacts act.
+    pub fn note_before_contacts(&mut self) {
+        self.uncontacted.clone_from(&self.rates);
+        self.outside_before = self.outside;
+    }
+
+    /// Leaves only as much of what contacts changed since then as makes no more than this energy.
+    pub fn keep_energy(&mut self, most: Real) {
+        let now = self.kinetic_energy();
+        if now <= JUMP * most {
+            return;
         }
+        self.is_wild = true;
+        let before = core::mem::take(&mut self.uncontacted);
+        let start = self.energy_at(&before);
+        let halfway: Vec<Real> =
+            before.iter().zip(&self.rates).map(|(old, new)| 0.5 * (old + new)).collect();
+        // E(s) = E(0) + b s + c s²
+        let curve = 2.0 * (now + start - 2.0 * self.energy_at(&halfway));
+        let slope = now - start - curve;
+        let room = (most - start).max(0.0);
+        let root = (slope * slope + 4.0 * curve * room).max(0.0).sqrt();
+        let share = if curve > 0.0 { (root - slope) / (2.0 * curve) } else { 0.0 };
+        let share = share.clamp(0.0, 1.0);
+        for (rate, old) in self.rates.iter_mut().zip(&before) {
+            *rate = old + (*rate - old) * share;
+        }
+        let outside = self.outside_before;
+        self.share_outside(&outside, share);
+        self.uncontacted = before;
     }
 
     /// Slows the change of shape down if the links have more energy than this, seen from a frame with this velocity.

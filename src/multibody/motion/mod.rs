@@ -118,6 +118,9 @@ pub struct Motion {
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
     momenta: Vec<SpatialVector>,
+    /// Velocities, and impulses from outside, before contacts acted in this pass.
+    uncontacted: Vec<Real>,
+    outside_before: SpatialVector,
     change: Vec<Real>,
     /// Was a link faster than the user allows since the step began?
     pub is_limited: bool,

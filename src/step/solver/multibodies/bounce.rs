@@ -377,13 +377,15 @@ impl Moving {
         let ahead = self.before_blow.ahead.take();
         let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
         if *before != self.motion.rates {
-            let energy = self.motion.energy_at(before);
+            let energy = if self.turns_far { self.motion.energy_at(before) } else { 0.0 };
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * share;
             }
             self.motion.share_outside(outside, share);
             // The rules of impacts have an eye on that.
-            self.energy += (self.motion.kinetic_energy() - energy).max(0.0);
+            if self.turns_far {
+                self.energy += (self.motion.kinetic_energy() - energy).max(0.0);
+            }
         }
         if let Some(time) = ahead {
             self.motion.fly_on(0.5 * h - time);

@@ -197,6 +197,33 @@ impl SolverMultibodies {
         self.contacts.contacts[position].points = points;
     }
 
+    /// Makes the rows of contacts anew that links have which turn far, where links and bodies are now.
+    pub fn follow_contacts(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+    ) {
+        for position in 0..self.contacts.contacts.len() {
+            let slots = place.0.contacts.bodies(self.contacts.contacts[position].at.pair);
+            let turns_far =
+                |slot| self.place(slot).is_some_and(|place| self.moving[place.multibody].turns_far);
+            if slots.into_iter().any(turns_far) {
+                self.warm_contact(position, bodies, -1.0);
+                self.follow_contact(position, place, bodies);
+                self.warm_contact(position, bodies, 1.0);
+            }
+        }
+    }
+
+    /// Adds this share of a contact's impulses to what the substep starts with.
+    fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
+        let Self { numbers, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        for (row, impulse, _) in contacts.contacts[position].points.iter().flat_map(Point::rows) {
+            numbers.push_early(row, impulse * share, &mut actors);
+        }
+    }
+
     /// With what share of their last impulses two sides begin.
     pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
         let place = sides.iter().find_map(|side| side.place);

@@ -58,6 +58,8 @@ pub(super) struct Moving {
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
     before_blow: BeforeBlow,
+    /// Do links turn so far in a substep that contacts must be followed?
+    turns_far: bool,
     /// The energy that contacts may leave.
     energy: Real,
     /// The joints and the root's pose when the step began.
@@ -238,7 +240,7 @@ impl SolverMultibodies {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
-            moving.energy = moving.motion.energy_before_contacts(h);
+            moving.note_before_contacts(h);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -278,6 +280,7 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
+        self.fast().for_each(|moving| moving.motion.note_before_contacts());
         self.visit(bodies, pass, params, false);
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
@@ -294,7 +297,7 @@ impl SolverMultibodies {
     /// contacts may leave.
     fn note_work(&mut self, states: &[BodyState]) {
         let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
-        if moving.iter().all(|moving| moving.energy >= Real::MAX) {
+        if !moving.iter().any(|moving| moving.turns_far) {
             return;
         }
         for (row, impulse) in joints.rows().chain(gears.rows()).chain(loops.rows()) {
@@ -305,9 +308,14 @@ impl SolverMultibodies {
         }
     }
 
-    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
+    /// Takes away what contacts did to links that turn far if it makes more energy than there was before, and is nobody's work.
     fn keep_energy(&mut self) {
-        self.moving.iter_mut().for_each(|moving| moving.motion.keep_energy(moving.energy));
+        self.fast().for_each(|moving| moving.motion.keep_energy(moving.energy));
+    }
+
+    /// The multibodies with links that turn far.
+    fn fast(&mut self) -> impl Iterator<Item = &mut Moving> {
+        self.moving.iter_mut().filter(|moving| moving.turns_far)
     }
 
     /// Visits all rows but those of friction.
@@ -329,6 +337,14 @@ impl SolverMultibodies {
 }
 
 impl Moving {
+    fn note_before_contacts(&mut self, h: Real) {
+        self.turns_far = self.motion.turns_far(h);
+        if self.turns_far {
+            self.energy = self.motion.energy_before_contacts();
+            self.motion.note_before_contacts();
+        }
+    }
+
     fn advance(&mut self, h: Real, speed_max: Real) {
         for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
             *shift += rate * h;
