@@ -82,7 +82,7 @@ impl Course {
             multibody.links.iter().map(|link| center(link.body)).collect()
         };
         let (energy, ends) = (kinetic_energy(multibody, bodies), centers(bodies, multibody));
-        let mut motion = self.fly_back(multibody, bodies, (share, pieces, dt));
+        let (mut motion, is_wild) = self.fly_back(multibody, bodies, (share, pieces, dt));
         store(multibody, &mut motion, bodies);
         let now = centers(bodies, multibody);
         let mut work = 0.0;
@@ -92,27 +92,29 @@ impl Course {
         }
         // As much energy as there will be at the end, but for what forces do until then.
         let scale = ((energy - work).max(0.0) / kinetic_energy(multibody, bodies)).sqrt();
-        if scale.is_finite() {
+        if scale.is_finite() && !(is_wild && scale > 1.0) {
             motion.rates.iter_mut().for_each(|rate| *rate *= scale);
         }
         store(multibody, &mut motion, bodies);
     }
 
-    /// Goes back to a share of the way, with the velocities of that time as far as inertia has changed them.
+    /// Goes back to a share of the way, with the velocities of that time as far as inertia has changed them. Where these cannot be
+    /// followed, the links keep the momenta that they have, as far as the joints let them, and true comes with that.
     fn fly_back(
         &self,
         multibody: &mut Multibody,
         bodies: &RigidBodySet,
         (share, pieces, dt): (Real, usize, Real),
-    ) -> Motion {
+    ) -> (Motion, bool) {
         let mut motion = Motion::default();
         motion.drives = inertias(multibody);
         motion.begin(multibody, bodies);
-        let last = motion.rates.clone();
+        let (last, momenta) = (motion.rates.clone(), motion.link_momenta());
+        let mut is_wild = false;
         let count = ((1.0 - share) * pieces as Real).ceil().max(1.0);
         let piece = (1.0 - share) / count;
         for _ in 0..count as usize {
-            motion.fly_on(-0.5 * piece * dt);
+            is_wild |= !motion.fly_on(-0.5 * piece * dt);
             motion.displace(multibody, &self.shift, -piece);
             motion.resist(0.0);
             motion.fly_back(0.5 * piece * dt);
@@ -120,11 +122,15 @@ impl Course {
         self.put_at(multibody, share, pieces);
         motion.displace(multibody, &self.shift, 0.0);
         motion.resist(0.0);
+        if is_wild {
+            motion.rates.clone_from(&last);
+            motion.take_momenta(|id, _| Some(momenta[id]));
+        }
         motion.finish();
         if !motion.rates.iter().all(|rate| rate.is_finite()) {
             motion.rates = last;
         }
-        motion
+        (motion, is_wild)
     }
 
     /// Puts the links to where they were after a share of the way, as [`Self::walk`] finds them.

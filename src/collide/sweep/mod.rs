@@ -48,6 +48,9 @@ use parry::shape::{Shape, TypedShape};
 const CORE_DEPTH: Real = 0.98;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
+/// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
+/// and the core would be inside.
+const NEAREST: Real = 0.25;
 /// The size of the middle of what has no inside.
 const MIDDLE: Real = 0.5;
 /// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
@@ -217,7 +220,7 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Does it count as a meeting, if parts that are near from the beginning come half as near?
+    /// Does it count as a meeting, if parts that are near from the beginning come half as near, or nearer than [`NEAREST`]?
     counts_at_once: bool,
 }
 
@@ -269,6 +272,9 @@ fn advance(
             let may_come_nearer = goal.counts_at_once && dist > goal.gap;
             if !may_come_nearer {
                 return Meeting::FromTheBeginning;
+            }
+            if dist - goal.gap < NEAREST * goal.tolerance && nearing > 0.0 {
+                return Meeting::At(0.0);
             }
             goal.tolerance = 0.5 * (dist - goal.gap);
         }

@@ -12,8 +12,8 @@
 //!
 //! # Energy
 //! In a flight the multibody keeps its energy, seen from whatever moves evenly. Contacts with what is at rest do not add to
-//! it. Numerically both may, where links turn far in a substep. What is too much for a flight is taken from the change of shape alone, and
-//! what is too much for contacts from what these have just done.
+//! it. Numerically both may, where links turn far in a substep. What is too much for a flight is taken from the change of shape first, so
+//! that momentum stays; what contacts make is taken from all velocities, which then still lead out of the contacts.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, add_scaled, carry_back, turn};
@@ -25,6 +25,8 @@ use crate::dim::spatial::{angular, join, linear};
 const JUMP: Real = 1.1;
 /// How far a link turns in a substep (rad) if contacts may be wrong.
 const FAR_TURN: Real = 0.1;
+/// The farthest that joints turn in a substep (rad) when a flight is wild. Beyond that links would come to be anywhere.
+const WHIP: Real = 1.0;
 
 impl LinkFrame {
     /// The momentum that it has at a velocity.
@@ -92,6 +94,12 @@ impl Motion {
         momenta[0]
     }
 
+    /// The momenta of the links.
+    pub fn link_momenta(&mut self) -> Vec<SpatialVector> {
+        self.note_momenta();
+        self.momenta.clone()
+    }
+
     /// Notes the momenta of the links.
     pub(super) fn note_momenta(&mut self) {
         let Self { kinematics, velocities, momenta, .. } = self;
@@ -103,7 +111,7 @@ impl Motion {
 
     /// Changes the velocities to those at which, for each degree of freedom, the links have these momenta; `None`: the
     /// momentum that the link has.
-    pub(super) fn take_momenta(&mut self, of: impl Fn(usize, &LinkFrame) -> Option<SpatialVector>) {
+    pub fn take_momenta(&mut self, of: impl Fn(usize, &LinkFrame) -> Option<SpatialVector>) {
         self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
         self.wrenches.clear();
         for (id, link) in self.kinematics.links.iter().enumerate() {
@@ -162,62 +170,88 @@ impl Motion {
         if self.root == ZERO { self.kinetic_energy() } else { Real::MAX }
     }
 
-    /// Notes the velocities before contacts act.
-    pub fn note_before_contacts(&mut self) {
-        self.uncontacted.clone_from(&self.rates);
-        self.outside_before = self.outside;
-    }
-
-    /// Leaves only as much of what contacts changed since then as makes no more than this energy.
+    /// Slows all links down if contacts left more than this energy: scaled, velocities that lead out of a contact still do.
     pub fn keep_energy(&mut self, most: Real) {
-        let now = self.kinetic_energy();
-        if now <= JUMP * most {
-            return;
+        let energy = self.kinetic_energy();
+        self.is_wild |= energy > JUMP * most;
+        if self.is_wild && energy > most {
+            self.slow_down((most / energy).sqrt());
         }
-        self.is_wild = true;
-        let before = core::mem::take(&mut self.uncontacted);
-        let start = self.energy_at(&before);
-        let halfway: Vec<Real> =
-            before.iter().zip(&self.rates).map(|(old, new)| 0.5 * (old + new)).collect();
-        // E(s) = E(0) + b s + c s²
-        let curve = 2.0 * (now + start - 2.0 * self.energy_at(&halfway));
-        let slope = now - start - curve;
-        let room = (most - start).max(0.0);
-        let root = (slope * slope + 4.0 * curve * room).max(0.0).sqrt();
-        let share = if curve > 0.0 { (root - slope) / (2.0 * curve) } else { 0.0 };
-        let share = share.clamp(0.0, 1.0);
-        for (rate, old) in self.rates.iter_mut().zip(&before) {
-            *rate = old + (*rate - old) * share;
-        }
-        let outside = self.outside_before;
-        self.share_outside(&outside, share);
-        self.uncontacted = before;
     }
 
-    /// Slows the change of shape down if the links have more energy than this, seen from a frame with this velocity.
-    fn limit_energy(&mut self, most: Real, frame: Vector) {
+    /// Leaves this share of all velocities but of those of degrees of freedom that move as they are told.
+    fn slow_down(&mut self, share: Real) {
+        for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
+            *rate *= if drive.is_told() { 1.0 } else { share };
+        }
+        self.follow_momentum();
+    }
+
+    /// Lets the links have no more than this energy of their flight: slows the change of shape down and, if that is not enough,
+    /// the turn of the whole. Where links are moved far at once they may come to lie closer together than their angular momentum
+    /// and their energy allow.
+    pub(super) fn limit_flight(&mut self, most: Option<Real>) {
+        let Some(most) = most else { return };
+        let frame = self.frame_velocity();
         let energy = self.kinetic_energy_from(frame);
         if energy <= most {
             return;
         }
-        let momentum = self.root_momentum();
-        let count = self.root_dofs();
-        let whole = self.whole.rates_at(&momentum).to_vec();
-        let own = core::mem::replace(&mut self.rates, whole);
-        self.rates.resize(own.len(), 0.0);
-        let of_whole = if count > 0 { self.kinetic_energy_from(frame) } else { 0.0 };
-        let share =
-            ((most - of_whole).max(0.0) / (energy - of_whole).max(Real::MIN_POSITIVE)).sqrt();
-        for ((rate, own), drive) in self.rates.iter_mut().zip(&own).zip(&self.drives) {
-            *rate = if drive.is_told() { *own } else { *rate + (*own - *rate) * share.min(1.0) };
+        let own = self.rates.clone();
+        self.slow_to_whole();
+        let of_whole = self.kinetic_energy_from(frame);
+        if of_whole < most {
+            self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
+        } else {
+            let whole = self.rates.clone();
+            self.slow_to(frame);
+            self.blend(&whole, (most / of_whole).sqrt());
+        }
+        self.obey(&own);
+        self.follow_momentum();
+    }
+
+    /// Lets no joint turn by more than [`WHIP`] in `h` seconds: slows the change of shape down.
+    pub(super) fn limit_whip(&mut self, h: Real) {
+        let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
+        let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
+        let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
+        if fastest > WHIP {
+            let own = self.rates.clone();
+            self.slow_to_whole();
+            self.blend(&own, WHIP / fastest);
+            self.obey(&own);
         }
     }
 
-    /// Lets the links have no more than this energy of their flight.
-    pub(super) fn limit_flight(&mut self, most: Option<Real>) {
-        if let Some(most) = most {
-            let frame = self.frame_velocity();
-            self.limit_energy(most, frame);
+    /// Adds a share of what is missing to these velocities.
+    fn blend(&mut self, to: &[Real], share: Real) {
+        let share = share.clamp(0.0, 1.0);
+        for (rate, to) in self.rates.iter_mut().zip(to) {
+            *rate += (to - *rate) * share;
+        }
+    }
+
+    /// Degrees of freedom that move as they are told take these velocities.
+    fn obey(&mut self, told: &[Real]) {
+        for ((rate, drive), told) in self.rates.iter_mut().zip(&self.drives).zip(told) {
+            *rate = if drive.is_told() { *told } else { *rate };
+        }
+    }
+
+    /// Leaves the motion of the whole alone.
+    fn slow_to_whole(&mut self) {
+        let momentum = self.root_momentum();
+        self.rates.fill(0.0);
+        add_all(&mut self.rates, self.whole.rates_at(&momentum), 1.0);
+    }
+
+    /// Leaves the whole going evenly.
+    fn slow_to(&mut self, velocity: Vector) {
+        self.rates.fill(0.0);
+        let count = self.root_dofs();
+        for (rate, axis) in self.rates[..count].iter_mut().zip(&self.kinematics.axes) {
+            *rate = linear(axis).dot(velocity);
         }
     }
 
@@ -230,13 +264,13 @@ impl Motion {
         let fastest = self.velocities.iter().map(|v| speed(linear(v))).fold(0.0, Real::max);
         if fastest > speed_max {
             self.is_limited = true;
-            for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-                *rate *= if drive.is_told() { 1.0 } else { speed_max / fastest };
-            }
-            self.follow_momentum();
+            self.slow_down(speed_max / fastest);
         }
     }
 
+    pub fn dbg(&mut self) -> (SpatialVector, SpatialVector, SpatialVector, bool) {
+        (self.root_momentum(), self.momentum, self.outside, self.is_wild)
+    }
     /// The kinetic energy of all links.
     pub fn kinetic_energy(&mut self) -> Real {
         self.kinetic_energy_from(Vector::ZERO)

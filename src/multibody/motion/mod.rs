@@ -39,7 +39,7 @@
 //! ```
 //!
 //! That is a projection in the metric of the mass, which takes energy and never gives any (Carnot's theorem). Whips are dull for
-//! a moment and never explode. (Shorter flights would keep them sharp, at the cost of several factorisations in each
+//! a moment, turn by no more than a radian in a substep, and never explode. (Shorter flights would keep them sharp, at the cost of several factorisations in each
 //! substep.) Momentum and energy of the whole are kept in either case: see `balance.rs`.
 
 mod balance;
@@ -118,16 +118,13 @@ pub struct Motion {
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
     momenta: Vec<SpatialVector>,
-    /// Velocities, and impulses from outside, before contacts acted in this pass.
-    uncontacted: Vec<Real>,
-    outside_before: SpatialVector,
     change: Vec<Real>,
     /// Was a link faster than the user allows since the step began?
     pub is_limited: bool,
     /// What the first half of the flight changed about the velocities.
     flown: Vec<Real>,
     /// Is the flight of this substep too fast to be followed?
-    is_wild: bool,
+    pub is_wild: bool,
 }
 
 impl Motion {
@@ -212,6 +209,7 @@ impl Motion {
         if self.is_wild {
             self.rates.copy_from_slice(&before);
             change.fill(0.0);
+            self.limit_whip(h);
         }
         self.flown.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
@@ -279,6 +277,7 @@ impl Motion {
         self.keep_momentum(root_center);
         if self.is_wild {
             self.limit_flight(energy);
+            self.limit_whip(h);
         }
         self.limit_speed(speed_max);
     }
@@ -315,14 +314,17 @@ impl Motion {
         self.change = change;
     }
 
-    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does.
-    pub fn fly_on(&mut self, h: Real) {
+    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does. False if that is too wild:
+    /// then nothing happens.
+    pub fn fly_on(&mut self, h: Real) -> bool {
         let mut change = core::mem::take(&mut self.change);
         let start = self.rates.clone();
-        if !self.fly_half(&start, h, &mut change) {
+        let comes_together = self.fly_half(&start, h, &mut change);
+        if !comes_together {
             self.rates.copy_from_slice(&start);
         }
         self.change = change;
+        comes_together
     }
 
     /// The velocities before the first half of the flight.

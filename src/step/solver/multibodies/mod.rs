@@ -238,9 +238,10 @@ impl SolverMultibodies {
         tasks: Tasks<'_>,
     ) {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        self.dbg("start");
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
-            moving.note_before_contacts(h);
+            moving.measure(h);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -259,6 +260,7 @@ impl SolverMultibodies {
     /// Moves all links by their velocities.
     pub fn integrate_positions(&mut self, h: Real, speed_max: Real, tasks: Tasks<'_>) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
+        self.dbg("advanced");
     }
 
     /// Solves all constraints once, with bias.
@@ -268,9 +270,25 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
+        self.dbg("pushed");
         self.visit(bodies, pass, params, true);
+        self.dbg("solved");
         self.note_work(&bodies.states);
         self.keep_energy();
+        self.dbg("kept");
+    }
+    pub fn dbg(&mut self, what: &str) {
+        if std::env::var("DBG").is_ok() {
+            for m in &mut self.moving {
+                let e = m.motion.kinetic_energy();
+                eprintln!(
+                    "{what:12} E {e:.3} limit {:.3} far {} P {:?}",
+                    m.energy,
+                    m.turns_far,
+                    m.motion.dbg()
+                );
+            }
+        }
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -280,11 +298,13 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.fast().for_each(|moving| moving.motion.note_before_contacts());
         self.visit(bodies, pass, params, false);
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         contacts.rub(numbers, &mut actors);
+        self.dbg("relaxed");
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
+        let _ = (numbers, moving);
         if pass.is_last_visit {
             joints.count();
             loops.count();
@@ -308,7 +328,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Takes away what contacts did to links that turn far if it makes more energy than there was before, and is nobody's work.
+    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
     fn keep_energy(&mut self) {
         self.fast().for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
@@ -337,11 +357,11 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    fn note_before_contacts(&mut self, h: Real) {
+    /// Finds out whether links turn far in a substep of `h` seconds, and what energy there is.
+    fn measure(&mut self, h: Real) {
         self.turns_far = self.motion.turns_far(h);
         if self.turns_far {
             self.energy = self.motion.energy_before_contacts();
-            self.motion.note_before_contacts();
         }
     }
 
@@ -351,6 +371,10 @@ impl Moving {
         }
         self.note_travel(h);
         self.motion.advance(&mut self.multibody, h, speed_max);
+        if self.motion.is_wild && !self.turns_far {
+            self.turns_far = true;
+            self.energy = self.motion.energy_before_contacts();
+        }
     }
 }
 
