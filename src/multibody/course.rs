@@ -16,7 +16,7 @@ use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::multibody::{Course, Multibody};
 
 /// The most pieces of a way.
-const PIECES_MAX: usize = 256;
+const PIECES_MAX: usize = 1024;
 /// The largest turn (rad) of a link within a piece.
 const TURN_PER_PIECE: Real = 0.5;
 

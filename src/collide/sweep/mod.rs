@@ -50,7 +50,7 @@ const CORE_DEPTH: Real = 0.98;
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
 /// and the core would be inside.
-const NEAREST: Real = 0.25;
+const NEAREST: Real = 0.6;
 /// The size of the middle of what has no inside.
 const MIDDLE: Real = 0.5;
 /// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
@@ -255,7 +255,7 @@ fn advance(
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
     let jumps = MAX_JUMPS + sweeps[0].legs().len() + sweeps[1].legs().len();
-    let (mut share, mut last_normal) = (0.0, Vector::ZERO);
+    let (mut share, mut last_normal, tolerance) = (0.0, Vector::ZERO, goal.tolerance);
     for _ in 0..jumps {
         let poses = sweeps.map(|sweep| sweep.at(share));
         let reach = goal.gap + goal.tolerance + closing_max * (until - share);
@@ -277,6 +277,9 @@ fn advance(
                 return Meeting::At(0.0);
             }
             goal.tolerance = 0.5 * (dist - goal.gap);
+        } else if dist > goal.gap + tolerance {
+            // It has left what it was near to, and is to be stopped early again.
+            goal.tolerance = tolerance;
         }
         let closing = nearing + turning(sweeps.map(|sweep| sweep.leg(share).angle()), reaches);
         // Not so far that they would touch: closest points of what touches are not always found.

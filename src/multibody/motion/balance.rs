@@ -26,7 +26,7 @@ const JUMP: Real = 1.1;
 /// How far a link turns in a substep (rad) if contacts may be wrong.
 const FAR_TURN: Real = 0.1;
 /// The farthest that joints turn in a substep (rad) when a flight is wild. Beyond that links would come to be anywhere.
-const WHIP: Real = 1.0;
+const WHIP: Real = 0.5;
 
 impl LinkFrame {
     /// The momentum that it has at a velocity.
@@ -268,7 +268,6 @@ impl Motion {
         }
     }
 
-    pub fn dbg(&mut self) -> (SpatialVector, SpatialVector, SpatialVector, bool) {
         (self.root_momentum(), self.momentum, self.outside, self.is_wild)
     }
     /// The kinetic energy of all links.

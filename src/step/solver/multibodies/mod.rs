@@ -238,7 +238,6 @@ impl SolverMultibodies {
         tasks: Tasks<'_>,
     ) {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
-        self.dbg("start");
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
             moving.measure(h);
@@ -260,7 +259,6 @@ impl SolverMultibodies {
     /// Moves all links by their velocities.
     pub fn integrate_positions(&mut self, h: Real, speed_max: Real, tasks: Tasks<'_>) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
-        self.dbg("advanced");
     }
 
     /// Solves all constraints once, with bias.
@@ -270,14 +268,10 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.dbg("pushed");
         self.visit(bodies, pass, params, true);
-        self.dbg("solved");
         self.note_work(&bodies.states);
         self.keep_energy();
-        self.dbg("kept");
     }
-    pub fn dbg(&mut self, what: &str) {
         if std::env::var("DBG").is_ok() {
             for m in &mut self.moving {
                 let e = m.motion.kinetic_energy();
@@ -302,9 +296,6 @@ impl SolverMultibodies {
         let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
         contacts.rub(numbers, &mut actors);
-        self.dbg("relaxed");
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let _ = (numbers, moving);
         if pass.is_last_visit {
             joints.count();
             loops.count();
