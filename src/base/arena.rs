@@ -69,9 +69,12 @@ impl<T> Arena<T> {
         Self { slots: Vec::new(), first_free: None, len: 0 }
     }
 
-    /// An empty arena with room for `capacity` elements.
+    /// An empty arena with room for `capacity` elements, unless there is no memory for so many.
     pub fn with_capacity(capacity: usize) -> Self {
-        Self { slots: Vec::with_capacity(capacity), first_free: None, len: 0 }
+        let mut arena = Self::new();
+        // A wish, and not more: who inserts fewer than he said never notices.
+        let _ = arena.slots.try_reserve_exact(capacity);
+        arena
     }
 
     /// Number of elements.
