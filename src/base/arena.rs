@@ -96,13 +96,13 @@ impl<T> Arena<T> {
     ///
     /// # Panics
     /// At 2³² - 1 elements, more than memory holds.
+    #[expect(clippy::expect_used, reason = "no memory holds so many")]
     pub fn insert(&mut self, value: T) -> Index {
         self.len += 1;
-        if let Some(index) = self.first_free {
-            let slot = &mut self.slots[index as usize];
-            let Slot::Free { next, generation } = *slot else {
-                unreachable!("the free list leads to taken slot {index}")
-            };
+        if let Some(index) = self.first_free
+            && let Some(slot) = self.slots.get_mut(index as usize)
+            && let Slot::Free { next, generation } = *slot
+        {
             self.first_free = next;
             *slot = Slot::Taken { generation, value };
             return Index { index, generation };

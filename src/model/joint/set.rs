@@ -386,6 +386,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 
     /// # Panics
     /// If the handle finds no joint.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: ImpulseJointHandle) -> &ImpulseJoint {
         match self.get(handle) {
             Some(joint) => joint,
@@ -397,6 +398,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 impl core::ops::IndexMut<ImpulseJointHandle> for ImpulseJointSet {
     /// # Panics
     /// If the handle finds no joint.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: ImpulseJointHandle) -> &mut ImpulseJoint {
         match self.get_mut(handle) {
             Some(joint) => joint,
