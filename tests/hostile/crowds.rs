@@ -43,7 +43,12 @@ fn ten_thousand_bodies_at_one_point() {
 /// Those who had to wait get their contacts when there is room: in the end nobody is inside another one.
 #[test]
 fn a_crowd_comes_apart_and_forgets_the_limit() {
-    let mut world = heap(60, &ColliderBuilder::ball(0.2), 6);
+    let mut world = heap(0, &cuboid(0.5, 0.5), 6);
+    for k in 0..60_u8 {
+        // Bodies at exactly one height and width would stand on each other for a long time.
+        let body = RigidBodyBuilder::dynamic().translation(vec(0.001 * Real::from(k), 1.0));
+        world.insert(body, ColliderBuilder::ball(0.2));
+    }
     world.step();
     assert!(world.physics_pipeline.counters.cd.ncrowded > 0);
     for _ in 0..600 {
