@@ -39,6 +39,10 @@
 //! cosines from a portable library. `dim2`, `f32`, `std` and `simd-stable` are accepted: what they stand
 //! for is always on.
 
+// No value panics: whoever knows better says why (docs/panics.md).
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
+#![warn(clippy::todo, clippy::unimplemented, clippy::exit, clippy::string_slice)]
+
 #[cfg(feature = "parry2d-f64")]
 pub extern crate parry2d_f64 as parry;
 #[cfg(not(feature = "parry2d-f64"))]

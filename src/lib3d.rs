@@ -39,6 +39,10 @@
 //! cosines from a portable library. `dim3`, `f32`, `std` and `simd-stable` are accepted: what they stand
 //! for is always on.
 
+// No value panics: whoever knows better says why (docs/panics.md).
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
+#![warn(clippy::todo, clippy::unimplemented, clippy::exit, clippy::string_slice)]
+
 #[cfg(feature = "parry3d-f64")]
 pub extern crate parry3d_f64 as parry;
 #[cfg(not(feature = "parry3d-f64"))]

@@ -69,9 +69,12 @@ impl<T> Arena<T> {
         Self { slots: Vec::new(), first_free: None, len: 0 }
     }
 
-    /// An empty arena with room for `capacity` elements.
+    /// An empty arena with room for `capacity` elements, unless there is no memory for so many.
     pub fn with_capacity(capacity: usize) -> Self {
-        Self { slots: Vec::with_capacity(capacity), first_free: None, len: 0 }
+        let mut arena = Self::new();
+        // A wish, and not more: who inserts fewer than he said never notices.
+        let _ = arena.slots.try_reserve_exact(capacity);
+        arena
     }
 
     /// Number of elements.
@@ -93,13 +96,13 @@ impl<T> Arena<T> {
     ///
     /// # Panics
     /// At 2³² - 1 elements, more than memory holds.
+    #[expect(clippy::expect_used, reason = "no memory holds so many")]
     pub fn insert(&mut self, value: T) -> Index {
         self.len += 1;
-        if let Some(index) = self.first_free {
-            let slot = &mut self.slots[index as usize];
-            let Slot::Free { next, generation } = *slot else {
-                unreachable!("the free list leads to taken slot {index}")
-            };
+        if let Some(index) = self.first_free
+            && let Some(slot) = self.slots.get_mut(index as usize)
+            && let Slot::Free { next, generation } = *slot
+        {
             self.first_free = next;
             *slot = Slot::Taken { generation, value };
             return Index { index, generation };

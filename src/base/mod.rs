@@ -9,6 +9,7 @@ pub mod closest;
 pub mod disjoint;
 pub(crate) mod guard;
 pub(crate) mod hash;
+pub(crate) mod held;
 pub(crate) mod measure;
 pub mod nearest;
 pub mod segments;

@@ -319,6 +319,7 @@ fn rotation_of<W: Wide>(own: &[W; PLAIN_LEN]) -> WideRotation<W> {
 }
 
 /// Half of the record of each body; no lane beyond them is looked at later.
+#[expect(clippy::expect_used, reason = "half a record is so long")]
 #[inline(always)]
 fn rows(
     bodies: &[FreeMotion],

@@ -184,6 +184,7 @@ pub(crate) unsafe fn scatter_states<W: Wide>(
 }
 
 /// Reads the velocity of one body per lane.
+#[expect(clippy::expect_used, reason = "a state begins with a motion")]
 #[inline(always)]
 pub(crate) fn gather_velocities<W: Wide>(
     states: &[BodyState],

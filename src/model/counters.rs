@@ -46,6 +46,10 @@ pub struct CollisionDetectionCounters {
     pub narrow_phase_time: Timer,
     /// Number of pairs whose boxes overlap.
     pub ncontact_pairs: usize,
+    /// Number of colliders that had more neighbours than
+    /// [`max_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_neighbors_per_collider): some of them do
+    /// without a contact.
+    pub ncrowded: usize,
 }
 
 /// Times and numbers of the solver.

@@ -68,9 +68,8 @@ impl Multibody {
         joint_can_move: impl Fn(&MultibodyLink) -> bool,
         displacements: &mut Vec<Real>,
     ) {
-        let Some(target) = checked_pose(*target_pose).filter(|_| link_id < self.links.len()) else {
-            return;
-        };
+        let is_link = link_id < self.links.len() && self.is_whole();
+        let Some(target) = checked_pose(*target_pose).filter(|_| is_link) else { return };
         let mut start = self.clone();
         start.forward_kinematics(bodies, false);
         let mut posed = start.clone();
@@ -122,7 +121,7 @@ impl Multibody {
         damping: Real,
         displacements: &mut [Real],
     ) {
-        if link_id < self.links.len() {
+        if link_id < self.links.len() && self.is_whole() {
             let jacobian = self.jacobian_at_origin(link_id);
             Self::inverse_kinematics_delta_with_jacobian(
                 &jacobian,

@@ -39,10 +39,13 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// The links as the coordinates say, from the root on, which stands where it stands.
+    /// The links as the coordinates say, from the root on, which stands where it stands. None of a multibody whose links were put
+    /// in the place of others.
     pub fn of(multibody: &Multibody) -> Self {
         let mut kinematics = Self::default();
-        kinematics.update(multibody);
+        if multibody.is_whole() {
+            kinematics.update(multibody);
+        }
         kinematics
     }
 
@@ -200,10 +203,7 @@ impl Multibody {
     ///
     /// It is that of the poses that the coordinates say now, with the root where it was in the last step.
     pub fn body_jacobian(&self, link_id: usize) -> Vec<SpatialVector> {
-        if link_id >= self.links.len() {
-            Vec::new()
-        } else {
-            Kinematics::of(self).jacobian(link_id)
-        }
+        let kinematics = Kinematics::of(self);
+        if link_id < kinematics.links.len() { kinematics.jacobian(link_id) } else { Vec::new() }
     }
 }

@@ -42,6 +42,9 @@ impl Multibody {
     /// `M⁻¹ τ`: how much the degrees of freedom accelerate under these forces on them (or how much velocity impulses give
     /// them), in time proportional to their number. Forces that are missing are taken for 0.
     pub fn accelerations_of(&self, forces: &[Real]) -> Vec<Real> {
+        if !self.is_whole() {
+            return vec![0.0; self.ndofs()];
+        }
         let kinematics = Kinematics::of(self);
         let armature: Vec<_> = self.armature().iter().copied().map(usable).collect();
         let mut factor = Factor::default();

@@ -21,7 +21,7 @@ impl Multibody {
         read_root_pose_from_rigid_body: bool,
     ) {
         let Some(root) = self.links.first().and_then(|root| bodies.get(root.body)) else { return };
-        if self.links.iter().any(|link| !bodies.contains(link.body)) {
+        if !self.is_whole() || self.links.iter().any(|link| !bodies.contains(link.body)) {
             return;
         }
         self.follow_axes(root);
@@ -79,6 +79,9 @@ impl Multibody {
     /// Moves the coordinates by a displacement per degree of freedom (length units, radians). Ones that are missing are taken
     /// for 0. The links follow with [`Self::forward_kinematics`], or in the next step.
     pub fn apply_displacements(&mut self, displacements: &[Real]) {
+        if !self.is_whole() {
+            return;
+        }
         for link in &mut self.links {
             let own = displacements.get(link.dofs()).unwrap_or_default();
             if link.parent.is_some() {

@@ -17,6 +17,7 @@ mod continuous;
 mod advance;
 mod events;
 
+use crate::base::held::HeldPanic;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
 use crate::dim::math::{Real, Vector};
@@ -36,7 +37,6 @@ use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use user_changes::Digest;
 
 /// A world, taken apart.
@@ -89,25 +89,42 @@ fn step_with(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     scratch.quarantine.open();
+    // Hooks may panic. What the step has found by then is told all the same.
+    let mut panic = HeldPanic::default();
+    let moved = panic.hold(|| simulate(tasks, &mut parts, joints, multibodies, scratch));
+    let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
+    parts.counters.solver.nquarantined = taken_out;
+    let dt = if moved.is_some() { parts.params.dt } else { 0.0 };
+    panic.join(moved.unwrap_or_default());
+    report(&parts, scratch, dt, &mut panic);
+    parts.counters.step_time.pause();
+    panic.release();
+}
+
+/// All stages of the step but the last, which tells of them. Returns the panic of a hook that did not end it.
+fn simulate(
+    tasks: Tasks<'_>,
+    parts: &mut StepParts<'_>,
+    joints: &mut ImpulseJointSet,
+    multibodies: &mut MultibodyJointSet,
+    scratch: &mut StepScratch,
+) -> HeldPanic {
     let conditions = parts.conditions();
     let world = parts.world(joints, multibodies);
     let way_back = quarantine::is_at_risk(&world, conditions).then(|| WayBack::new(&world));
-    while !solve(tasks, &mut parts, joints, multibodies, scratch) {
+    while !solve(tasks, parts, joints, multibodies, scratch) {
         let StepScratch { quarantine, notes, .. } = scratch;
         let world = parts.world(joints, multibodies);
         quarantine.take_out(world, way_back.as_ref(), conditions, notes);
     }
-    if parts.params.dt > 0.0 {
-        follow_bodies(tasks, &mut parts, multibodies, scratch);
-        put_to_sleep(&mut parts, scratch);
-        parts.validate();
-    } else {
+    if parts.params.dt <= 0.0 {
         parts.islands.forget_motion();
+        return HeldPanic::default();
     }
-    let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
-    parts.counters.solver.nquarantined = taken_out;
-    report(&parts, scratch, parts.params.dt);
-    parts.counters.step_time.pause();
+    let panic = follow_bodies(tasks, parts, multibodies, scratch);
+    put_to_sleep(parts, scratch);
+    parts.validate();
+    panic
 }
 
 /// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them could; if not,
@@ -150,12 +167,16 @@ pub(crate) fn detect_collisions(
         let multibodies = MultibodyEdits::default();
         Digest { structure, tree, joints, multibodies, params, events }.run_removals();
     }
-    Tasks::open(|tasks| find_contacts(tasks, &mut parts, scratch));
-    parts.bodies.renew_places();
-    parts.islands.forget_motion();
-    parts.narrow_phase.forget_step_impulses();
-    report(&parts, scratch, 0.0);
+    let mut panic = HeldPanic::default();
+    let found = panic.hold(|| Tasks::open(|tasks| find_contacts(tasks, &mut parts, scratch)));
+    if found.is_some() {
+        parts.bodies.renew_places();
+        parts.islands.forget_motion();
+        parts.narrow_phase.forget_step_impulses();
+    }
+    report(&parts, scratch, 0.0, &mut panic);
     parts.counters.step_time.pause();
+    panic.release();
 }
 
 fn take_in_user_changes(
@@ -176,10 +197,10 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     let StepScratch { notes, broad_phase, pairs, narrow_phase, simd, .. } = scratch;
     parts.counters.stages.collision_detection_time.resume();
     parts.counters.cd.broad_phase_time.resume();
-    let known = &*parts.narrow_phase;
-    let is_known = |slot1, slot2| known.knows(slot1, slot2);
-    let (tree, colliders) = (&mut *parts.broad_phase, parts.colliders as &ColliderSet);
-    broad_phase::find_pairs(tasks, tree, colliders, is_known, broad_phase, pairs);
+    let (known, colliders) = (&*parts.narrow_phase, &*parts.colliders);
+    let tree = (&mut *parts.broad_phase, parts.params.max_neighbors_per_collider);
+    parts.counters.cd.ncrowded =
+        broad_phase::find_pairs(tasks, tree, colliders, known, broad_phase, pairs);
     let (mut structure, _) = parts.structure();
     for &(collider1, collider2) in pairs.iter() {
         structure.add_pair(collider1, collider2);
@@ -233,17 +254,17 @@ fn move_bodies(
     parts.counters.stages.solver_time.pause();
 }
 
+/// Returns the panic of a hook: bodies have moved, and the rest of the world must follow them.
 fn follow_bodies(
     tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
     multibodies: &mut MultibodyJointSet,
     scratch: &mut StepScratch,
-) {
+) -> HeldPanic {
     parts.counters.stages.ccd_time.resume();
     parts.counters.ccd.toi_computation_time.resume();
-    // Bodies have moved: whatever a hook does, the rest of the world must follow them.
-    let search = AssertUnwindSafe(|| find_impacts(tasks, parts, multibodies, scratch));
-    let found = catch_unwind(search);
+    let mut panic = HeldPanic::default();
+    panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
     let StepNotes { fast, courses, events, .. } = &mut scratch.notes;
     let (stops, told) = (&scratch.continuous, (events, &mut parts.counters.ccd));
@@ -255,7 +276,7 @@ fn follow_bodies(
     let scratch = &mut scratch.advance;
     advance::advance(tasks, bodies, colliders, islands, broad_phase, params, scratch);
     parts.counters.stages.update_time.pause();
-    found.unwrap_or_else(|panic| resume_unwind(panic));
+    panic
 }
 
 fn find_impacts(
@@ -287,9 +308,9 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
 }
 
 /// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
-fn report(parts: &StepParts<'_>, scratch: &StepScratch, dt: Real) {
+fn report(parts: &StepParts<'_>, scratch: &StepScratch, dt: Real, panic: &mut HeldPanic) {
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
-    events::report(bodies, colliders, narrow_phase, &scratch.notes, dt, *events);
+    events::report((bodies, colliders, narrow_phase), &scratch.notes, dt, *events, panic);
 }
 
 impl StepScratch {

@@ -1,7 +1,7 @@
 //! What makes no sense moves nobody, and harms nothing.
 
 use super::stage::{DT, Walker, level};
-use crate::dim::{cuboid, vec};
+use crate::dim::{about_z, ang_length, cuboid, vec};
 use rapier::control::*;
 use rapier::prelude::*;
 
@@ -24,6 +24,30 @@ fn impossible_wishes_times_and_poses_move_nobody() {
     }
     still(DT, Pose::from_translation(vec(Real::NAN, 0.0)));
     still(DT, Pose::from_translation(vec(0.0, Real::INFINITY)));
+}
+
+/// A change of velocity is a number, or none, whatever the controller, the time and the target are.
+#[test]
+fn feedback_of_nonsense_is_a_velocity() {
+    let values = crate::suite::hostile::values::EDGES;
+    let body = RigidBodyBuilder::dynamic().translation(vec(1.0, 2.0)).linvel(vec(3.0, 4.0)).build();
+    let usable = |change: RigidBodyVelocity| {
+        assert!(change.linvel.is_finite() && ang_length(change.angvel).is_finite(), "{change:?}");
+    };
+    let at = |value: Real| Pose::from_translation(vec(value, value));
+    for gain in values {
+        for value in values {
+            let pd = PdController::new(gain, value, AxesMask::all());
+            let vels = RigidBodyVelocity::new(vec(value, gain), about_z(value));
+            usable(pd.rigid_body_correction(&body, at(value), vels));
+            let mut pid = PidController::new(gain, value, 0.8, AxesMask::all());
+            for dt in values {
+                usable(pid.rigid_body_correction(dt, &body, at(value), vels));
+                assert!(pid.lin_integral.is_finite() && ang_length(pid.ang_integral).is_finite());
+            }
+            pid.reset_integrals();
+        }
+    }
 }
 
 #[test]

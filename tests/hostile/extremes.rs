@@ -65,6 +65,43 @@ fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
     }
 }
 
+/// What is 10⁹ times as heavy as its neighbour squeezes it out like a cherry stone; but with no more energy than there was.
+#[test]
+fn masses_of_any_ratio_may_touch() {
+    const MASSES: [Real; 4] = [1.0e-9, 1.0e-3, 1.0e3, 1.0e9];
+    let untouched = Scene::new().bystanders_in_the_end();
+    for below in MASSES {
+        for above in MASSES {
+            let mut scene = Scene::new();
+            let pile = [scene.neighbours[0], scene.body, scene.neighbours[1]];
+            for (body, mass) in pile.into_iter().zip([below, 1.0, above]) {
+                let collider = scene.world.bodies[body].colliders()[0];
+                scene.world.colliders[collider].set_mass(mass);
+            }
+            assert!(
+                scene.bystanders_in_the_end() == untouched,
+                "{above} on {below} is felt far away"
+            );
+            // Centres at half a metre, a metre and a half, and two and a half.
+            let energy = 9.81 * (0.5 * below + 1.5 + 2.5 * above);
+            for step in 0..120 {
+                scene.steps(1);
+                for handle in pile {
+                    let body = &scene.world.bodies[handle];
+                    let kinetic = 0.5 * body.mass() * body.linvel().length_squared();
+                    let height = body.translation().y;
+                    let case =
+                        format!("{above} on {below}, step {step}: {kinetic} J at {height} m");
+                    assert!(body.is_enabled() && kinetic <= energy, "{case} of {energy} J");
+                    // What is crushed gives way; what crushes it does not fall through the ground.
+                    let is_heaviest = body.mass() >= below.max(above).max(1.0);
+                    assert!(height > 0.4 || !is_heaviest, "{case}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn sizes_and_masses_of_any_ratio_leave_the_world_in_order() {
     for (small, large) in [(1.0e-6, 1.0e6), (1.0e-3, 1.0e3), (1.0e-15, 1.0e15), (0.1, 1.0e9)] {

@@ -120,6 +120,60 @@ fn nothing_is_attached_to_a_lost_body() {
     assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
 }
 
+/// A joint to a body that was made up goes in the next step, and costs no memory for all the bodies that are not there.
+#[test]
+fn nothing_is_joined_to_a_lost_body() {
+    let mut scene = Scene::new();
+    let mut lost = lost_bodies(&mut scene);
+    lost.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
+    for (k, &lost) in lost.iter().enumerate() {
+        let joint = FixedJointBuilder::new().build();
+        let ends = if k % 2 == 0 { [lost, scene.body] } else { [scene.body, lost] };
+        let kept = scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
+        let gone = scene.world.impulse_joints.insert(lost, lost, joint, true);
+        assert_eq!(scene.world.impulse_joints.attached_joints(lost).count(), 2, "{lost:?}");
+        assert!(scene.world.impulse_joints.remove(gone, true).is_some(), "{lost:?}");
+        assert_eq!(scene.world.impulse_joints.joints_between(lost, scene.body).count(), 1);
+        scene.world.impulse_joints.remove_joints_attached_to_rigid_body(lost);
+        assert!(scene.world.impulse_joints.get(kept).is_none(), "{lost:?}");
+        listen(|| {
+            scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
+            scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
+            scene.world.multibody_joints.remove_joints_attached_to_rigid_body(lost);
+            scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
+        });
+        scene.world.wake_up(lost, true);
+        scene.world.step();
+        assert!(scene.world.impulse_joints.is_empty(), "{lost:?}");
+        assert!(scene.world.multibody_joints.is_empty(), "{lost:?}");
+    }
+    assert!(scene.world.impulse_joints.get_unknown_gen(u32::MAX).is_none());
+    assert!(scene.world.multibody_joints.get_unknown_gen(u32::MAX).is_none());
+    for slot in [0, 1_000_000, u32::MAX - 1, u32::MAX] {
+        for generation in [0, 1, u32::MAX] {
+            let joint = ImpulseJointHandle::from_raw_parts(slot, generation);
+            assert!(scene.world.impulse_joints.get(joint).is_none());
+            assert!(scene.world.impulse_joints.get_mut(joint).is_none());
+            assert!(scene.world.impulse_joints.remove(joint, true).is_none());
+            let joint = MultibodyJointHandle::from_raw_parts(slot, generation);
+            assert!(scene.world.multibody_joints.get(joint).is_none());
+            assert!(scene.world.multibody_joints.get_mut(joint).is_none());
+            assert!(scene.world.multibody_joints.remove(joint, true).is_none());
+            scene.world.multibody_joints.remove_multibody_articulations(joint, true);
+        }
+    }
+    scene.steps(2);
+}
+
+/// Room is a wish: nobody must have the memory.
+#[test]
+fn any_capacity_may_be_wished_for() {
+    for capacity in [0, 1, usize::MAX / 2, usize::MAX] {
+        assert!(RigidBodySet::with_capacity(capacity).is_empty());
+        assert!(ColliderSet::with_capacity(capacity).is_empty());
+    }
+}
+
 /// The handle of a slot's last tenant does not find the next one.
 #[test]
 fn a_slot_forgets_its_last_tenant() {

@@ -8,6 +8,7 @@ use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 
 /// Calls closures instead of having opinions of its own.
 #[derive(Default)]
@@ -181,6 +182,180 @@ fn a_world_outlives_the_panics_of_hooks_and_handlers() {
         steps(&mut scene, &Hooks::default(), round % 4);
     }
     scene.steps(60);
+}
+
+/// What a handler was told: which colliders began (or stopped) to touch, and which bodies were taken out.
+type Told = Vec<(bool, ColliderHandle, ColliderHandle)>;
+
+/// Takes notes, and panics as often as it is told to.
+#[derive(Default)]
+struct Notes {
+    told: Mutex<Told>,
+    quarantined: AtomicUsize,
+    panics: AtomicUsize,
+}
+
+impl Notes {
+    fn take_note(&self, note: (bool, ColliderHandle, ColliderHandle)) {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).push(note);
+        let left = self.panics.fetch_update(Relaxed, Relaxed, |left| left.checked_sub(1));
+        assert!(left.is_err(), "a handler, with {left:?} panics left");
+    }
+
+    fn into_told(self) -> Told {
+        self.told.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl EventHandler for Notes {
+    fn handle_collision_event(
+        &self,
+        _: &RigidBodySet,
+        _: &ColliderSet,
+        event: &CollisionEvent,
+        _: Option<&ContactPair>,
+    ) {
+        self.take_note((event.started(), event.collider1(), event.collider2()));
+    }
+
+    fn handle_quarantine_event(&self, _: &QuarantineEvent, _: &RigidBodySet, _: &ColliderSet) {
+        self.quarantined.fetch_add(1, Relaxed);
+    }
+}
+
+/// Bullets that fall onto a plate, some of which go again: what a handler is told in sixty steps that do not panic. `panics_at`
+/// is the call of the hooks that does.
+fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Told {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(cuboid(50.0, 0.05), None);
+    let balls: [_; 6] = core::array::from_fn(|k| {
+        let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, 2.0));
+        let ball = ColliderBuilder::ball(0.1)
+            .active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS)
+            .active_events(ActiveEvents::all());
+        world.insert(body.linvel(vec(0.0, -300.0)).ccd_enabled(k % 2 == 0), ball).0
+    });
+    let calls = AtomicUsize::new(0);
+    let filter = || {
+        assert!(Some(calls.fetch_add(1, Relaxed)) != panics_at, "a filter");
+        true
+    };
+    let hooks = Hooks { filter: Some(&filter), modify: None };
+    for step in 0..60 {
+        if step == 30 {
+            world.remove_body(balls[0]);
+            world.remove_body(balls[3]);
+        }
+        let mut once = || world.step_with_events(&hooks, &notes);
+        if catch_unwind(AssertUnwindSafe(&mut once)).is_err() {
+            once();
+        }
+    }
+    notes.into_told()
+}
+
+/// Whatever call of a hook panics, in whatever stage: what was found before it is told, and what it kept from being found is
+/// found later.
+#[test]
+fn no_event_is_lost_when_a_hook_panics() {
+    let mut expected = bullets_on_a_plate(None, Notes::default());
+    expected.sort_unstable();
+    assert_eq!(expected.iter().filter(|(started, ..)| *started).count(), 6, "{expected:?}");
+    assert_eq!(expected.len(), 8, "two were removed: {expected:?}");
+    for panics_at in 0..260 {
+        let mut told = bullets_on_a_plate(Some(panics_at), Notes::default());
+        told.sort_unstable();
+        assert_eq!(told, expected, "after a panic of call {panics_at}");
+    }
+}
+
+/// A handler that panics is told the rest all the same, in the same step and the same order.
+#[test]
+fn no_event_is_lost_when_a_handler_panics() {
+    let expected = bullets_on_a_plate(None, Notes::default());
+    for panics in [1, 2, 3] {
+        let notes = Notes { panics: AtomicUsize::new(panics), ..Notes::default() };
+        assert_eq!(bullets_on_a_plate(None, notes), expected, "after {panics} panics");
+    }
+}
+
+/// The body was taken out, so somebody must be told, even though the step ends with a panic.
+#[test]
+fn who_is_taken_out_is_told_when_a_hook_panics() {
+    for panics_at in 0..6 {
+        let mut scene = scene();
+        let force = Vector::Y * 1.0e30;
+        scene.world.bodies[scene.body].add_force(force, true);
+        let calls = AtomicUsize::new(0);
+        let filter = || {
+            assert!(calls.fetch_add(1, Relaxed) != panics_at, "a filter");
+            true
+        };
+        let (hooks, notes) = (Hooks { filter: Some(&filter), modify: None }, Notes::default());
+        for _ in 0..3 {
+            let step = AssertUnwindSafe(|| scene.world.step_with_events(&hooks, &notes));
+            let ((), _) = listen(|| drop(catch_unwind(step)));
+        }
+        assert!(scene.body().quarantine().is_some(), "panic of call {panics_at}");
+        assert_eq!(notes.quarantined.into_inner(), 1, "panic of call {panics_at}");
+        steps(&mut scene, &Hooks::default(), 10);
+    }
+}
+
+/// A handler may ask the world that it is told of, and step another one that tells it, too.
+struct Curious {
+    asked: AtomicUsize,
+    inner: ChannelEventCollector,
+}
+
+impl EventHandler for Curious {
+    fn handle_collision_event(
+        &self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        event: &CollisionEvent,
+        pair: Option<&ContactPair>,
+    ) {
+        self.inner.handle_collision_event(bodies, colliders, event, pair);
+        let living = [event.collider1(), event.collider2()].map(|handle| colliders.get(handle));
+        for collider in living.into_iter().flatten() {
+            let down = Ray::new(collider.translation() + Vector::Y * 9.0, -Vector::Y);
+            assert!(collider.shape().intersects_ray(collider.position(), &down, 20.0));
+        }
+        if self.asked.fetch_add(1, Relaxed) < 2 {
+            let mut other = scene();
+            other.collider().set_active_events(ActiveEvents::all());
+            let (left, right) = rayon::join(
+                || other.world.step_with_events(&Hooks::default(), self),
+                || colliders.len(),
+            );
+            let ((), count) = (left, right);
+            assert!(count > 0);
+        }
+    }
+}
+
+#[test]
+fn handlers_may_come_back() {
+    let (send_collision, collisions) = std::sync::mpsc::channel();
+    let (send_force, _forces) = std::sync::mpsc::channel();
+    let inner = ChannelEventCollector::new(send_collision, send_force);
+    let handler = Curious { asked: AtomicUsize::new(0), inner };
+    let mut scene = scene();
+    let (body, _) = scene.world.insert(
+        RigidBodyBuilder::dynamic().translation(vec(0.0, 3.6)),
+        cuboid(0.5, 0.5).active_events(ActiveEvents::all()),
+    );
+    for _ in 0..30 {
+        scene.world.step_with_events(&Hooks::default(), &handler);
+        check(&scene.world);
+    }
+    scene.world.remove_body(body);
+    scene.world.step_with_events(&Hooks::default(), &handler);
+    let asked = handler.asked.into_inner();
+    drop(handler.inner);
+    assert!(asked >= 2, "asked {asked} times");
+    assert_eq!(collisions.try_iter().count(), asked);
 }
 
 /// Nothing gets through a plate because a hook panicked while its path was searched.

@@ -88,6 +88,24 @@ fn endless_iterations_are_refused_by_name() {
     scene.steps(2);
 }
 
+/// No neighbours of its size, or as many as there are: both can be done.
+#[test]
+fn any_number_of_neighbours_is_a_limit() {
+    let expected = Scene::new().all_in_the_end();
+    for most in [3, usize::MAX / 2, usize::MAX / 2 + 1, usize::MAX] {
+        let mut scene = Scene::new();
+        scene.world.integration_parameters.max_neighbors_per_collider = most;
+        scene.world.bodies.iter_mut().for_each(|(_, body)| body.wake_up(false));
+        assert!(scene.all_in_the_end() == expected, "{most} is a limit for piles of three");
+    }
+    let mut scene = Scene::new();
+    scene.world.integration_parameters.max_neighbors_per_collider = 0;
+    scene
+        .world
+        .insert(RigidBodyBuilder::dynamic().translation(Vector::Y), ColliderBuilder::ball(0.5));
+    scene.steps(10);
+}
+
 #[test]
 fn setters_of_the_time_step_keep_the_old_one() {
     for value in NOT_FINITE.into_iter().chain([-1.0, Real::MAX, Real::MIN_POSITIVE]) {

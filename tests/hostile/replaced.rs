@@ -3,7 +3,9 @@
 //! A body or collider in hand is a `&mut`, and whatever is assigned to it brings along what it knew of *its* place: its
 //! body, its colliders, where it stood in the lists of the step.
 
+use super::listener::listen;
 use super::scene::Scene;
+use super::world::check;
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
@@ -109,4 +111,158 @@ fn a_multibody_of_a_body_and_its_predecessor_is_none() {
         super::world::check(&world);
         assert!(world.multibody_joints.is_empty());
     }
+}
+
+/// Chains of balls: their joints, in the order of the links.
+fn chains(world: &mut PhysicsWorld, lengths: &[usize]) -> Vec<Vec<MultibodyJointHandle>> {
+    let mut chain = |row: usize, length: usize| {
+        let ball = |k: usize| {
+            RigidBodyBuilder::dynamic().translation(vec(k as Real, 3.0 * row as Real + 2.0))
+        };
+        let mut last = world.insert(ball(0), ColliderBuilder::ball(0.2)).0;
+        (1..length)
+            .map(|k| {
+                let next = world.insert(ball(k), ColliderBuilder::ball(0.2)).0;
+                let joint = crate::dim::hinge().local_anchor1(vec(1.0, 0.0)).build();
+                let joint = world.multibody_joints.insert(last, next, joint, true);
+                last = next;
+                joint.expect("nothing is in the way")
+            })
+            .collect()
+    };
+    lengths.iter().enumerate().map(|(row, &length)| chain(row, length)).collect()
+}
+
+fn multibody(world: &mut PhysicsWorld, joint: MultibodyJointHandle) -> &mut Multibody {
+    world.multibody_joints.get_mut(joint).expect("it was not removed").0
+}
+
+/// All that can be asked of a multibody, whatever it is made of.
+fn ask(multibody: &mut Multibody, bodies: &mut RigidBodySet) {
+    let count = multibody.num_links() + 2;
+    multibody.mass_matrix();
+    multibody.bias_forces();
+    multibody.accelerations_of(&[1.0; 3]);
+    multibody.forward_kinematics(bodies, true);
+    multibody.apply_displacements(&[0.1; 40]);
+    for id in (0..count).chain([usize::MAX]) {
+        multibody.forward_kinematics_single_branch(bodies, id);
+        multibody.body_jacobian(id);
+        multibody.kinematic_branch(id);
+        multibody.joint_velocity(id);
+        let options = InverseKinematicsOption::default();
+        let mut shift = vec![0.0; multibody.ndofs()];
+        let target = Pose::from_translation(Vector::ONE);
+        multibody.inverse_kinematics(bodies, id, &options, &target, |_| true, &mut shift);
+        multibody.inverse_kinematics_delta(id, &[0.1; _], 1.0, &mut shift);
+        for axis in [JointAxis::LinX, JointAxis::AngX] {
+            let _ = multibody.add_dof_coupling(id, axis, 1, JointAxis::AngX, 1.0, 0.0);
+        }
+    }
+    multibody.update_rigid_bodies(bodies, true);
+}
+
+/// A multibody with other links than those that were joined is none: its joints go, and nothing else does.
+#[test]
+fn multibodies_and_links_that_were_swapped_are_none() {
+    type Change = (&'static str, fn(&mut PhysicsWorld, &[Vec<MultibodyJointHandle>]));
+    let changes: [Change; 7] = [
+        ("emptied", |world, chains| *multibody(world, chains[0][0]) = Multibody::new()),
+        ("swapped", |world, chains| {
+            let short = core::mem::take(multibody(world, chains[0][0]));
+            let long = core::mem::replace(multibody(world, chains[1][0]), short);
+            *multibody(world, chains[0][0]) = long;
+        }),
+        ("a copy of another", |world, chains| {
+            let long = multibody(world, chains[1][0]).clone();
+            *multibody(world, chains[0][0]) = long;
+        }),
+        ("a link twice", |world, chains| {
+            let chain = multibody(world, chains[0][0]);
+            *chain.link_mut(1).expect("three links") = chain.link(2).expect("three").clone();
+        }),
+        ("a root behind", |world, chains| {
+            let chain = multibody(world, chains[0][0]);
+            *chain.link_mut(2).expect("three links") = chain.root().expect("three").clone();
+        }),
+        ("a link from far behind", |world, chains| {
+            let last = multibody(world, chains[1][0]).link(5).expect("six links").clone();
+            *multibody(world, chains[0][0]).root_mut().expect("a root") = last;
+        }),
+        ("turned round", |world, chains| {
+            let chain = multibody(world, chains[0][0]);
+            let mut links: Vec<_> = chain.links().cloned().collect();
+            chain.links_mut().for_each(|link| *link = links.pop().expect("as many as before"));
+        }),
+    ];
+    for (name, change) in changes {
+        for (step_first, then) in
+            [false, true].into_iter().flat_map(|s| (0..4).map(move |t| (s, t)))
+        {
+            let mut world = PhysicsWorld::new();
+            world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+            let chains = chains(&mut world, &[3, 6, 2]);
+            if step_first {
+                world.step();
+            }
+            change(&mut world, &chains);
+            listen(|| go_on(&mut world, chains[0][1], then));
+            let left = |k: usize| chains[k].iter().filter(|j| world.multibody_joints.contains(**j));
+            assert_eq!(left(0).count(), 0, "{name}, {then}: joints of the broken one are left");
+            assert_eq!(left(2).count(), 1, "{name}, {then}: a bystander lost its joint");
+        }
+    }
+}
+
+/// Asks, edits in one of four ways, and steps a world with a multibody that is not what it was.
+fn go_on(world: &mut PhysicsWorld, joint: MultibodyJointHandle, then: usize) {
+    let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
+    let PhysicsWorld { multibody_joints, bodies: set, .. } = &mut *world;
+    if let Some((multibody, _)) = multibody_joints.get_mut(joint) {
+        ask(multibody, set);
+    }
+    match then {
+        0 => {}
+        1 => drop(world.multibody_joints.remove(joint, true)),
+        2 => drop(world.remove_body(bodies[1])),
+        _ => {
+            let hinge = crate::dim::hinge().build();
+            world.multibody_joints.insert(bodies[2], bodies[9], hinge, true);
+        }
+    }
+    for &body in &bodies {
+        world.multibody_joints.attached_joints(body).count();
+        world.multibody_joints.attached_bodies(body).count();
+    }
+    for _ in 0..5 {
+        world.step();
+        check(world);
+    }
+}
+
+/// Joints that are swapped hold the other's bodies from then on, or none.
+#[test]
+fn joints_that_are_swapped_hold_what_they_say() {
+    let mut world = PhysicsWorld::new();
+    let balls: [_; 6] = core::array::from_fn(|k| {
+        let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, 0.0));
+        world.insert(body, ColliderBuilder::ball(0.2)).0
+    });
+    let mut join = |a: usize, b: usize| {
+        let joint = FixedJointBuilder::new().local_anchor1(vec(1.0, 0.0)).build();
+        world.impulse_joints.insert(balls[a], balls[b], joint, true)
+    };
+    let joints = [join(0, 1), join(2, 3), join(4, 5)];
+    world.step();
+    let first = world.impulse_joints[joints[0]].clone();
+    let second = core::mem::replace(&mut world.impulse_joints[joints[1]], first);
+    world.impulse_joints[joints[0]] = second;
+    world.remove_body(balls[2]);
+    for _ in 0..10 {
+        world.step();
+        check(&world);
+    }
+    assert!(!world.impulse_joints.contains(joints[0]), "it held the body that was removed");
+    assert_eq!(world.impulse_joints.joints_between(balls[0], balls[1]).count(), 1);
+    assert_eq!(world.impulse_joints.len(), 2);
 }

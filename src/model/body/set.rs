@@ -313,6 +313,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
 
     /// # Panics
     /// If the handle finds no body.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: RigidBodyHandle) -> &RigidBody {
         match self.get(handle) {
             Some(body) => body,
@@ -324,6 +325,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
 impl core::ops::IndexMut<RigidBodyHandle> for RigidBodySet {
     /// # Panics
     /// If the handle finds no body.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: RigidBodyHandle) -> &mut RigidBody {
         match self.get_mut(handle) {
             Some(body) => body,

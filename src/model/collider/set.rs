@@ -439,6 +439,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
 
     /// # Panics
     /// If the handle finds no collider.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: ColliderHandle) -> &Collider {
         match self.get(handle) {
             Some(collider) => collider,
@@ -450,6 +451,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
 impl core::ops::IndexMut<ColliderHandle> for ColliderSet {
     /// # Panics
     /// If the handle finds no collider.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: ColliderHandle) -> &mut Collider {
         match self.get_mut(handle) {
             Some(collider) => collider,

@@ -153,6 +153,10 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// Takes a pair out.
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     pub fn remove(&mut self, id: PairId) -> P {
         self.sleep(id);
         let entry = self.entries[id as usize].take().expect("the id is of a living pair");
@@ -166,6 +170,10 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// Swap-removes a pair from a collider's list and repairs the entry that took its place.
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     fn unlist(&mut self, collider_slot: u32, position: u32, id: PairId) {
         let list = &mut self.of_collider[collider_slot as usize];
         let removed = list.swap_remove(position as usize);
@@ -254,11 +262,19 @@ impl<P: Pair> PairStore<P> {
         &mut self.awake
     }
 
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     #[inline]
     fn entry(&self, id: PairId) -> &Entry<P> {
         self.entries[id as usize].as_ref().expect("the id is of a living pair")
     }
 
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     #[inline]
     fn entry_mut(&mut self, id: PairId) -> &mut Entry<P> {
         self.entries[id as usize].as_mut().expect("the id is of a living pair")

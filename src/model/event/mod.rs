@@ -87,7 +87,8 @@ impl CollisionEvent {
 /// Receives the events of a step.
 ///
 /// The bodies and colliders it gets are those at the end of the step; to change them, take a note and
-/// act on it after the step.
+/// act on it after the step. A handler that panics is told the rest all the same; then its first panic goes on to whoever
+/// called the step.
 ///
 /// ```
 /// # use rapier3d::prelude::*;

@@ -36,6 +36,9 @@ pub struct PairFilterContext<'a> {
 /// [taken again](crate::model::event::EventHandler::handle_quarantine_event), so keep the answer a function of the context
 /// alone: then results repeat.
 ///
+/// A panic of a hook goes on to whoever called the step, once all events are told that the step had found by then. The world stays in
+/// order: what the step has not done, the next one does.
+///
 /// ```
 /// # use rapier3d::prelude::*;
 ///

@@ -16,8 +16,8 @@ use crate::model::joint::JointLinks;
 pub(crate) struct Island {
     /// Dynamic bodies; each one's link says at which position it stands here.
     pub bodies: Vec<RigidBodyHandle>,
-    /// Links cut since the island was last known to be connected.
-    pub cut_links: u32,
+    /// Were links cut since the island was last known to be connected?
+    pub is_cut: bool,
     /// Is it out of every per-step list?
     pub sleeping: bool,
     /// The step in which it was last split, or came out of a split.
@@ -107,7 +107,7 @@ impl IslandManager {
     pub(crate) fn destroy_island(&mut self, id: u32) {
         let island = self.island_mut(id);
         debug_assert!(island.bodies.is_empty());
-        island.cut_links = 0;
+        island.is_cut = false;
         island.sleeping = false;
         self.free.push(id);
     }

@@ -5,6 +5,7 @@ use super::{
 };
 use crate::base::arena::{Arena, SharedArena};
 use crate::model::body::RigidBodyHandle;
+use std::collections::BTreeMap;
 
 /// A joint in its slot. The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug)]
@@ -36,8 +37,9 @@ struct Note {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ImpulseJointSet {
     joints: Arena<Entry>,
-    /// By body slot: the joints that are filed there, in the order of insertion.
-    of_body: Vec<Vec<ImpulseJointHandle>>,
+    /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing bounds the slots of
+    /// handles that a user made up.
+    of_body: BTreeMap<u32, Vec<ImpulseJointHandle>>,
     /// Joints that the user may have changed since the last step, each once.
     modified: Vec<ImpulseJointHandle>,
     /// Joints that were removed since the last step, and whether their bodies wake.
@@ -273,8 +275,12 @@ impl ImpulseJointSet {
     /// The step has taken in all changes: joints without a body go, and those of a body that takes no part are
     /// told so.
     pub(crate) fn settle(&mut self, links: &mut JointLinks) {
-        for handle in links.orphans.drain(..) {
-            self.remove(handle, false);
+        for handle in core::mem::take(&mut links.orphans) {
+            // A joint that was put in its place may hold other bodies, and has been taken in again.
+            let known = links.get(handle.into_raw_parts().0);
+            if known.is_none_or(|link| link.handle != handle) {
+                self.remove(handle, false);
+            }
         }
         for (handle, blocked) in links.blocked.drain(..) {
             if let Some(joint) = self.get_unnoted_mut(handle) {
@@ -296,7 +302,7 @@ impl ImpulseJointSet {
 
     /// The joints that are filed under a body slot, in the order of insertion.
     fn handles_of(&self, body_slot: u32) -> &[ImpulseJointHandle] {
-        self.of_body.get(body_slot as usize).map_or(&[], Vec::as_slice)
+        self.of_body.get(&body_slot).map_or(&[], Vec::as_slice)
     }
 
     /// A joint broke: its bodies learn of it in the next step.
@@ -337,25 +343,25 @@ impl ImpulseJointSet {
 
     fn file(&mut self, handle: ImpulseJointHandle, bodies: [RigidBodyHandle; 2]) {
         for slot in slots_of(bodies) {
-            if slot >= self.of_body.len() {
-                self.of_body.resize(slot + 1, Vec::new());
-            }
-            self.of_body[slot].push(handle);
+            self.of_body.entry(slot).or_default().push(handle);
         }
     }
 
     fn unfile(&mut self, handle: ImpulseJointHandle, bodies: [RigidBodyHandle; 2]) {
         for slot in slots_of(bodies) {
-            self.of_body[slot].retain(|&other| other != handle);
+            let Some(filed) = self.of_body.get_mut(&slot) else { continue };
+            filed.retain(|&other| other != handle);
+            if filed.is_empty() {
+                self.of_body.remove(&slot);
+            }
         }
     }
 }
 
-/// The slots under which a joint of these bodies is filed: none for a handle that no set gave out.
-fn slots_of(bodies: [RigidBodyHandle; 2]) -> impl Iterator<Item = usize> {
+/// The slots under which a joint of these bodies is filed.
+fn slots_of(bodies: [RigidBodyHandle; 2]) -> impl Iterator<Item = u32> {
     let [slot1, slot2] = bodies.map(|body| body.into_raw_parts().0);
-    let second = (slot1 != slot2).then_some(slot2);
-    core::iter::once(slot1).chain(second).filter(|&slot| slot != u32::MAX).map(|slot| slot as usize)
+    core::iter::once(slot1).chain((slot1 != slot2).then_some(slot2))
 }
 
 fn check(
@@ -382,6 +388,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 
     /// # Panics
     /// If the handle finds no joint.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: ImpulseJointHandle) -> &ImpulseJoint {
         match self.get(handle) {
             Some(joint) => joint,
@@ -393,6 +400,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 impl core::ops::IndexMut<ImpulseJointHandle> for ImpulseJointSet {
     /// # Panics
     /// If the handle finds no joint.
+    #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: ImpulseJointHandle) -> &mut ImpulseJoint {
         match self.get_mut(handle) {
             Some(joint) => joint,

@@ -135,7 +135,8 @@ impl Multibody {
         self.links.get(id)
     }
 
-    /// The link at a position, for changing it.
+    /// The link at a position, for changing it. A multibody with a link that was put in the place of another is none any more: its
+    /// joints are removed by the next step, with a warning.
     pub fn link_mut(&mut self, id: usize) -> Option<&mut MultibodyLink> {
         self.links.get_mut(id)
     }
@@ -159,7 +160,7 @@ impl Multibody {
 
     /// The links from the root to this one, both included; empty if there is no such link.
     pub fn kinematic_branch(&self, link_id: usize) -> Vec<usize> {
-        let start = (link_id < self.links.len()).then_some(link_id);
+        let start = (link_id < self.links.len() && self.is_whole()).then_some(link_id);
         let mut branch: Vec<_> =
             core::iter::successors(start, |&id| self.links[id].parent).collect();
         branch.reverse();
@@ -211,7 +212,8 @@ impl Multibody {
 
     /// The velocities of the degrees of freedom of a link; empty if there is no such link.
     pub fn joint_velocity(&self, link_id: usize) -> &[Real] {
-        self.link(link_id).map_or(&[], |link| &self.lists.velocities[link.dofs()])
+        let own = self.link(link_id).and_then(|link| self.lists.velocities.get(link.dofs()));
+        own.unwrap_or_default()
     }
 
     /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are not finite,
@@ -248,6 +250,18 @@ impl Multibody {
     }
 
     // ---- Layout ----
+
+    /// Is each link where it says, behind its parent, with the degrees of freedom that it says? Whoever holds links by `&mut`
+    /// can put them in the place of others. What is made of such links is none: the next step takes it apart.
+    pub(crate) fn is_whole(&self) -> bool {
+        let mut first_dof = 0;
+        let links = self.links.iter().enumerate().all(|(id, link)| {
+            let numbered = link.id == id && link.first_dof == first_dof;
+            first_dof += link.ndofs();
+            numbered && link.parent.map_or(id == 0, |parent| parent < id)
+        });
+        links && first_dof == self.dofs.len()
+    }
 
     /// Does it act, with these bodies?
     pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {

@@ -42,6 +42,8 @@ pub struct MultibodyJointSet {
     /// By body: which link it is. A tree, because nothing bounds the slots of handles that a user made up; the whole
     /// handle counts, because a stale one may be of the slot of another link.
     of_body: BTreeMap<u64, MultibodyLinkId>,
+    /// By slot of a multibody: how many links are filed of it.
+    link_counts: Vec<usize>,
     /// Multibodies whose links changed since the last step, and whether they wake.
     modified: Vec<(MultibodyIndex, bool)>,
     /// Bodies that lost a joint since the last step, and whether they wake.
@@ -109,6 +111,9 @@ impl MultibodyJointSet {
             log::warn!("a multibody joint was not inserted: {reason}");
             return None;
         }
+        for body in bodies {
+            self.drop_if_broken(body);
+        }
         let [body1, body2] = bodies;
         let parent = self.rigid_body_link(body1).copied().unwrap_or_else(|| self.add_root(body1));
         let child = self.rigid_body_link(body2).copied();
@@ -161,7 +166,12 @@ impl MultibodyJointSet {
     /// Lets bodies and handles find the links of a multibody, from the position `first` on.
     fn file(&mut self, index: MultibodyIndex, first: usize) {
         let Some(multibody) = self.multibodies.get(index.0) else { return };
-        for link in &multibody.links[first..] {
+        let slot = index.0.slot();
+        if slot >= self.link_counts.len() {
+            self.link_counts.resize(slot + 1, 0);
+        }
+        self.link_counts[slot] = multibody.num_links();
+        for link in multibody.links.iter().skip(first) {
             let place = MultibodyLinkId { multibody: index, id: link.id };
             if let Some(joint) = link.handle.and_then(|handle| self.joints.get_mut(handle.0)) {
                 *joint = place;
@@ -212,6 +222,9 @@ impl MultibodyJointSet {
         wake_up: bool,
         is_cut: impl Fn(&MultibodyLink) -> bool,
     ) {
+        if self.is_broken(index) {
+            return self.drop_broken(index);
+        }
         let Some(whole) = self.multibodies.remove(index.0) else { return };
         for link in &whole.links {
             self.cut.push((link.body, wake_up));
@@ -226,6 +239,48 @@ impl MultibodyJointSet {
                 self.file(part, 0);
                 self.modified.push((part, wake_up));
             }
+        }
+    }
+
+    // ---- Multibodies and links that were put in the place of others ----
+
+    /// Is the multibody at an index another one than that which was put there, or are its links?
+    fn is_broken(&self, index: MultibodyIndex) -> bool {
+        let Some(multibody) = self.get_multibody(index) else { return false };
+        let count = self.link_counts.get(index.0.slot()).copied();
+        let is_filed = |link: &MultibodyLink| {
+            let place = MultibodyLinkId { multibody: index, id: link.id };
+            let joint = link.handle.map(|handle| self.joints.get(handle.0) == Some(&place));
+            self.rigid_body_link(link.body) == Some(&place) && joint != Some(false)
+        };
+        count != Some(multibody.num_links())
+            || !multibody.is_whole()
+            || !multibody.links.iter().all(is_filed)
+    }
+
+    fn drop_if_broken(&mut self, body: RigidBodyHandle) {
+        if let Some(index) = self.rigid_body_link(body).map(|place| place.multibody)
+            && self.is_broken(index)
+        {
+            self.drop_broken(index);
+        }
+    }
+
+    /// Removes a multibody, its joints, and what is filed of it, whatever stands in its place.
+    fn drop_broken(&mut self, index: MultibodyIndex) {
+        log::warn!(
+            "{index:?} or its links are others than those that were joined: their joints go"
+        );
+        self.multibodies.remove(index.0);
+        let is_of_it = |place: &MultibodyLinkId| place.multibody == index;
+        let filed = self.of_body.iter().filter(|(_, place)| is_of_it(place));
+        for body in filed.map(|(&body, _)| body).collect::<Vec<_>>() {
+            self.of_body.remove(&body);
+            self.cut.push((body_of(body), true));
+        }
+        let joints = self.joints.iter().filter(|(_, place)| is_of_it(place));
+        for joint in joints.map(|(joint, _)| joint).collect::<Vec<_>>() {
+            self.joints.remove(joint);
         }
     }
 
@@ -301,7 +356,7 @@ impl MultibodyJointSet {
         let links = multibody.map_or(&[] as &[MultibodyLink], |multibody| &multibody.links);
         let own = place.map(|place| place.id);
         let attached = links.iter().filter(move |link| Some(link.id) == own || link.parent == own);
-        attached.filter_map(|link| Some((links[link.parent?].body, link.body, link.handle?)))
+        attached.filter_map(|link| Some((links.get(link.parent?)?.body, link.body, link.handle?)))
     }
 
     /// The bodies that joints join with a body.
@@ -357,6 +412,9 @@ impl MultibodyJointSet {
         }
         let mut next = 0;
         while let Some(&(index, _)) = self.modified.get(next) {
+            if self.is_broken(index) {
+                self.drop_broken(index);
+            }
             let links = self.get_multibody(index).map_or(&[] as &[_], |multibody| &multibody.links);
             let missing: Vec<_> =
                 links.iter().map(|link| link.body).filter(|&body| !bodies.contains(body)).collect();
@@ -378,6 +436,11 @@ impl MultibodyJointSet {
     pub(crate) fn note(&mut self, index: MultibodyIndex) {
         self.modified.push((index, false));
     }
+}
+
+/// The body that is filed under a number.
+fn body_of(key: u64) -> RigidBodyHandle {
+    RigidBodyHandle::from_raw_parts((key >> 32) as u32, key as u32)
 }
 
 /// The number under which a body is filed.

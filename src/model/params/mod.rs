@@ -124,6 +124,17 @@ pub struct IntegrationParameters {
     /// The shortest piece into which impacts divide a step (s, default 1/6000). They divide none, so nothing reads it: it is kept for
     /// programs that set it, and checked as other times are.
     pub min_ccd_dt: Real,
+    /// With how many others of its size a collider can be in contact, and with how many larger ones (default 128 each; `usize::MAX`: no
+    /// limit). A size is a power of two.
+    ///
+    /// Counted are those that can move and whose enlarged boxes overlap its own. Fixed bodies, sensors, and what is smaller are not:
+    /// a floor that moves may carry any number of crates. Around a compact body there is no room for half as many, unless
+    /// bodies stand inside each other: this is for worlds in which thousands are created at one point. Their pairs would be
+    /// as many as the square of their number; so they are as many as their number times this, with about 1.5 kB for each.
+    /// Those with the nearest slots are chosen; the rest wait until there is room. The log warns when the limit is met, and
+    /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it for heaps of hundreds of long
+    /// sticks, all of whose boxes overlap.
+    pub max_neighbors_per_collider: usize,
 }
 
 impl Default for IntegrationParameters {
@@ -149,6 +160,7 @@ impl Default for IntegrationParameters {
             normalized_restitution_velocity_threshold: 1.0,
             warmstart_coefficient: 1.0,
             min_ccd_dt: 1.0 / 6000.0,
+            max_neighbors_per_collider: 128,
         }
     }
 }

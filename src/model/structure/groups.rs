@@ -25,7 +25,7 @@ impl Structure<'_> {
         if let [Some(slot), _] = self.dynamic_slots([slot; 2])
             && let Some(island) = self.body(slot).map(|body| body.link.island)
         {
-            self.islands.island_mut(island).cut_links += 1;
+            self.islands.island_mut(island).is_cut = true;
         }
     }
 

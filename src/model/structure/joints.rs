@@ -109,7 +109,7 @@ impl Structure<'_> {
         if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
             && let Some(island) = self.body(slot1).map(|body| body.link.island)
         {
-            self.islands.island_mut(island).cut_links += 1;
+            self.islands.island_mut(island).is_cut = true;
         }
     }
 

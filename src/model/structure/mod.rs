@@ -120,7 +120,7 @@ impl Structure<'_> {
     fn leave_island(&mut self, link: BodyLink) {
         let island = self.islands.island_mut(link.island);
         island.bodies.swap_remove(link.island_position as usize);
-        island.cut_links += 1;
+        island.is_cut = true;
         match island.bodies.get(link.island_position as usize).copied() {
             Some(moved) => {
                 if let Some(body) = self.bodies.get_unnoted_mut(moved) {
@@ -455,7 +455,7 @@ impl Structure<'_> {
         if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
             && let Some(island) = self.body(slot1).map(|body| body.link.island)
         {
-            self.islands.island_mut(island).cut_links += 1;
+            self.islands.island_mut(island).is_cut = true;
         }
     }
 
@@ -507,9 +507,9 @@ impl Structure<'_> {
 
     fn merge(&mut self, large: u32, small: u32) {
         let mut moving = core::mem::take(&mut self.islands.island_mut(small).bodies);
-        let cut_links = self.islands.island(small).cut_links;
+        let is_cut = self.islands.island(small).is_cut;
         let island = self.islands.island_mut(large);
-        island.cut_links += cut_links;
+        island.is_cut |= is_cut;
         for &handle in &moving {
             if let Some(body) = self.bodies.get_unnoted_mut(handle) {
                 body.link.island = large;
@@ -526,7 +526,7 @@ impl Structure<'_> {
     pub fn split(&mut self, island: u32) {
         debug_assert!(!self.islands.island(island).sleeping);
         let members = core::mem::take(&mut self.islands.island_mut(island).bodies);
-        self.islands.island_mut(island).cut_links = 0;
+        self.islands.island_mut(island).is_cut = false;
         for &handle in &members {
             if let Some(body) = self.bodies.get_unnoted_mut(handle) {
                 body.link.island_position = NONE; // not visited yet

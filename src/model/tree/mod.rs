@@ -18,6 +18,7 @@ pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 
 use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
 use parry::bounding_volume::Aabb;
 
@@ -36,6 +37,8 @@ pub struct BroadPhaseBvh {
     moved: Vec<u32>,
     /// One bit for each slot: is it in `moved`?
     moved_bits: Vec<u64>,
+    /// By slot: the binary exponent of the longest side of its enlarged box.
+    sizes: Vec<u16>,
     /// Has any collider of a fixed body ever asked for pairs with others of its kind?
     fixed_meet: bool,
     /// Has any collider ever been on a kinematic body?
@@ -81,8 +84,28 @@ impl BroadPhaseBvh {
         proxy.clearance = proxy::clearance(&needed, &proxy.fat_aabb);
         proxy.tree = Some(kind);
         self.tree_mut(kind).insert(proxy.fat_aabb, slot);
+        self.note_size(slot, &proxy.fat_aabb);
         self.mark_moved(slot);
         true
+    }
+
+    fn note_size(&mut self, slot: u32, aabb: &Aabb) {
+        let slot = slot as usize;
+        if slot >= self.sizes.len() {
+            self.sizes.resize(slot + 1, 0);
+        }
+        self.sizes[slot] = exponent(aabb.extents().max_element());
+    }
+
+    /// How many times larger than 1 each collider is, as a power of two, from an origin that is the same for all: of the box
+    /// that it last had.
+    pub(crate) fn size(&self, slot: u32) -> u16 {
+        self.sizes.get(slot as usize).copied().unwrap_or(0)
+    }
+
+    /// Which of two colliders has to bear that they are a pair: the smaller one, and of equals the later one.
+    pub(crate) fn bears(&self, slot: u32, other_slot: u32) -> bool {
+        (self.size(slot), other_slot) < (self.size(other_slot), slot)
     }
 
     /// Takes a collider out. Returns whether it was in.
@@ -169,6 +192,12 @@ impl BroadPhaseBvh {
             TreeKind::Movable => &mut self.movable,
         }
     }
+}
+
+/// The binary exponent of a length. Halves and doubles of a size differ in it, on every machine alike.
+fn exponent(length: Real) -> u16 {
+    let bits = f64::from(length).to_bits();
+    u16::try_from((bits >> 52) & 0x7ff).unwrap_or(0)
 }
 
 /// One tree and how much it grew.

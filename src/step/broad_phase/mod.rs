@@ -4,14 +4,23 @@
 //! Writes:  the list of new pairs; the trees' notes of who moved
 //! Runs:    parallel over colliders that moved; the list is sorted by slots
 //! Never:   touches a collider that stayed in its enlarged box
+//!
+//! Of two colliders one *bears* the pair: the smaller one, and of equals the later one. Who bears a pair finds it when both
+//! moved, and may bear only so many with others of its size, and as many with larger ones
+//! (`IntegrationParameters::max_neighbors_per_collider`): thousands of bodies at one point would else be as many pairs as the square
+//! of their number. A platform under thousands of crates bears none of these pairs, so it never has to choose.
 
+mod borne;
+mod search;
 #[cfg(test)]
 mod tests;
 
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
-use crate::model::tree::{BroadPhaseBvh, TreeKind};
+use crate::model::collider::{ColliderHandle, ColliderSet};
+use crate::model::contact::{NarrowPhase, Pair};
+use crate::model::tree::BroadPhaseBvh;
+use search::{Finds, Search};
 
 /// Colliders that are worth handing over to another thread together.
 const COLLIDERS_PER_TASK: usize = 16;
@@ -20,70 +29,75 @@ const COLLIDERS_PER_TASK: usize = 16;
 #[derive(Default)]
 pub(crate) struct BroadPhaseScratch {
     /// One for each task that runs at the same time.
-    found: Pool<Vec<(ColliderHandle, ColliderHandle)>>,
+    finds: Pool<Finds>,
+    late: Vec<u32>,
+    refused: Vec<u32>,
+}
+
+/// What is known of pairs before the search.
+pub(crate) trait KnownPairs: Sync {
+    /// Are colliders at these slots, the lower one first, a pair?
+    fn contains(&self, low: u32, high: u32) -> bool;
+
+    /// The slots of all that the collider at this slot has contact pairs with.
+    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32>;
+}
+
+impl KnownPairs for NarrowPhase {
+    fn contains(&self, low: u32, high: u32) -> bool {
+        self.knows(low, high)
+    }
+
+    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
+        self.contacts.ids_of(slot).iter().map(move |&id| {
+            let [one, other] =
+                self.contacts[id].colliders().map(|handle| handle.into_raw_parts().0);
+            if one == slot { other } else { one }
+        })
+    }
 }
 
 /// Finds the pairs of colliders that began to overlap with their enlarged boxes.
 ///
 /// Only colliders that have a new box look for neighbours; those that did not move are found by
-/// them. Pairs that `is_known` (asked with the two slots, the lower one first) are left out, and so
+/// them. Pairs that are `known` are left out, and so
 /// are those that cannot interact: of the same body, of groups or kinds of bodies that do not meet.
 /// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
+///
+/// Colliders that bear as many pairs as they may (`most`) look again in the next step. Returns how many these are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
-    tree: &mut BroadPhaseBvh,
+    (tree, most): (&mut BroadPhaseBvh, usize),
     colliders: &ColliderSet,
-    is_known: impl Fn(u32, u32) -> bool + Sync,
-    BroadPhaseScratch { found }: &mut BroadPhaseScratch,
+    known: &impl KnownPairs,
+    scratch: &mut BroadPhaseScratch,
     out: &mut Vec<(ColliderHandle, ColliderHandle)>,
-) {
+) -> usize {
+    let BroadPhaseScratch { finds, late, refused } = scratch;
     out.clear();
+    late.clear();
     tree.tidy();
-    let (trees, moved) = (&*tree, tree.moved());
-    tasks.par_for(moved.len(), COLLIDERS_PER_TASK, |range| {
-        let mut pairs = found.take();
-        for &slot in &moved[range] {
-            // The collider may be gone since it moved, or disabled.
-            if let Some((handle, collider)) = colliders.at_slot(slot) {
-                find_neighbours(trees, colliders, (handle, collider), &is_known, &mut pairs);
-            }
-        }
-        found.put(pairs);
+    let search = Search { tree, colliders, known, most, only_borne: false };
+    search.run(tasks, tree.moved(), finds);
+    finds.for_each(|found| late.append(&mut found.late));
+    late.sort_unstable();
+    late.dedup();
+    Search { only_borne: true, ..search }.run(tasks, late, finds);
+    let had_refused = !refused.is_empty();
+    refused.clear();
+    finds.for_each(|found| {
+        out.append(&mut found.pairs);
+        refused.append(&mut found.refused);
     });
-    found.for_each(|pairs| out.append(pairs));
     out.sort_unstable();
+    refused.sort_unstable();
     tree.clear_moved();
-}
-
-/// Adds the new pairs of one collider.
-fn find_neighbours(
-    tree: &BroadPhaseBvh,
-    colliders: &ColliderSet,
-    (handle, collider): (ColliderHandle, &Collider),
-    is_known: &impl Fn(u32, u32) -> bool,
-    out: &mut Vec<(ColliderHandle, ColliderHandle)>,
-) {
-    let Some(kind) = collider.proxy.tree else { return };
-    let (slot, _) = handle.into_raw_parts();
-    for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
-        if !tree.may_meet(kind, other_kind) {
-            continue;
-        }
-        tree.for_each_overlapping(other_kind, &collider.proxy.fat_aabb, |other_slot| {
-            // Of two that moved, each finds the other: the lower slot counts.
-            if other_slot == slot || (other_slot < slot && tree.is_moved(other_slot)) {
-                return;
-            }
-            let Some((other_handle, other)) = colliders.at_slot(other_slot) else { return };
-            let (low, high) = (slot.min(other_slot), slot.max(other_slot));
-            if !may_interact(collider, other) || is_known(low, high) {
-                return;
-            }
-            out.push(if slot < other_slot {
-                (handle, other_handle)
-            } else {
-                (other_handle, handle)
-            });
-        });
+    refused.iter().for_each(|&slot| tree.mark_moved(slot));
+    if let (Some(slot), false) = (refused.first(), had_refused) {
+        let count = refused.len();
+        log::warn!(
+            "{count} colliders (such as {slot}) have more than {most} neighbours that are not smaller: see `max_neighbors_per_collider`"
+        );
     }
+    refused.len()
 }

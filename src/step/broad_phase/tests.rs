@@ -1,6 +1,6 @@
 //! Tests of pair finding.
 
-use super::{BroadPhaseScratch, find_pairs, may_interact};
+use super::{BroadPhaseScratch, KnownPairs, find_pairs};
 use crate::base::random::Random;
 use crate::base::tasks::Tasks;
 use crate::dim::collide::samples;
@@ -8,6 +8,7 @@ use crate::dim::math::{Pose, Vector};
 use crate::model::body::{RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType};
 use crate::model::collider::{
     ActiveCollisionTypes, ColliderBuilder, ColliderHandle, ColliderSet, InteractionGroups,
+    may_interact,
 };
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
@@ -24,6 +25,22 @@ struct Boxes {
     tree: BroadPhaseBvh,
     params: IntegrationParameters,
     known: BTreeSet<(u32, u32)>,
+    /// How many colliders had too many neighbours.
+    crowded: usize,
+}
+
+impl KnownPairs for BTreeSet<(u32, u32)> {
+    fn contains(&self, low: u32, high: u32) -> bool {
+        self.contains(&(low, high))
+    }
+
+    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
+        let other = |&(low, high): &(u32, u32)| match slot {
+            _ if slot == low => Some(high),
+            _ => (slot == high).then_some(low),
+        };
+        self.iter().filter_map(other).collect::<Vec<_>>().into_iter()
+    }
 }
 
 impl Boxes {
@@ -49,14 +66,20 @@ impl Boxes {
         self.tree.follow(handle, collider, body, &self.params);
     }
 
+    fn remove(&mut self, handle: ColliderHandle) {
+        let (slot, _) = handle.into_raw_parts();
+        self.tree.remove_slot(slot);
+        self.colliders.take(handle, false);
+        self.known.retain(|&(low, high)| low != slot && high != slot);
+    }
+
     /// The new pairs, which are known from then on.
     fn find(&mut self) -> Vec<Pair> {
         let mut found = Vec::new();
-        let known = &self.known;
-        let is_known = |a, b| known.contains(&(a, b));
-        let scratch = &mut BroadPhaseScratch::default();
-        Tasks::open(|tasks| {
-            find_pairs(tasks, &mut self.tree, &self.colliders, is_known, scratch, &mut found);
+        let (known, scratch) = (&self.known, &mut BroadPhaseScratch::default());
+        let tree = (&mut self.tree, self.params.max_neighbors_per_collider);
+        self.crowded = Tasks::open(|tasks| {
+            find_pairs(tasks, tree, &self.colliders, known, scratch, &mut found)
         });
         self.known.extend(found.iter().map(|&(a, b)| (a.into_raw_parts().0, b.into_raw_parts().0)));
         found
@@ -198,4 +221,73 @@ fn found_pairs_are_those_of_comparing_all() {
             boxes.put(handle, place + samples::vector(&mut random, 0.5));
         }
     }
+}
+
+/// Of cubes at one point each bears as many pairs as it may, those with the nearest slots, and looks again in the next step.
+#[test]
+fn a_crowd_has_as_many_pairs_as_it_may() {
+    const MOST: usize = 10;
+    let mut boxes = Boxes::default();
+    boxes.params.max_neighbors_per_collider = MOST;
+    let ground = boxes.cube(Vector::ZERO, None);
+    let cubes: Vec<_> = (0..100)
+        .map(|_| {
+            let body = boxes.body(RigidBodyType::Dynamic);
+            boxes.cube(Vector::splat(0.9), Some(body))
+        })
+        .collect();
+    let found = boxes.find();
+    assert_eq!(boxes.crowded, 100 - 1 - MOST);
+    for (k, &cube) in cubes.iter().enumerate() {
+        assert!(found.contains(&(ground, cube)), "the ground is not counted");
+        let borne = found.iter().filter(|&&(low, high)| high == cube && low != ground);
+        assert!(borne.clone().count() == k.min(MOST), "cube {k}: {found:?}");
+        assert!(borne.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
+    }
+    assert_eq!(boxes.find(), [], "nothing new");
+    assert_eq!(boxes.crowded, 100 - 1 - MOST, "but they looked");
+    // Two that one of them bore are gone: it takes the next nearest.
+    let last = cubes[99];
+    for gone in [cubes[98], cubes[97]] {
+        boxes.remove(gone);
+    }
+    let of_last: Vec<_> = boxes.find().into_iter().filter(|pair| pair.1 == last).collect();
+    assert_eq!(of_last, [(cubes[87], last), (cubes[88], last)]);
+}
+
+/// Large ones are never left out for the sake of small ones, whoever moves.
+#[test]
+fn what_is_small_bears_what_is_large() {
+    let mut boxes = Boxes::default();
+    boxes.params.max_neighbors_per_collider = 3;
+    let small = samples::cuboid(Vector::splat(0.1));
+    let mut smalls = Vec::new();
+    let mut larges = Vec::new();
+    for k in 0..30 {
+        let body = boxes.body(RigidBodyType::Dynamic);
+        let builder = ColliderBuilder::new(small.clone());
+        smalls.push(boxes.colliders.insert_with_parent(builder, body, &mut boxes.bodies));
+        boxes.put(smalls[k], Vector::ZERO);
+        if k % 15 == 0 {
+            let body = boxes.body(RigidBodyType::Dynamic);
+            larges.push(boxes.cube(Vector::ZERO, Some(body)));
+        }
+    }
+    let ordered = |a: ColliderHandle, b: ColliderHandle| if a < b { (a, b) } else { (b, a) };
+    let found = boxes.find();
+    for &large in &larges {
+        assert!(smalls.iter().all(|&small| found.contains(&ordered(small, large))), "{found:?}");
+    }
+    assert!(found.contains(&(larges[0], larges[1])), "{found:?}");
+    // A third large one comes, to small ones that rest and have had their share of small ones.
+    let body = boxes.body(RigidBodyType::Dynamic);
+    let third = boxes.cube(Vector::ZERO, Some(body));
+    let expected: BTreeSet<_> =
+        smalls.iter().chain(&larges).map(|&other| ordered(other, third)).collect();
+    let found: BTreeSet<_> = boxes.find().into_iter().collect();
+    assert!(found.is_superset(&expected), "{found:?}");
+    // And a fourth, who finds no room.
+    let body = boxes.body(RigidBodyType::Dynamic);
+    let fourth = boxes.cube(Vector::ZERO, Some(body));
+    assert_eq!(boxes.find(), [larges[0], larges[1], third].map(|large| ordered(large, fourth)));
 }

@@ -5,6 +5,7 @@
 //! Runs:    serial, in the order of the notes and of the awake pairs
 //! Never:   changes the world
 
+use crate::base::held::HeldPanic;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{ActiveEvents, Collider, ColliderSet};
@@ -12,24 +13,23 @@ use crate::model::contact::{ContactPair, NarrowPhase};
 use crate::model::event::{ContactForceEvent, EventHandler};
 use crate::step::notes::StepNotes;
 
-/// Sends all events of a step.
+/// Sends all events of a step. A handler that panics is called for the rest of them, too: none is lost.
 pub(crate) fn report(
-    bodies: &RigidBodySet,
-    colliders: &ColliderSet,
-    narrow_phase: &NarrowPhase,
+    (bodies, colliders, narrow_phase): (&RigidBodySet, &ColliderSet, &NarrowPhase),
     notes: &StepNotes,
     dt: Real,
     handler: &dyn EventHandler,
+    panic: &mut HeldPanic,
 ) {
     for event in &notes.quarantined {
-        handler.handle_quarantine_event(event, bodies, colliders);
+        panic.hold(|| handler.handle_quarantine_event(event, bodies, colliders));
     }
     for event in &notes.events {
         let pair = narrow_phase.contact_pair(event.collider1(), event.collider2());
-        handler.handle_collision_event(bodies, colliders, event, pair);
+        panic.hold(|| handler.handle_collision_event(bodies, colliders, event, pair));
     }
     for event in &notes.broken {
-        handler.handle_joint_break_event(event, bodies);
+        panic.hold(|| handler.handle_joint_break_event(event, bodies));
     }
     if dt <= 0.0 {
         return;
@@ -40,7 +40,7 @@ pub(crate) fn report(
         let total = pair.total_impulse_magnitude() / dt;
         if total > 0.0 && total >= threshold {
             let event = ContactForceEvent::from_contact_pair(dt, pair, total);
-            handler.handle_contact_force_event(dt, &event, bodies, colliders);
+            panic.hold(|| handler.handle_contact_force_event(dt, &event, bodies, colliders));
         }
     }
 }

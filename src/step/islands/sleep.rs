@@ -39,7 +39,7 @@ pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScr
         let mood = core::mem::take(&mut scratch.moods[island as usize]);
         let record = structure.islands.island(island);
         let age = structure.islands.step.wrapping_sub(record.split_at);
-        if record.cut_links == 0 {
+        if !record.is_cut {
             if mood.restless == 0 {
                 structure.sleep_island(island);
             }

@@ -4,13 +4,14 @@ use super::bodies::SolverBodies;
 use super::impacts::{Around, Impacts};
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
+use super::overflow::OverflowOrder;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
 use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
-use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef};
+use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{ContactManifold, NarrowPhase, PairStore, Placement};
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
@@ -30,6 +31,7 @@ pub(super) struct SolverContacts {
     /// Friction per point of each block; empty with the standard friction model.
     coulomb: Vec<CoulombBlock>,
     layout: Layout<ManifoldRef>,
+    overflow: OverflowOrder,
     impacts: Impacts,
     point_count: usize,
 }
@@ -45,8 +47,8 @@ impl SolverContacts {
         self.point_count
     }
 
-    /// Fills the inputs from the manifolds of the bodies that are solved: whole lanes of a colour, single
-    /// manifolds of the overflow. Those of links are left to their multibodies.
+    /// Fills the inputs from the manifolds of the bodies that are solved: whole lanes of a colour, and of the overflow what does
+    /// not notice each other. Those of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
@@ -62,7 +64,12 @@ impl SolverContacts {
                 let slots = || narrow_phase.contacts.bodies(manifold.pair);
                 are_all || !multibodies.take_over(manifold, slots()) && bodies.has_one_of(slots())
             });
-            self.layout.add(color, members);
+            if color == OVERFLOW {
+                let members = members.map(|at| (at, narrow_phase.contacts.bodies(at.pair)));
+                self.layout.add_side_by_side(members, &mut self.overflow);
+            } else {
+                self.layout.add(color, members);
+            }
         }
         let count = self.layout.block_count();
         self.inputs.resize_with(count, || ContactInput::EMPTY);

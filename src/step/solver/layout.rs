@@ -1,5 +1,7 @@
-//! Which constraints stand in which block: whole lanes of a colour, single constraints of the overflow.
+//! Which constraints stand in which block: whole lanes of a colour; of the overflow single constraints, or as many as do not
+//! notice each other.
 
+use super::overflow::OverflowOrder;
 use crate::base::wide::LANES;
 use crate::model::constraint_graph::OVERFLOW;
 use core::ops::Range;
@@ -16,6 +18,36 @@ pub(super) struct Layout<T> {
 impl<T> Default for Layout<T> {
     fn default() -> Self {
         Self { members: Vec::new(), starts: Vec::new(), colors: Vec::new() }
+    }
+}
+
+impl<T: Copy> Layout<T> {
+    /// Adds blocks for constraints without a colour, each between bodies in two slots, in this order.
+    pub fn add_side_by_side(
+        &mut self,
+        members: impl IntoIterator<Item = (T, [u32; 2])>,
+        order: &mut OverflowOrder,
+    ) {
+        let (first, start) = (self.starts.len(), self.members.len());
+        order.clear();
+        self.members.extend(members.into_iter().map(|(member, slots)| {
+            order.push(slots);
+            member
+        }));
+        let mut next = start;
+        self.starts.extend(order.sizes().iter().map(|size| {
+            let begin = next;
+            next += size;
+            begin
+        }));
+        let in_order = self.members[start..].to_vec();
+        let mut free = self.starts[first..].to_vec();
+        for (member, &block) in in_order.into_iter().zip(order.blocks()) {
+            let place = &mut free[block as usize];
+            self.members[*place] = member;
+            *place += 1;
+        }
+        self.colors.extend((first..self.starts.len()).map(|block| block..block + 1));
     }
 }
 

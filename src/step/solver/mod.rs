@@ -23,6 +23,7 @@ mod impacts;
 mod joints;
 mod layout;
 mod multibodies;
+mod overflow;
 #[cfg(test)]
 mod tests;
 

@@ -285,6 +285,7 @@ impl Factor {
     }
 
     /// Takes what the elimination of the column `at` does off the block of two of its rows.
+    #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
     #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
         let column = &component.columns[at];

@@ -1,0 +1,136 @@
+//! The neighbours of one collider.
+
+use super::borne::{Borne, HandlePair};
+use super::{COLLIDERS_PER_TASK, KnownPairs};
+use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
+use crate::model::tree::{BroadPhaseBvh, TreeKind};
+
+/// What one thread found.
+#[derive(Default)]
+pub(super) struct Finds {
+    pub pairs: Vec<HandlePair>,
+    /// Colliders that did not move, and have so many pairs already that they must say themselves whether they bear more.
+    pub late: Vec<u32>,
+    /// Colliders that would have to bear more pairs than they may.
+    pub refused: Vec<u32>,
+    /// The pairs that one collider would have to bear: with larger ones, and with those of its size.
+    borne: [Borne; 2],
+}
+
+/// Where to look, and for what.
+pub(super) struct Search<'a, K> {
+    pub tree: &'a BroadPhaseBvh,
+    pub colliders: &'a ColliderSet,
+    pub known: &'a K,
+    /// How many pairs a collider bears.
+    pub most: usize,
+    /// Look only for pairs that the collider who looks would have to bear?
+    pub only_borne: bool,
+}
+
+/// Who looks for neighbours.
+#[derive(Copy, Clone)]
+struct Seeker<'a> {
+    slot: u32,
+    handle: ColliderHandle,
+    collider: &'a Collider,
+    kind: TreeKind,
+}
+
+impl<K: KnownPairs> Search<'_, K> {
+    /// Lets the colliders at these slots look for neighbours.
+    pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], finds: &Pool<Finds>) {
+        tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
+            let mut found = finds.take();
+            for &slot in &slots[range] {
+                // The collider may be gone since it moved, or disabled.
+                let Some((handle, collider)) = self.colliders.at_slot(slot) else { continue };
+                let Some(kind) = collider.proxy.tree else { continue };
+                self.look_around(Seeker { slot, handle, collider, kind }, &mut found);
+            }
+            finds.put(found);
+        });
+    }
+
+    /// Adds the new pairs of one collider.
+    fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
+        found.borne.iter_mut().for_each(|borne| borne.clear(self.most));
+        for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
+            if !self.tree.may_meet(seeker.kind, other_kind) {
+                continue;
+            }
+            let is_movable = [seeker.kind, other_kind] == [TreeKind::Movable; 2];
+            self.tree.for_each_overlapping(other_kind, &seeker.collider.proxy.fat_aabb, |other| {
+                if other != seeker.slot {
+                    self.meet(seeker, other, is_movable, found);
+                }
+            });
+        }
+        let mut is_crowded = false;
+        for (is_alike, borne) in [false, true].into_iter().zip(&mut found.borne) {
+            let mut places = self.most;
+            if borne.settle() {
+                is_crowded = true;
+                places -= self.count_borne(seeker.slot, is_alike).min(places);
+            }
+            let news = borne.pairs().filter(|&pair| !self.is_known(pair));
+            found.pairs.extend(news.take(places));
+        }
+        if is_crowded {
+            found.refused.push(seeker.slot);
+        }
+    }
+
+    /// Adds a pair with the collider at another slot if it is to be one.
+    #[inline]
+    fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
+        let Seeker { slot, handle, collider, .. } = seeker;
+        let bears = self.tree.bears(slot, other_slot);
+        // Of two that moved, each finds the other.
+        if !bears && (self.only_borne || self.tree.is_moved(other_slot)) {
+            return;
+        }
+        let borne = &mut found.borne[usize::from(self.are_alike(slot, other_slot))];
+        let remoteness = slot.abs_diff(other_slot);
+        if bears && is_movable && borne.leaves_out(remoteness) {
+            return;
+        }
+        let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
+        if !may_interact(collider, other) {
+            return;
+        }
+        let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
+        let is_counted = is_movable && !collider.is_sensor() && !other.is_sensor();
+        if is_counted && bears {
+            borne.push(remoteness, pair);
+        } else if is_counted && self.known.partners(other_slot).len() >= self.most {
+            found.late.push(other_slot);
+        } else if !self.is_known(pair) {
+            found.pairs.push(pair);
+        }
+    }
+
+    fn is_known(&self, (low, high): HandlePair) -> bool {
+        self.known.contains(low.into_raw_parts().0, high.into_raw_parts().0)
+    }
+
+    fn are_alike(&self, slot: u32, other_slot: u32) -> bool {
+        self.tree.size(slot) == self.tree.size(other_slot)
+    }
+
+    /// How many pairs of one kind the collider at a slot bears already.
+    fn count_borne(&self, slot: u32, alike: bool) -> usize {
+        let is_movable = |other: u32| {
+            let other = self.colliders.at_slot(other);
+            other.is_some_and(|(_, other)| other.proxy.tree == Some(TreeKind::Movable))
+        };
+        let borne = |&other: &u32| {
+            self.tree.bears(slot, other)
+                && self.are_alike(slot, other) == alike
+                && is_movable(other)
+        };
+        self.known.partners(slot).filter(borne).count()
+    }
+}

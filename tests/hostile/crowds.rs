@@ -1,0 +1,139 @@
+//! More than anybody would put into a world, or all of it at one point.
+
+use super::listener::listen;
+use super::world::check;
+use crate::dim::{cuboid, vec};
+use rapier::prelude::*;
+
+/// Bodies at one point, over a ground.
+fn heap(count: usize, shape: &ColliderBuilder, most: usize) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    world.integration_parameters.max_neighbors_per_collider = most;
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    for _ in 0..count {
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y);
+        world.insert(body, shape.clone());
+    }
+    world
+}
+
+/// Fifty million pairs of boxes overlap; of these as many are looked at as the parameters allow, and each body is in some of
+/// them. (With the default of 128, a step takes two to four seconds in a release build, and 2.3 GB.)
+#[test]
+fn ten_thousand_bodies_at_one_point() {
+    const COUNT: usize = 10_000;
+    const MOST: usize = 8;
+    for shape in [ColliderBuilder::ball(0.5), cuboid(0.5, 0.5)] {
+        let mut world = heap(COUNT, &shape, MOST);
+        let ((), heard) = listen(|| world.step());
+        assert!(heard.iter().any(|text| text.contains("max_neighbors_per_collider")), "{heard:?}");
+        let counters = world.physics_pipeline.counters;
+        // All but the first few bear as many pairs as they may, and all touch the ground.
+        assert_eq!(counters.cd.ncrowded, COUNT - 1 - MOST);
+        let borne = MOST * (COUNT - 1 - MOST) + MOST * (MOST + 1) / 2;
+        assert_eq!(counters.cd.ncontact_pairs, borne + COUNT);
+        world.step();
+        let positions = || world.bodies.iter().map(|(_, body)| body.translation());
+        assert!(positions().all(|at| at.is_finite() && at.length() < 100.0));
+        let apart = positions().filter(|at| (*at - Vector::Y).length() > 1.0e-3).count();
+        assert!(apart > COUNT / 2, "{apart} of {COUNT} moved");
+    }
+}
+
+/// Those who had to wait get their contacts when there is room: in the end nobody is inside another one.
+#[test]
+fn a_crowd_comes_apart_and_forgets_the_limit() {
+    let mut world = heap(0, &cuboid(0.5, 0.5), 6);
+    for k in 0..60_u8 {
+        // Bodies at exactly one height and width would stand on each other for a long time.
+        let body = RigidBodyBuilder::dynamic().translation(vec(0.001 * Real::from(k), 1.0));
+        world.insert(body, ColliderBuilder::ball(0.2));
+    }
+    world.step();
+    assert!(world.physics_pipeline.counters.cd.ncrowded > 0);
+    for _ in 0..600 {
+        world.step();
+    }
+    check(&world);
+    assert_eq!(world.physics_pipeline.counters.cd.ncrowded, 0);
+    let places: Vec<_> = world.bodies.iter().map(|(_, body)| body.translation()).collect();
+    for (k, a) in places.iter().enumerate() {
+        assert!(a.y > 0.15, "one is at {a}");
+        for b in &places[..k] {
+            assert!((*a - *b).length() > 0.35, "one at {a}, one at {b}, both of radius 0.2");
+        }
+    }
+}
+
+/// What carries many small things is not crowded: it has a contact with each of them, and with its like.
+#[test]
+fn the_limit_is_not_for_what_carries_many() {
+    let mut world = PhysicsWorld::new();
+    world.integration_parameters.max_neighbors_per_collider = 4;
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let mut small = Vec::new();
+    for level in [0.5, 1.9] {
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y * level);
+        world.insert(body, cuboid(10.0, 0.5).density(1.0));
+        for k in 0..30_u8 {
+            let at = vec(0.6 * Real::from(k) - 9.0, level + 0.7);
+            let body = RigidBodyBuilder::dynamic().translation(at);
+            small.push((level, world.insert(body, cuboid(0.2, 0.2).density(0.1)).0));
+        }
+    }
+    for _ in 0..120 {
+        world.step();
+        assert_eq!(world.physics_pipeline.counters.cd.ncrowded, 0);
+    }
+    for (level, body) in small {
+        let height = world.bodies[body].translation().y;
+        assert!(height > level + 0.6, "what lay at {} is at {height}", level + 0.7);
+    }
+}
+
+/// A million fixed colliders cost a step nothing, and what falls on them lies there.
+#[test]
+fn a_million_colliders() {
+    const SIDE: usize = 1000;
+    let mut world = PhysicsWorld::new();
+    let brick = cuboid(0.5, 0.5);
+    for k in 0..SIDE * SIDE {
+        let at = vec((k % SIDE) as Real, -0.5 - (k / SIDE) as Real);
+        world.insert_collider(brick.clone().translation(at), None);
+    }
+    let bodies: [_; 10] = core::array::from_fn(|k| {
+        let body = RigidBodyBuilder::dynamic().translation(vec(100.0 * k as Real + 50.2, 0.6));
+        world.insert(body, cuboid(0.5, 0.5)).0
+    });
+    for _ in 0..60 {
+        world.step();
+    }
+    for body in bodies {
+        let height = world.bodies[body].translation().y;
+        assert!((height - 0.5).abs() < 0.02, "a body is at {height}");
+    }
+    assert_eq!(world.colliders.len(), SIDE * SIDE + bodies.len());
+}
+
+/// A million bodies that sleep cost a step nothing; one that is hit wakes with those whom it touches, and nobody else.
+#[test]
+fn a_million_sleepers() {
+    const COUNT: usize = 1_000_000;
+    let mut world = PhysicsWorld::new();
+    world.bodies = RigidBodySet::with_capacity(COUNT + 1);
+    world.gravity = Vector::ZERO;
+    let ball = ColliderBuilder::ball(0.5);
+    for k in 0..COUNT {
+        let at = vec(2.0 * (k % 1000) as Real, 2.0 * (k / 1000) as Real);
+        world.insert(RigidBodyBuilder::dynamic().translation(at).sleeping(true), ball.clone());
+    }
+    world.step();
+    assert_eq!(world.active_bodies().len(), 0);
+    let at = RigidBodyBuilder::dynamic().translation(vec(500.0, -2.0)).linvel(vec(0.0, 60.0));
+    world.insert(at, ball);
+    for _ in 0..3 {
+        world.step();
+    }
+    let awake = world.active_bodies().len();
+    assert!((2..=20).contains(&awake), "{awake} are awake");
+}
