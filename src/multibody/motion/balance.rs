@@ -268,8 +268,6 @@ impl Motion {
         }
     }
 
-        (self.root_momentum(), self.momentum, self.outside, self.is_wild)
-    }
     /// The kinetic energy of all links.
     pub fn kinetic_energy(&mut self) -> Real {
         self.kinetic_energy_from(Vector::ZERO)

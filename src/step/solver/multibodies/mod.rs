@@ -272,18 +272,6 @@ impl SolverMultibodies {
         self.note_work(&bodies.states);
         self.keep_energy();
     }
-        if std::env::var("DBG").is_ok() {
-            for m in &mut self.moving {
-                let e = m.motion.kinetic_energy();
-                eprintln!(
-                    "{what:12} E {e:.3} limit {:.3} far {} P {:?}",
-                    m.energy,
-                    m.turns_far,
-                    m.motion.dbg()
-                );
-            }
-        }
-    }
 
     /// Solves all constraints once, without bias and with friction.
     pub fn relax(
