@@ -37,7 +37,7 @@ use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use user_changes::Digest;
+use user_changes::{Digest, Reunion};
 
 /// A world, taken apart.
 pub(crate) struct StepParts<'a> {
@@ -89,6 +89,7 @@ fn step_with(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     scratch.quarantine.open();
+    let parted = parts.reunion().before_step(joints, multibodies);
     let conditions = parts.conditions();
     let world = parts.world(joints, multibodies);
     let way_back = quarantine::is_at_risk(&world, conditions).then(|| WayBack::new(&world));
@@ -106,6 +107,7 @@ fn step_with(
     }
     let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
     parts.counters.solver.nquarantined = taken_out;
+    scratch.notes.events.splice(..0, parted);
     report(&parts, scratch, parts.params.dt);
     parts.counters.step_time.pause();
 }
@@ -141,6 +143,8 @@ pub(crate) fn detect_collisions(
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
+    let parted = parts.reunion().before_detection();
+    scratch.notes.events.extend(parted);
     if take_in_changes {
         take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
@@ -306,6 +310,12 @@ impl<'a> StepParts<'a> {
         if cfg!(debug_assertions) {
             self.structure().0.validate();
         }
+    }
+
+    /// The parts that must be those of the last step.
+    fn reunion(&mut self) -> Reunion<'_> {
+        let (structure, tree) = self.structure();
+        Reunion { structure, tree }
     }
 
     /// What bodies move in.

@@ -23,6 +23,7 @@ mod bodies;
 mod builders;
 mod colliders;
 mod edits;
+mod exchanged;
 mod extremes;
 mod handles;
 mod hooks;

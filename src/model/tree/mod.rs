@@ -19,6 +19,7 @@ pub(crate) use shape_box::shape_box;
 
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::model::collider::ColliderHandle;
+use crate::model::seal::Seal;
 use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
@@ -42,6 +43,7 @@ pub struct BroadPhaseBvh {
     has_kinematics: bool,
     /// Has any collider ever been a sensor?
     has_sensors: bool,
+    pub(crate) seal: Seal,
 }
 
 impl BroadPhaseBvh {
