@@ -19,17 +19,30 @@ pub(crate) struct Seal {
     step: u64,
     /// Zero behind a step. Detection alone does not write to joints: they keep the seal of the step.
     detection: u64,
+    /// On bodies and colliders alone: which colliders were attached and detached since then. That is the one edit that changes two
+    /// sets at once, and after which they are not what one of them was before.
+    attachments: u64,
 }
 
 impl Seal {
     /// The seal of the step that follows, in a world that leaves this trace.
     pub fn after_step(self, trace: &[u64]) -> Self {
-        Self { step: mixed(self.step, trace), detection: 0 }
+        Self { step: mixed(self.step, trace), ..Self::default() }
     }
 
     /// The seal of a detection of collisions that follows.
     pub fn after_detection(self, trace: &[u64]) -> Self {
-        Self { detection: mixed(self.detection, trace), ..self }
+        Self { detection: mixed(self.detection, trace), attachments: 0, ..self }
+    }
+
+    /// Notes what happened to two sets.
+    pub fn note_attachment(seals: [&mut Self; 2], what: &[u64]) {
+        seals.into_iter().for_each(|seal| seal.attachments = mixed(seal.attachments, what));
+    }
+
+    /// Are both of the same step, and of the same detection of collisions?
+    pub fn is_of_same_detection(self, other: Self) -> bool {
+        self.is_of_same_step(other) && self.detection == other.detection
     }
 
     /// Are both of the same step?

@@ -124,6 +124,32 @@ fn a_set_alone_can_be_set_back() {
     }
 }
 
+/// Before the first step, and between two steps, too: colliders name bodies that are not there, and bodies list colliders of which they
+/// know nothing.
+#[test]
+fn sets_are_exchanged_between_edits_and_the_next_step() {
+    for steps in [0, 3] {
+        for (name, exchange) in SETS {
+            let world = || {
+                let mut world = PhysicsWorld::new();
+                let body = RigidBodyBuilder::dynamic().translation(vec(0.0, 2.0));
+                let (body, _) = world.insert(body, cuboid(0.5, 0.5));
+                (0..steps).for_each(|_| world.step());
+                (world, body)
+            };
+            let ((mut one, body), (mut two, _)) = (world(), world());
+            one.insert(RigidBodyBuilder::dynamic().translation(vec(3.0, 0.5)), cuboid(0.5, 0.5));
+            one.insert_collider(cuboid(0.1, 0.1), Some(body));
+            println!("other {name} after {steps} steps");
+            exchange(&mut one, &mut two);
+            for world in [&mut one, &mut two] {
+                world.step();
+                check(world);
+            }
+        }
+    }
+}
+
 /// What is not there any more counts as removed, and who stood on it falls, though it slept.
 #[test]
 fn bodies_that_are_gone_take_their_colliders_along() {

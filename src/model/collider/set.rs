@@ -118,7 +118,21 @@ impl ColliderSet {
         body.add_collider_mass(&collider);
         let handle = self.insert_new(collider);
         body.attach_collider(handle);
+        self.note_attachment(handle, Some(parent_handle), bodies);
         handle
+    }
+
+    /// Both sets know of an attachment.
+    fn note_attachment(
+        &mut self,
+        handle: ColliderHandle,
+        parent: Option<RigidBodyHandle>,
+        bodies: &mut RigidBodySet,
+    ) {
+        let parent = parent.unwrap_or_default().into_raw_parts();
+        let words = [handle.into_raw_parts(), parent];
+        let words = words.map(|(slot, generation)| u64::from(slot) << 32 | u64::from(generation));
+        Seal::note_attachment([&mut self.seal, &mut bodies.seal], &words);
     }
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
@@ -173,6 +187,7 @@ impl ColliderSet {
             }
         }
         self.notes.change(handle, collider, count);
+        self.note_attachment(handle, new_parent_handle, bodies);
     }
 
     /// Takes a collider out of the set and off its body; `None` if the handle finds none.
@@ -195,6 +210,7 @@ impl ColliderSet {
             if wake_up {
                 islands.wake_up(bodies, parent, true);
             }
+            self.note_attachment(handle, None, bodies);
         }
         Some(collider)
     }
@@ -325,6 +341,7 @@ impl ColliderSet {
             body.wake_up(true);
         }
         collider.be_new(handle);
+        self.note_attachment(handle, parent, bodies);
     }
 
     /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of

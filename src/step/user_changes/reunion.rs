@@ -54,8 +54,10 @@ impl Reunion<'_> {
 
     fn unite(&mut self) -> Vec<CollisionEvent> {
         let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
-        let seals = [bodies.seal, colliders.seal, narrow_phase.seal, self.tree.seal];
-        if seals.into_iter().all(|seal| seal == islands.seal) {
+        let seals = [bodies.seal, narrow_phase.seal, self.tree.seal];
+        let are_of_one_world =
+            seals.into_iter().all(|seal| seal.is_of_same_detection(islands.seal));
+        if are_of_one_world && bodies.seal == colliders.seal {
             return Vec::new();
         }
         log::warn!("a set is not that of the last step: all that is there is taken in anew");
