@@ -275,6 +275,7 @@ fn find_impacts(
         multibodies,
         islands: parts.islands,
         trees: parts.broad_phase,
+        narrow_phase: parts.narrow_phase,
         params: parts.params,
         hooks: parts.hooks,
         fast: &notes.fast,
