@@ -150,6 +150,26 @@ fn sets_are_exchanged_between_edits_and_the_next_step() {
     }
 }
 
+/// A body is another's copy, and the joints that held it are gone: whose place is whose is found out before anybody wakes.
+#[test]
+fn joints_go_while_a_body_is_put_in_the_place_of_another() {
+    for (name, exchange) in SETS {
+        let mut world = busy_world();
+        let handles: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
+        exchange(&mut world, &mut PhysicsWorld::new());
+        println!("without {name}");
+        for pair in handles.windows(2).rev() {
+            if let (Some(one), Some(two)) = world.bodies.get_pair_mut(pair[0], pair[1]) {
+                swap(one, two);
+            }
+        }
+        for _ in 0..3 {
+            world.step();
+            check(&world);
+        }
+    }
+}
+
 /// What is not there any more counts as removed, and who stood on it falls, though it slept.
 #[test]
 fn bodies_that_are_gone_take_their_colliders_along() {

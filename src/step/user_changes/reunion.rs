@@ -2,7 +2,8 @@
 //!
 //! What the others know of such a set is wrong. If it is one of those that know of each other (bodies, colliders, islands, pairs, trees), the
 //! step forgets all that it knew, and takes in what there is as if it were new and awake: bodies that are gone count as
-//! removed, and their colliders and joints go with them. If it is a set of joints, only these are new. [`Seal`](crate::model::seal::Seal) says how
+//! removed, and their colliders and joints go with them. So it does if it knew joints of another set; a set of joints of which it knew none is
+//! only taken in. [`Seal`](crate::model::seal::Seal) says how
 //! it is noticed.
 
 use crate::dim::math::Vector;
@@ -28,14 +29,21 @@ impl Reunion<'_> {
         joints: &mut ImpulseJointSet,
         multibodies: &mut MultibodyJointSet,
     ) -> Vec<CollisionEvent> {
-        let parted = self.unite();
+        let mut parted = self.unite();
         let seal = self.structure.islands.seal;
-        if !joints.seal.is_of_same_step(seal) {
-            self.forget_joints();
+        let other_joints = !joints.seal.is_of_same_step(seal);
+        let other_multibodies = !multibodies.seal.is_of_same_step(seal);
+        let islands = &self.structure.islands;
+        // Who has no joints may come with a new empty set each time.
+        let known_are_others = other_joints && islands.joints.iter().next().is_some()
+            || other_multibodies && islands.groups.bodies().next().is_some();
+        if known_are_others {
+            parted.extend(self.begin_anew());
+        }
+        if other_joints || known_are_others {
             joints.begin_anew();
         }
-        if !multibodies.seal.is_of_same_step(seal) {
-            self.forget_groups();
+        if other_multibodies || known_are_others {
             multibodies.begin_anew();
         }
         let next = seal.after_step(&self.trace());
@@ -64,7 +72,7 @@ impl Reunion<'_> {
         self.begin_anew()
     }
 
-    /// Forgets all that was known. The seals of joints fit no more, so these are taken in anew, too.
+    /// Forgets all that was known.
     fn begin_anew(&mut self) -> Vec<CollisionEvent> {
         let Structure { bodies, colliders, narrow_phase, islands } = &mut self.structure;
         bodies.begin_anew();
@@ -89,21 +97,6 @@ impl Reunion<'_> {
             CollisionEvent::Stopped(pair[0], pair[1], flags)
         };
         contacts.chain(intersections).map(event).collect()
-    }
-
-    fn forget_joints(&mut self) {
-        let known: Vec<_> = self.structure.islands.joints.iter().map(|(slot, _)| slot).collect();
-        for slot in known {
-            self.structure.remove_joint(slot, true);
-        }
-    }
-
-    fn forget_groups(&mut self) {
-        let grouped: Vec<_> = self.structure.islands.groups.bodies().collect();
-        for body in grouped {
-            self.structure.wake_body(body);
-            self.structure.ungroup(body);
-        }
     }
 
     fn put(&mut self, seal: Seal) {
