@@ -15,5 +15,6 @@ pub mod island;
 pub mod joint;
 pub mod multibody;
 pub mod params;
+pub(crate) mod seal;
 pub(crate) mod structure;
 pub mod tree;

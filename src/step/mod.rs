@@ -37,7 +37,7 @@ use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
-use user_changes::Digest;
+use user_changes::{Digest, Reunion};
 
 /// A world, taken apart.
 pub(crate) struct StepParts<'a> {
@@ -89,11 +89,13 @@ fn step_with(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     scratch.quarantine.open();
+    let parted = parts.reunion().before_step(joints, multibodies);
     // Hooks may panic. What the step has found by then is told all the same.
     let mut panic = HeldPanic::default();
     let moved = panic.hold(|| simulate(tasks, &mut parts, joints, multibodies, scratch));
     let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
     parts.counters.solver.nquarantined = taken_out;
+    scratch.notes.events.splice(..0, parted);
     let dt = if moved.is_some() { parts.params.dt } else { 0.0 };
     panic.join(moved.unwrap_or_default());
     report(&parts, scratch, dt, &mut panic);
@@ -158,6 +160,8 @@ pub(crate) fn detect_collisions(
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
+    let parted = parts.reunion().before_detection();
+    scratch.notes.events.extend(parted);
     if take_in_changes {
         take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
@@ -292,6 +296,7 @@ fn find_impacts(
         multibodies,
         islands: parts.islands,
         trees: parts.broad_phase,
+        narrow_phase: parts.narrow_phase,
         params: parts.params,
         hooks: parts.hooks,
         fast: &notes.fast,
@@ -327,6 +332,12 @@ impl<'a> StepParts<'a> {
         if cfg!(debug_assertions) {
             self.structure().0.validate();
         }
+    }
+
+    /// The parts that must be those of the last step.
+    fn reunion(&mut self) -> Reunion<'_> {
+        let (structure, tree) = self.structure();
+        Reunion { structure, tree }
     }
 
     /// What bodies move in.

@@ -24,6 +24,7 @@ mod builders;
 mod colliders;
 mod crowds;
 mod edits;
+mod exchanged;
 mod extremes;
 mod handles;
 mod hooks;

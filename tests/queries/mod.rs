@@ -4,3 +4,4 @@ mod brute;
 mod journal;
 mod nonsense;
 mod plain;
+mod turning;

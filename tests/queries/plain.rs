@@ -4,7 +4,7 @@ use crate::dim::{about_z, cuboid, vec};
 use rapier::parry::query::NonlinearRigidMotion;
 use rapier::prelude::*;
 
-fn alone(collider: ColliderBuilder) -> (ColliderSet, ColliderHandle, QueryPipeline) {
+pub fn alone(collider: ColliderBuilder) -> (ColliderSet, ColliderHandle, QueryPipeline) {
     let mut colliders = ColliderSet::new();
     let handle = colliders.insert(collider);
     let mut queries = QueryPipeline::new();
@@ -12,7 +12,7 @@ fn alone(collider: ColliderBuilder) -> (ColliderSet, ColliderHandle, QueryPipeli
     (colliders, handle, queries)
 }
 
-const ALL: QueryFilter<'static> = QueryFilter {
+pub const ALL: QueryFilter<'static> = QueryFilter {
     flags: QueryFilterFlags::empty(),
     groups: None,
     exclude_collider: None,

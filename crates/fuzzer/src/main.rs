@@ -1,11 +1,14 @@
 //! Random operations for as long as one likes, with a progress bar: see `--help`.
 
+mod watch;
+
 use fuzzer::findings::{Finding, minimised, search};
 use fuzzer::{CRATES, Run, Tally, random_bytes};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use watch::Watch;
 
 const HELP: &str = "Does random things to worlds and looks whether all is in order.
 
@@ -18,7 +21,8 @@ Usage: fuzzer [OPTIONS]
   --replay FILE       does what the bytes of a file say, and nothing else
   -h, --help          print this
 
-Each finding is minimised and left in a file of the current folder. Checks inside of the engine are on in the
+Each finding is minimised and left in a file of the current folder; a sequence that takes longer than a minute
+is one, too, and ends the search. Checks inside of the engine are on in the
 profile `fuzz`: cargo run --profile fuzz -p fuzzer";
 
 /// How often the progress bar moves.
@@ -96,13 +100,13 @@ fn run(options: &Options) -> Result<bool, String> {
         }
         return Ok(outcomes.iter().all(|(_, outcome)| outcome.is_ok()));
     }
-    let mut progress = Progress::new(options.operations);
+    let (watch, mut progress) = (Watch::new(), Progress::new(options.operations));
     let mut findings: BTreeMap<String, usize> = BTreeMap::new();
     let turns =
         (options.seed..).flat_map(|seed| options.crates.iter().map(move |&which| (seed, which)));
     for (seed, (name, run)) in turns {
         let bytes = random_bytes(seed, options.bytes);
-        match search(run, &bytes) {
+        match watch.during(format!("{name}-{seed}"), &bytes, || search(run, &bytes)) {
             Ok(tally) => progress.add(tally),
             Err(finding) => {
                 let times = findings.entry(finding.place.clone()).or_default();

@@ -31,8 +31,10 @@
 
 mod body;
 mod motion;
+mod touch;
 
 pub(crate) use motion::{Leg, Sweep, turned};
+pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
 use super::parts::{Line, Near, Part, Parts};
@@ -114,7 +116,7 @@ pub(crate) fn passes(
     until: Real,
     tolerance: Real,
 ) -> bool {
-    let goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
+    let goal = Goal::new(0.0, tolerance, true);
     let (mut meet, mut met) = (false, false);
     for_each_pair(shapes, sweeps, &mut |[(part1, sweep1), (part2, sweep2)]| {
         let other = other_of((part1, sweep1), (part2, sweep2), tolerance);
@@ -195,7 +197,7 @@ fn impact_of_parts(
     }
     let whole = Body::whole(part1.shape)?;
     let other = other_of((part1, sweep1), (part2, sweep2), goal.near)?;
-    let goal_of_whole = Goal { gap: goal.gap, tolerance: 0.5 * goal.gap, counts_at_once: false };
+    let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, false);
     if thickness == 0.0 {
         let poses = sweeps.map(|sweep| sweep.at(0.0));
         let is_near =
@@ -206,7 +208,7 @@ fn impact_of_parts(
     }
     let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
-    let core_goal = Goal { gap: 0.0, tolerance, counts_at_once: true };
+    let core_goal = Goal::new(0.0, tolerance, true);
     let latest = advance([&core, &other], sweeps, core_goal, until).share()?;
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
@@ -222,6 +224,16 @@ struct Goal {
     tolerance: Real,
     /// Does it count as a meeting, if parts that are near from the beginning come half as near, or nearer than [`NEAREST`]?
     counts_at_once: bool,
+    /// The share of the step after which the search begins.
+    from: Real,
+    jumps_max: usize,
+}
+
+impl Goal {
+    /// From the beginning of the step.
+    fn new(gap: Real, tolerance: Real, counts_at_once: bool) -> Self {
+        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: MAX_JUMPS }
+    }
 }
 
 /// How two parts come together.
@@ -254,8 +266,8 @@ fn advance(
 ) -> Meeting {
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
-    let jumps = MAX_JUMPS + sweeps[0].legs().len() + sweeps[1].legs().len();
-    let (mut share, mut last_normal, tolerance) = (0.0, Vector::ZERO, goal.tolerance);
+    let jumps = goal.jumps_max + sweeps[0].legs().len() + sweeps[1].legs().len();
+    let (mut share, mut last_normal, tolerance) = (goal.from, Vector::ZERO, goal.tolerance);
     for _ in 0..jumps {
         let poses = sweeps.map(|sweep| sweep.at(share));
         let reach = goal.gap + goal.tolerance + closing_max * (until - share);
@@ -266,7 +278,7 @@ fn advance(
         let across = poses[0].rotation * normal;
         let nearing = (sweeps[0].velocity(share) - sweeps[1].velocity(share)).dot(across);
         if dist <= goal.gap + goal.tolerance {
-            if share > 0.0 {
+            if share > goal.from {
                 return Meeting::At(share);
             }
             let may_come_nearer = goal.counts_at_once && dist > goal.gap;
@@ -274,7 +286,7 @@ fn advance(
                 return Meeting::FromTheBeginning;
             }
             if dist - goal.gap < NEAREST * goal.tolerance && nearing > 0.0 {
-                return Meeting::At(0.0);
+                return Meeting::At(goal.from);
             }
             goal.tolerance = 0.5 * (dist - goal.gap);
         } else if dist > goal.gap + tolerance {

@@ -6,6 +6,7 @@ use crate::base::hash::FastHashMap;
 use crate::base::tasks::Tasks;
 use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
 use crate::model::island::BodyLink;
+use crate::model::seal::Seal;
 
 /// Bodies that are worth handing over to another thread together.
 pub(crate) const BODIES_PER_TASK: usize = 64;
@@ -25,6 +26,7 @@ pub(crate) type RemovedBody = (RigidBodyHandle, Option<Vec<ColliderHandle>>, Bod
 pub struct RigidBodySet {
     bodies: Arena<RigidBody>,
     notes: Notes,
+    pub(crate) seal: Seal,
 }
 
 /// What is remembered of changes.
@@ -224,6 +226,19 @@ impl RigidBodySet {
             }
         }
         replaced
+    }
+
+    /// Forgets what was known of the other sets: to the next step all bodies are new, awake, and without colliders.
+    pub(crate) fn begin_anew(&mut self) {
+        self.notes = Notes::default();
+        for (index, body) in self.bodies.iter_mut() {
+            body.detach_from_set();
+            body.link = BodyLink::of_slot(index.into_raw_parts().0);
+            body.activation.wake_up(true);
+            body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
+            self.notes.modified.push(RigidBodyHandle(index));
+            self.notes.places.push(body.link);
+        }
     }
 
     /// Brings the places in the notes up to date, after the step's lists changed while notes were out.

@@ -6,6 +6,7 @@ use crate::base::arena::{Arena, SharedArena};
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::island::IslandManager;
+use crate::model::seal::Seal;
 use crate::model::tree::ColliderProxy;
 
 /// What the step needs to know of a collider that was removed.
@@ -26,6 +27,7 @@ pub(crate) struct RemovedCollider {
 pub struct ColliderSet {
     colliders: Arena<Collider>,
     notes: Notes,
+    pub(crate) seal: Seal,
 }
 
 /// What is remembered of changes.
@@ -116,7 +118,21 @@ impl ColliderSet {
         body.add_collider_mass(&collider);
         let handle = self.insert_new(collider);
         body.attach_collider(handle);
+        self.note_attachment(handle, Some(parent_handle), bodies);
         handle
+    }
+
+    /// Both sets know of an attachment.
+    fn note_attachment(
+        &mut self,
+        handle: ColliderHandle,
+        parent: Option<RigidBodyHandle>,
+        bodies: &mut RigidBodySet,
+    ) {
+        let parent = parent.unwrap_or_default().into_raw_parts();
+        let words = [handle.into_raw_parts(), parent];
+        let words = words.map(|(slot, generation)| u64::from(slot) << 32 | u64::from(generation));
+        Seal::note_attachment([&mut self.seal, &mut bodies.seal], &words);
     }
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
@@ -171,6 +187,7 @@ impl ColliderSet {
             }
         }
         self.notes.change(handle, collider, count);
+        self.note_attachment(handle, new_parent_handle, bodies);
     }
 
     /// Takes a collider out of the set and off its body; `None` if the handle finds none.
@@ -193,6 +210,7 @@ impl ColliderSet {
             if wake_up {
                 islands.wake_up(bodies, parent, true);
             }
+            self.note_attachment(handle, None, bodies);
         }
         Some(collider)
     }
@@ -322,10 +340,8 @@ impl ColliderSet {
             }
             body.wake_up(true);
         }
-        collider.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
-        let unchecked = collider.changes & ColliderChanges::UNCHECKED_SHAPE;
-        collider.changes =
-            ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET | unchecked;
+        collider.be_new(handle);
+        self.note_attachment(handle, parent, bodies);
     }
 
     /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
@@ -344,6 +360,25 @@ impl ColliderSet {
 
 /// For the step.
 impl ColliderSet {
+    /// Forgets what was known of the other sets: to the next step all colliders are new. They are attached to the bodies that they
+    /// name, which must have none; the colliders of bodies that are gone go, too.
+    pub(crate) fn begin_anew(&mut self, bodies: &mut RigidBodySet) {
+        self.notes = Notes::default();
+        let handles: Vec<_> = self.iter().map(|(handle, _)| handle).collect();
+        for handle in handles {
+            let Some(collider) = self.colliders.get_mut(handle.0) else { continue };
+            if let Some(parent) = collider.parent() {
+                let Some(body) = bodies.get_unnoted_mut(parent) else {
+                    self.colliders.remove(handle.0);
+                    continue;
+                };
+                body.attach_collider(handle);
+            }
+            collider.be_new(handle);
+            self.notes.modified.push(handle);
+        }
+    }
+
     /// The colliders that the user may have changed, in the order of the first change; some of them may
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
@@ -407,6 +442,13 @@ impl ColliderSet {
 }
 
 impl Collider {
+    /// Is looked at by the next step as if it had never been seen. A note of it must be there.
+    fn be_new(&mut self, handle: ColliderHandle) {
+        self.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
+        let unchecked = self.changes & ColliderChanges::UNCHECKED_SHAPE;
+        self.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET | unchecked;
+    }
+
     /// Forgets its body. It stays where it is in the world.
     fn leave_body(&mut self) {
         self.parent = None;

@@ -3,6 +3,7 @@
 use super::pair::{ContactPair, IntersectionPair};
 use super::store::PairStore;
 use crate::model::collider::ColliderHandle;
+use crate::model::seal::Seal;
 
 /// All contact and intersection pairs, kept from step to step.
 ///
@@ -15,6 +16,7 @@ use crate::model::collider::ColliderHandle;
 pub struct NarrowPhase {
     pub(crate) contacts: PairStore<ContactPair>,
     pub(crate) intersections: PairStore<IntersectionPair>,
+    pub(crate) seal: Seal,
 }
 
 impl NarrowPhase {

@@ -23,6 +23,11 @@ impl BodyGroups {
         group.map_or(&[], |&group| &self.groups[group as usize])
     }
 
+    /// All bodies that are in a group.
+    pub fn bodies(&self) -> impl Iterator<Item = RigidBodyHandle> {
+        self.groups.iter().flatten().copied()
+    }
+
     /// Makes a group of bodies that have none.
     pub fn insert(&mut self, bodies: Vec<RigidBodyHandle>) {
         let group = self.free.pop().unwrap_or_else(|| {

@@ -6,6 +6,7 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
+use crate::model::seal::Seal;
 
 /// Bodies that touch, directly or through other dynamic bodies.
 ///
@@ -52,6 +53,7 @@ pub struct IslandManager {
     pub(crate) motion: Vec<Real>,
     /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
     pub(crate) strained: bool,
+    pub(crate) seal: Seal,
 }
 
 impl IslandManager {

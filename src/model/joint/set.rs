@@ -5,6 +5,7 @@ use super::{
 };
 use crate::base::arena::{Arena, SharedArena};
 use crate::model::body::RigidBodyHandle;
+use crate::model::seal::Seal;
 use std::collections::BTreeMap;
 
 /// A joint in its slot. The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
@@ -44,6 +45,7 @@ pub struct ImpulseJointSet {
     modified: Vec<ImpulseJointHandle>,
     /// Joints that were removed since the last step, and whether their bodies wake.
     removed: Vec<(ImpulseJointHandle, bool)>,
+    pub(crate) seal: Seal,
 }
 
 impl ImpulseJointSet {
@@ -265,6 +267,15 @@ impl ImpulseJointSet {
             let entry = self.joints.get(handle.0)?;
             Some((handle, entry.note.wakes))
         })
+    }
+
+    /// To the next step all joints are new.
+    pub(crate) fn begin_anew(&mut self) {
+        (self.modified, self.removed) = (Vec::new(), Vec::new());
+        for (index, entry) in self.joints.iter_mut() {
+            entry.note = Note { listed: true, wakes: true };
+            self.modified.push(ImpulseJointHandle(index));
+        }
     }
 
     /// The joints that were removed, in that order, and whether their bodies are to wake.

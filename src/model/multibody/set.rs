@@ -6,6 +6,7 @@ use super::{
 use crate::base::arena::Arena;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::joint::{GenericJoint, InvalidJoint};
+use crate::model::seal::Seal;
 use std::collections::BTreeMap;
 
 /// How multibodies changed since the last step. Each comes with whether it wakes.
@@ -48,6 +49,7 @@ pub struct MultibodyJointSet {
     modified: Vec<(MultibodyIndex, bool)>,
     /// Bodies that lost a joint since the last step, and whether they wake.
     cut: Vec<(RigidBodyHandle, bool)>,
+    pub(crate) seal: Seal,
 }
 
 impl MultibodyJointSet {
@@ -430,6 +432,13 @@ impl MultibodyJointSet {
         let mut cut = core::mem::take(&mut self.cut);
         cut.retain(|&(body, _)| bodies.contains(body));
         MultibodyEdits { cut, groups }
+    }
+
+    /// To the next step all multibodies are new.
+    pub(crate) fn begin_anew(&mut self) {
+        self.cut.clear();
+        let all = self.multibodies.iter().map(|(index, _)| (MultibodyIndex(index), true));
+        self.modified = all.collect();
     }
 
     /// Has the next step look at a multibody again.

@@ -20,6 +20,7 @@ pub(crate) use shape_box::shape_box;
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
+use crate::model::seal::Seal;
 use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
@@ -45,6 +46,7 @@ pub struct BroadPhaseBvh {
     has_kinematics: bool,
     /// Has any collider ever been a sensor?
     has_sensors: bool,
+    pub(crate) seal: Seal,
 }
 
 impl BroadPhaseBvh {

@@ -1,6 +1,7 @@
 //! How pairs of shapes are computed, where nobody says otherwise.
 
 use super::rounded::{enter_capsule, nearest_on_segment};
+use super::turning::first_touch;
 use super::{Meeting, Touch, cuboid, hull};
 use crate::dim::facets::Facets;
 use crate::dim::math::{Pose, Real, Vector};
@@ -18,13 +19,14 @@ use parry::shape::{Ball, Shape, TypedShape};
 impl NarrowPhase {
     /// How pairs of shapes are computed that queries ask about.
     ///
-    /// As parry does it, but for casts of balls, which have formulas of their own.
+    /// As parry does it, but for casts of balls, which have formulas of their own, and of shapes that turn.
     pub fn query_dispatcher(&self) -> &dyn QueryDispatcher {
         &Dispatcher
     }
 }
 
-/// parry's dispatcher, with formulas for casts of balls, alone and within meshes, height fields and compounds.
+/// parry's dispatcher, with formulas for casts of balls, alone and within meshes, height fields and compounds, and with a search of our own
+/// for shapes that turn.
 #[derive(Copy, Clone, Debug)]
 pub struct Dispatcher;
 
@@ -73,6 +75,12 @@ impl QueryDispatcher for Dispatcher {
         shape2: &dyn Shape,
         prediction: Real,
     ) -> Result<Option<Contact>, Unsupported> {
+        if shape2.as_halfspace().is_some() {
+            // parry forgets to turn the pose round, too, when it turns these two round.
+            let pose21 = pose12.inverse();
+            let contact = DefaultQueryDispatcher.contact(&pose21, shape2, shape1, prediction);
+            return contact.map(|contact| contact.map(Contact::flipped));
+        }
         DefaultQueryDispatcher.contact(pose12, shape1, shape2, prediction)
     }
 
@@ -96,15 +104,8 @@ impl QueryDispatcher for Dispatcher {
         end_time: Real,
         stop_at_penetration: bool,
     ) -> Result<Option<ShapeCastHit>, Unsupported> {
-        DefaultQueryDispatcher.cast_shapes_nonlinear(
-            motion1,
-            shape1,
-            motion2,
-            shape2,
-            start_time,
-            end_time,
-            stop_at_penetration,
-        )
+        let times = [start_time, end_time];
+        Ok(first_touch([motion1, motion2], [shape1, shape2], times, stop_at_penetration))
     }
 }
 

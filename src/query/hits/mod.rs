@@ -11,6 +11,7 @@ mod rays;
 mod rounded;
 #[cfg(test)]
 mod tests;
+mod turning;
 
 pub(super) use dispatcher::Dispatcher;
 pub(super) use rays::{intersection, time_of_impact};

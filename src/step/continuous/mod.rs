@@ -1,6 +1,6 @@
 //! # Continuous — nothing passes through
 //!
-//! Reads:   how fast bodies moved, colliders, enlarged boxes, joints, hooks
+//! Reads:   how fast bodies moved, colliders, enlarged boxes, who is in which sensor, joints, hooks
 //! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
 //! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
@@ -31,6 +31,7 @@ use crate::base::tasks::Tasks;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
+use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
 use crate::model::event::CollisionEvent;
 use crate::model::hooks::PhysicsHooks;
@@ -71,6 +72,7 @@ pub(crate) struct Surroundings<'a> {
     pub multibodies: &'a MultibodyJointSet,
     pub islands: &'a IslandManager,
     pub trees: &'a BroadPhaseBvh,
+    pub narrow_phase: &'a NarrowPhase,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
     /// How bodies moved that are fast, and multibodies of which one is a link.

@@ -5,6 +5,8 @@
 //! Runs:    serial, in the order of the edits
 //! Never:   looks at anything that was not edited, or does not touch what was
 //!
+//! Who exchanges a whole set edits all that is in it: [`Reunion`] comes before everything else.
+//!
 //! Removals come first, because slots of removed bodies and colliders may have new tenants already.
 
 mod bodies;
@@ -13,6 +15,9 @@ mod joints;
 mod moved;
 mod multibodies;
 mod removals;
+mod reunion;
+
+pub(crate) use reunion::Reunion;
 
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;

@@ -1,6 +1,6 @@
 //! What is done to whole sets, and to the world as a whole.
 //!
-//! All sets are exchanged or none: they belong together, as `PhysicsPipeline::step` says.
+//! They belong together, as `PhysicsPipeline::step` says: mostly all of them are exchanged, sometimes only one.
 
 use super::play::Play;
 use super::rapier::prelude::*;
@@ -41,10 +41,23 @@ impl Copy {
     }
 }
 
+/// One set alone, for the older or for an empty one.
+fn exchange_one(old: &mut Copy, world: &mut PhysicsWorld, which: usize) {
+    match which {
+        0 => core::mem::swap(&mut old.islands, &mut world.islands),
+        1 => core::mem::swap(&mut old.broad_phase, &mut world.broad_phase),
+        2 => core::mem::swap(&mut old.narrow_phase, &mut world.narrow_phase),
+        3 => core::mem::swap(&mut old.bodies, &mut world.bodies),
+        4 => core::mem::swap(&mut old.colliders, &mut world.colliders),
+        5 => core::mem::swap(&mut old.impulse_joints, &mut world.impulse_joints),
+        _ => core::mem::swap(&mut old.multibody_joints, &mut world.multibody_joints),
+    }
+}
+
 /// Copies, exchanges, wakes, or throws away.
 pub fn meddle(play: &mut Play<'_>) {
     let handle = play.body();
-    let manner = play.choices.below(10);
+    let manner = play.choices.below(11);
     play.choices.tell(|| format!("    way {manner}"));
     match manner {
         0 | 1 => play.copy = Some(Copy::of(&play.world)),
@@ -69,6 +82,13 @@ pub fn meddle(play: &mut Play<'_>) {
             if let Some(body) = bodies.get_mut(handle) {
                 body.recompute_mass_properties_from_colliders(colliders);
             }
+        }
+        8 => {
+            let which = play.choices.below(7);
+            let mut empty = Copy::of(&PhysicsWorld::new());
+            let old = play.copy.as_mut().filter(|_| play.choices.coin());
+            exchange_one(old.unwrap_or(&mut empty), &mut play.world, which);
+            play.witness.lose_track();
         }
         _ => play.world.wake_up(handle, play.choices.coin()),
     }

@@ -63,6 +63,7 @@ mod block;
 mod direct;
 mod drive;
 mod geometry;
+mod guard;
 mod load;
 mod passes;
 mod pins;
@@ -81,7 +82,8 @@ use crate::dim::state::BodyState;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Member, RowMemory};
+use direct::{Direct, Look, Member, RowMemory};
+use guard::Guard;
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
@@ -109,6 +111,7 @@ pub(super) struct SolverJoints {
     /// By block: where its rows begin; then where the last ones end.
     first_rows: Vec<usize>,
     tautness: Tautness,
+    guard: Guard,
 }
 
 /// A joint in a block.
@@ -205,16 +208,46 @@ impl SolverJoints {
         if !AHEAD {
             self.direct.forget_matrices();
         }
-        if !self.direct.is_empty() {
-            let rounds = match (AHEAD, self.direct.any_taut()) {
-                (false, _) => 1,
-                (true, false) => ROUNDS,
-                (true, true) => TAUT_ROUNDS,
-            };
-            for round in 0..rounds {
-                self.solve_exactly::<AHEAD>(bodies, round, pass, simd, tasks);
+        if self.direct.is_empty() {
+            return;
+        }
+        let any_taut = AHEAD && self.direct.any_taut();
+        let rounds = match (AHEAD, any_taut) {
+            (false, _) => 1,
+            (true, false) => ROUNDS,
+            (true, true) => TAUT_ROUNDS,
+        };
+        if any_taut {
+            self.guard.remember(&bodies.states, &self.blocks);
+        }
+        for round in 0..rounds {
+            let look = if round == 0 { Look::First } else { Look::Again };
+            self.solve_exactly::<AHEAD>(bodies, look, round < ROUNDS, pass, simd, tasks);
+        }
+        if any_taut {
+            self.undo_gains(bodies, pass, simd, tasks);
+        }
+    }
+
+    /// Sets taut components back that gained energy, and solves them without looking ahead: see `guard.rs`.
+    fn undo_gains(
+        &mut self,
+        bodies: &mut SolverBodies,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks<'_>,
+    ) {
+        if !self.direct.find_gains() {
+            return;
+        }
+        for member in self.direct.gained() {
+            let (index, lane) = (member.block as usize, member.lane as usize);
+            self.guard.take_back(index, lane, &mut self.blocks[index]);
+            for (_, body) in member.movable() {
+                self.guard.set_back(body, &mut bodies.states[body as usize]);
             }
         }
+        self.solve_exactly::<true>(bodies, Look::Nowhere, true, pass, simd, tasks);
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
@@ -235,17 +268,17 @@ impl SolverJoints {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(v - old_v, w - old_w);
         }
-        let (count, again, shared) = (self.blocks.len(), false, DisjointMut::new(states));
+        let (count, look, shared) = (self.blocks.len(), Look::First, DisjointMut::new(states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             let (states, before) = (shared, start);
-            simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
+            simd.run(WriteRows::<false> { range, blocks, memory, states, before, look, pass });
         });
         let wanted = |members: &[Member], _: bool| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, shared, wanted, false, simd, tasks);
+        self.direct.solve(&mut self.memory, shared, wanted, Look::First, simd, tasks);
         let memory = &self.memory;
         let end = End::Count;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -262,27 +295,28 @@ impl SolverJoints {
         self.direct.forget_matrices();
     }
 
-    /// Solves the locked axes of connected joints together.
+    /// Solves the locked axes of connected joints together: of taut ones, and `with_slack` of all.
     fn solve_exactly<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
-        round: usize,
+        look: Look,
+        with_slack: bool,
         pass: &JointPass,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let (_, states, before) = bodies.shared();
-        let (count, again) = (self.blocks.len(), round > 0);
+        let count = self.blocks.len();
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, look, pass });
         });
         self.direct.solve(
             &mut self.memory,
             states,
-            |_, taut| taut || round < ROUNDS,
-            again,
+            |_, taut| taut || with_slack,
+            look,
             simd,
             tasks,
         );
@@ -369,7 +403,7 @@ struct WriteRows<'a, const AHEAD: bool> {
     memory: DisjointMut<'a, RowMemory>,
     states: DisjointMut<'a, BodyState>,
     before: &'a [BodyState],
-    again: bool,
+    look: Look,
     pass: &'a JointPass,
 }
 
@@ -389,7 +423,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
                         memory,
                         &self.states,
                         self.before,
-                        self.again,
+                        self.look,
                         self.pass,
                     );
                 }

@@ -407,7 +407,7 @@ impl<W: Wide> LookAhead<W> {
 /// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
 /// ahead, which would feed the errors that sweeps leave back into them.
 #[inline(always)]
-fn rates_with_bias<W: Wide>(
+pub(super) fn rates_with_bias<W: Wide>(
     block: &mut JointBlock,
     geometry: &Geometry<W>,
     rows: &[Row<W>; SPATIAL_DIM],

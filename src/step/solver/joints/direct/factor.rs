@@ -32,6 +32,7 @@ use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
+use crate::dim::spatial::join;
 use crate::dim::state::BodyState;
 
 /// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
@@ -53,6 +54,9 @@ const SHARE_MIN: f64 = 1.0e-3;
 /// round leaves the square of what it finds, so that a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹; for a chain
 /// that hangs at rest 10⁻⁵ is rounding.
 const DONE: f64 = 1.0e-4;
+
+/// The share of what taut joints had to do in the first round, an energy, that rounding may bring in.
+const ROUNDING: f64 = 1.0e-3;
 
 /// A number for each row of a joint.
 type Column = [f64; SPATIAL_DIM];
@@ -109,6 +113,9 @@ pub(super) struct Factor {
     again: Vec<Column>,
     /// How much the first solution of a substep had to do.
     first_size: f64,
+    /// The energy that taut joints brought in since then, and what they may.
+    gain: f64,
+    gain_max: f64,
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
@@ -122,7 +129,7 @@ impl Factor {
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
-        again: bool,
+        (again, taut): (bool, bool),
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
@@ -130,9 +137,13 @@ impl Factor {
         simd.run(Solve { factor: self, component, memory });
         if !again {
             self.first_size = self.size_of_rates(component, memory);
+            self.gain = 0.0;
         }
         // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
+        self.gain += unsafe { self.push_bodies(component, taut, states) };
+        if taut && !again {
+            self.gain_max = self.energy_of_biases(component, memory);
+        }
     }
 
     /// Finds the changes of the impulses.
@@ -174,6 +185,30 @@ impl Factor {
             }
         }
         sum
+    }
+
+    /// Did taut joints bring in more energy than the correction of their errors does, and than rounding?
+    pub fn has_gained(&self) -> bool {
+        self.gain > self.gain_max + ROUNDING * self.first_size
+    }
+
+    /// `½ bᵀ A⁻¹ b` of the biases.
+    fn energy_of_biases(&mut self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
+        let solution = core::mem::take(&mut self.x);
+        for member in component.members {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let mut biases = [0.0; SPATIAL_DIM];
+            for (bias, axis) in biases.iter_mut().zip(locked_axes(member)) {
+                *bias = f64::from(from.biases[axis].0[lane]);
+            }
+            self.x.push(biases);
+        }
+        self.again.clone_from(&self.x);
+        self.substitute(component);
+        let biases = self.again.iter().zip(&self.x);
+        let energy = 0.5 * biases.map(|(bias, x)| dot(bias, x)).sum::<f64>();
+        self.x = solution;
+        energy
     }
 
     /// The bodies have moved: the matrix must be made anew.
@@ -350,11 +385,17 @@ impl Factor {
         }
     }
 
-    /// Gives the bodies what the changes do to them.
+    /// Gives the bodies what the changes do to them. Returns the energy that this brings in, if it `counts`.
     ///
     /// # Safety
     /// Nobody else may touch the states of the component's movable bodies meanwhile.
-    unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
+    unsafe fn push_bodies(
+        &self,
+        component: Component<'_>,
+        counts: bool,
+        states: &DisjointMut<'_, BodyState>,
+    ) -> f64 {
+        let mut work = 0.0;
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
                 let mut change = [0.0; SPATIAL_DIM];
@@ -363,9 +404,17 @@ impl Factor {
                 }
                 // SAFETY: the caller's promise.
                 let state = unsafe { states.get_mut(body as usize) };
+                if counts {
+                    let push = rows.jacobians[side].map(|column| dot(&column, x));
+                    let (linear, angular) = state.velocity();
+                    let before = join(linear, angular).map(f64::from);
+                    let mean = core::array::from_fn(|k| before[k] + 0.5 * change[k]);
+                    work += dot(&push, &mean);
+                }
                 state.add_velocity(change.map(|value| value as Real));
             }
         }
+        work
     }
 
     /// Writes the changes of the impulses to the rows.

@@ -2,7 +2,9 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, LookAhead, note_turned, rates_here, store_couple, yields_of};
+use super::super::passes::{
+    Bodies, LookAhead, note_turned, rates_here, rates_with_bias, store_couple, yields_of,
+};
 use super::super::rows::{Masses, Row};
 use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
@@ -22,6 +24,8 @@ pub(in super::super) struct RowMemory {
     pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
     /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
+    /// The bias of the errors when the substep began.
+    pub biases: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub yields: Lane,
     /// Of its bodies as they stand now.
@@ -37,6 +41,7 @@ impl RowMemory {
         Self {
             rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
             rates: [zero; SPATIAL_DIM],
+            biases: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             yields: zero,
             inv_mass: [WideVector::ZERO; 2],
@@ -52,6 +57,17 @@ impl RowMemory {
     }
 }
 
+/// From which velocities a solve pass looks ahead.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(in super::super) enum Look {
+    /// From those that the substep begins with.
+    First,
+    /// From those that the last round found.
+    Again,
+    /// It does not.
+    Nowhere,
+}
+
 /// Writes down the rows of a block as its bodies stand and move now.
 ///
 /// # Safety
@@ -62,19 +78,26 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
     before: &[BodyState],
-    again: bool,
+    look: Look,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
-    let (rows, rates) = if AHEAD {
-        rows_ahead(block, &bodies, again, pass)
+    let (rows, rates) = if AHEAD && look != Look::Nowhere {
+        rows_ahead(block, &bodies, look == Look::Again, pass)
     } else {
-        let rows = Geometry::new(block, &bodies.displacements).rows();
-        (rows, rates_here(block, &rows, &bodies))
+        let geometry = Geometry::new(block, &bodies.displacements);
+        let rows = geometry.rows();
+        let rates = if AHEAD {
+            rates_with_bias(block, &geometry, &rows, &bodies)
+        } else {
+            rates_here(block, &rows, &bodies)
+        };
+        (rows, rates)
     };
     for k in 0..SPATIAL_DIM {
         rates[k].store(&mut memory.rates[k]);
+        memory.biases[k] = block.held_bias[k];
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
         memory.changes[k] = Lane::ZERO;
         for side in 0..2 {

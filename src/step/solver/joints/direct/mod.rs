@@ -36,7 +36,7 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{RowMemory, count, finish, write_rows};
+pub(super) use memory::{Look, RowMemory, count, finish, write_rows};
 pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;
@@ -54,6 +54,7 @@ pub(super) struct Direct {
     factors: Vec<Factor>,
     /// By component.
     taut: Vec<bool>,
+    gained: Vec<bool>,
 }
 
 impl Direct {
@@ -101,20 +102,39 @@ impl Direct {
         self.taut.contains(&true)
     }
 
-    /// Solves the components that are `wanted`, by their members and whether they are taut: gives the rows their change
+    /// Finds the taut components that gained more energy since they were solved first than the correction of errors may
+    /// bring in. Is there any?
+    pub fn find_gains(&mut self) -> bool {
+        let has_gained = |(taut, factor): (&bool, &Factor)| *taut && factor.has_gained();
+        self.gained.clear();
+        self.gained.extend(self.taut.iter().zip(&self.factors).map(has_gained));
+        self.gained.contains(&true)
+    }
+
+    /// The joints of the components that were found.
+    pub fn gained(&self) -> impl Iterator<Item = &Member> {
+        let components = (0..self.gained.len()).filter(|&index| self.gained[index]);
+        components.flat_map(|index| self.pattern.component(index).members)
+    }
+
+    /// Solves the components that are `wanted`, by their members and whether they are taut; without looking ahead only those
+    /// that gained energy. Gives the rows their change
     /// of impulse, and the bodies what it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
         wanted: impl Fn(&[Member], bool) -> bool + Sync,
-        again: bool,
+        look: Look,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
-        let (pattern, taut) = (&self.pattern, &self.taut);
-        let is_wanted = |index: &usize| wanted(pattern.component(*index).members, taut[*index]);
+        let (pattern, taut, gained) = (&self.pattern, &self.taut, &self.gained);
+        let is_wanted = |index: &usize| match look {
+            Look::Nowhere => gained[*index],
+            _ => wanted(pattern.component(*index).members, taut[*index]),
+        };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
@@ -123,10 +143,11 @@ impl Direct {
                 // task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
-                    if again && taut[index] && factor.has_converged(component, read) {
+                    let again = look != Look::First;
+                    if look == Look::Again && taut[index] && factor.has_converged(component, read) {
                         continue;
                     }
-                    factor.solve(component, again, read, &states, simd);
+                    factor.solve(component, (again, taut[index]), read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
                     if taut[index] {
                         factor.forget();

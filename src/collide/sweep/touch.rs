@@ -1,0 +1,106 @@
+//! When does a shape on its way touch another one, and with which of their parts? For queries: nothing is stopped here, and a graze
+//! counts as much as a blow.
+//!
+//! A thing may be asked to spin a million times. Three things keep the search short however long the motion is:
+//!
+//! * Nothing of a part is ever farther from its centre of rotation than at the start. While a box around this ball passes the box of
+//!   what stands still, something may be touched; before and after that nothing is.
+//! * What spins in its place has been everywhere after one turn.
+//! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
+
+use super::body::Body;
+use super::motion::reach_about;
+use super::{Goal, Meeting, MovingPart, Sweep, SweepGoal, advance, impact_of_parts, other_of};
+use crate::base::bvh::SlabProbe;
+use crate::collide::parts::Part;
+use crate::dim::math::{Pose, Real, Vector};
+use parry::shape::Shape;
+
+/// What makes a turn of one about something as long as itself come near to within a hundred thousandth, where it grazes with a tenth
+/// of its speed.
+const JUMPS_MAX: usize = 1024;
+/// A full turn, and a bit (rad).
+const FULL_TURN: Real = 6.3;
+
+/// Two shapes that touch on their ways.
+pub(crate) struct Touch<'a> {
+    /// The share of the motions after which they do.
+    pub share: Real,
+    pub sides: [TouchedPart<'a>; 2],
+}
+
+/// A part that is touched.
+pub(crate) struct TouchedPart<'a> {
+    pub id: u32,
+    pub shape: &'a dyn Shape,
+    /// Its place in the frame of the shape.
+    pub place: Pose,
+}
+
+impl<'a> TouchedPart<'a> {
+    fn new(part: &Part<'a>) -> Self {
+        Self { id: part.id, shape: part.shape, place: part.pose() }
+    }
+}
+
+/// Calls `found` with touches, each earlier than the one before it: the last one is the first of all. What comes nearer than
+/// `tolerance` touches; what does so from the beginning touches `at_once`, or only when its middle gets in.
+pub(crate) fn find_touches(
+    shapes: [&dyn Shape; 2],
+    sweeps: [&Sweep<'_>; 2],
+    tolerance: Real,
+    at_once: bool,
+    found: &mut dyn FnMut(Touch<'_>),
+) {
+    let mut until = 1.0;
+    super::for_each_pair(shapes, sweeps, &mut |pair| {
+        if let Some(share) = touch_of_parts(pair, tolerance, at_once, until) {
+            until = share;
+            let sides = pair.map(|(part, _)| TouchedPart::new(part));
+            found(Touch { share, sides });
+        }
+    });
+}
+
+/// When two parts touch, if not later than `until`.
+fn touch_of_parts(
+    pair: [MovingPart<'_, '_>; 2],
+    tolerance: Real,
+    at_once: bool,
+    until: Real,
+) -> Option<Real> {
+    let [(part1, sweep1), (_, sweep2)] = pair;
+    let [from, until] = window(pair, tolerance, until)?;
+    let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair[0], pair[1], tolerance)?);
+    let goal = Goal { gap: 0.0, tolerance, counts_at_once: false, from, jumps_max: JUMPS_MAX };
+    match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
+        Meeting::At(share) => Some(share),
+        Meeting::Never => None,
+        Meeting::FromTheBeginning if at_once || from > 0.0 => Some(from),
+        Meeting::FromTheBeginning => {
+            let goal = SweepGoal { gap: tolerance, near: tolerance, on_penetration: true };
+            impact_of_parts(pair, goal, until)
+        }
+    }
+}
+
+/// The shares between which two parts may touch.
+fn window(
+    [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
+    tolerance: Real,
+    until: Real,
+) -> Option<[Real; 2]> {
+    let (Some(leg), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
+        return Some([0.0, until]);
+    };
+    let reach = reach_about(part1.shape, sweep1.local_center) + tolerance;
+    if !reach.is_finite() {
+        return Some([0.0, until]);
+    }
+    let other = part2.shape.compute_aabb(&sweep2.at(0.0));
+    let probe = SlabProbe::new(leg.center, leg.shift, Vector::splat(reach));
+    let [enter, leave] = probe.span(&other);
+    let turned = if leg.shift == Vector::ZERO { FULL_TURN / leg.angle() } else { Real::INFINITY };
+    let until = until.min(leave).min(turned);
+    (enter <= until).then_some([enter.max(0.0), until])
+}

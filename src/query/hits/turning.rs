@@ -1,0 +1,77 @@
+//! Shapes that turn on their way.
+//!
+//! By the search with which the step looks for impacts (`collide/sweep`), which ends after so many jumps. parry's goes back and
+//! forth between two times, and does not come to an end where something spins fast for long.
+
+use super::Dispatcher;
+use crate::collide::{Sweep, Touch, find_touches};
+use crate::dim::math::{Pose, Real, Vector};
+use parry::query::{NonlinearRigidMotion, QueryDispatcher, ShapeCastHit, ShapeCastStatus};
+use parry::shape::Shape;
+
+/// Within what share of the smaller shape's size shapes touch.
+const NEAR: Real = 1.0e-4;
+/// And within how many digits of where they are.
+const ROUNDING: Real = 32.0 * Real::EPSILON;
+
+/// The first touch of two shapes between two times, and when it is.
+pub fn first_touch(
+    motions: [&NonlinearRigidMotion; 2],
+    shapes: [&dyn Shape; 2],
+    [start, end]: [Real; 2],
+    stop_at_penetration: bool,
+) -> Option<ShapeCastHit> {
+    let sweeps = motions.map(|motion| sweep(motion, start, end));
+    let tolerance = tolerance(shapes, [&sweeps[0], &sweeps[1]]);
+    if !tolerance.is_finite() {
+        return None;
+    }
+    let mut first = None;
+    let mut found = |touch: Touch<'_>| {
+        first = hit(&touch, [&sweeps[0], &sweeps[1]], tolerance, [start, end]).or(first);
+    };
+    find_touches(shapes, [&sweeps[0], &sweeps[1]], tolerance, stop_at_penetration, &mut found);
+    first
+}
+
+fn sweep(motion: &NonlinearRigidMotion, start: Real, end: Real) -> Sweep<'static> {
+    let pose = motion.position_at_time(start);
+    let lasts = end - start;
+    Sweep::new(pose, pose * motion.local_center, motion.linvel * lasts, motion.angvel * lasts)
+}
+
+fn tolerance(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> Real {
+    let sizes = shapes.map(|shape| shape.compute_local_aabb().half_extents().max_element());
+    let places = sweeps.map(|sweep| sweep.at(0.0).translation.abs().max_element());
+    let size = sizes[0].min(sizes[1]);
+    NEAR * size + ROUNDING * (size + places[0].max(places[1]))
+}
+
+/// What is to be known of a touch.
+fn hit(
+    Touch { share, sides }: &Touch<'_>,
+    sweeps: [&Sweep<'_>; 2],
+    tolerance: Real,
+    [start, end]: [Real; 2],
+) -> Option<ShapeCastHit> {
+    let [side1, side2] = sides;
+    let pose12 = sweeps[0].at(*share).inv_mul(&sweeps[1].at(*share));
+    let parts12 = side1.place.inv_mul(&(pose12 * side2.place));
+    let contact = Dispatcher.contact(&parts12, side1.shape, side2.shape, Real::MAX).ok()??;
+    let status = match *share {
+        0.0 => ShapeCastStatus::PenetratingOrWithinTargetDist,
+        _ if contact.dist > 2.0 * tolerance => ShapeCastStatus::OutOfIterations,
+        _ => ShapeCastStatus::Converged,
+    };
+    let point = |place: &Pose, point: Vector| *place * point;
+    Some(ShapeCastHit {
+        time_of_impact: (start + (end - start) * share).min(end),
+        witness1: point(&side1.place, contact.point1),
+        witness2: point(&side2.place, contact.point2),
+        normal1: side1.place.rotation * contact.normal1,
+        normal2: side2.place.rotation * contact.normal2,
+        status,
+        subshape1: side1.id,
+        subshape2: side2.id,
+    })
+}

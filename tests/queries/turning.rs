@@ -1,0 +1,128 @@
+//! Shapes that turn on their way, compared with formulas; and such that turn for very long.
+
+use super::plain::{ALL, alone};
+use crate::dim::{about_z, cuboid, vec};
+use rapier::parry::query::{NonlinearRigidMotion, ShapeCastHit, ShapeCastStatus};
+use rapier::prelude::*;
+
+/// From a place, about the shape's own middle.
+fn motion(at: Vector, velocity: Vector, turn: Real) -> NonlinearRigidMotion {
+    NonlinearRigidMotion::new(Pose::from_translation(at), Vector::ZERO, velocity, about_z(turn))
+}
+
+/// The first touch of a shape on its way with one collider.
+fn cast(
+    collider: ColliderBuilder,
+    shape: &ColliderBuilder,
+    motion: &NonlinearRigidMotion,
+    [start, end]: [Real; 2],
+    at_once: bool,
+) -> Option<ShapeCastHit> {
+    let (colliders, _, queries) = alone(collider);
+    let shape = shape.build();
+    let shape = shape.shape();
+    let hit = queries.cast_shape_nonlinear(&colliders, motion, shape, start, end, at_once, ALL);
+    hit.map(|(_, hit)| hit)
+}
+
+/// Half the length of the bar, and half its height.
+const BAR: [Real; 2] = [1.0, 0.1];
+
+/// The lowest point of a bar that has turned by `φ` is `a |sin φ| + b |cos φ|` below its middle.
+#[test]
+fn a_bar_that_tumbles_lands_when_its_lowest_point_does() {
+    let [a, b] = BAR;
+    let floors =
+        [ColliderBuilder::halfspace(Vector::Y), cuboid(10.0, 1.0).translation(vec(0.0, -1.0))];
+    for floor in floors {
+        for turn in [0.0, 0.5, -2.0, 7.0, 40.0] {
+            let height = |t: Real| {
+                let (sin, cos) = (turn * t).sin_cos();
+                3.0 - t - a * sin.abs() - b * cos.abs()
+            };
+            let mut expected = 0.0;
+            while height(expected) > 0.0 {
+                expected += 1.0e-4;
+            }
+            let fall = motion(vec(0.5, 3.0), -Vector::Y, turn);
+            let hit = cast(floor.clone(), &cuboid(a, b), &fall, [0.0, 5.0], true);
+            let hit = hit.expect("the floor is below");
+            assert!((hit.time_of_impact - expected).abs() < 1.0e-3, "{hit:?}, not {expected}");
+            assert_eq!(hit.status, ShapeCastStatus::Converged);
+            let landed = fall.position_at_time(hit.time_of_impact);
+            let (point, normal) = (landed * hit.witness1, landed.rotation * hit.normal1);
+            assert!(point.y.abs() < 1.0e-2, "it touches the floor at {point}");
+            assert!((normal + Vector::Y).length() < 1.0e-2, "it touches the floor along {normal}");
+        }
+    }
+}
+
+/// However fast a ball spins, it arrives at the same time; times may be negative.
+#[test]
+fn the_spin_of_a_ball_does_not_matter() {
+    for turn in [0.0, 1.0, 1.0e3, 1.0e6, 1.0e12] {
+        let wall = cuboid(1.0, 10.0).translation(vec(6.0, 0.0));
+        let fly = motion(Vector::ZERO, Vector::X * 3.0, turn);
+        let hit = cast(wall, &ColliderBuilder::ball(0.5), &fly, [-2.0, 10.0], true);
+        let time = hit.expect("the wall is in the way").time_of_impact;
+        assert!((time - 1.5).abs() < 1.0e-3, "after {time} at {turn} rad/s");
+    }
+}
+
+/// parry's search does not come to an end with some of these.
+#[test]
+fn the_search_ends_however_long_something_spins() {
+    let bar = cuboid(BAR[0], BAR[1]);
+    let peg = |distance| ColliderBuilder::ball(0.2).translation(vec(0.0, distance));
+    for turn in [1.0, 1.0e3, 1.0e6, 1.0e9] {
+        for end in [1.0, 1.0e3, 1.0e6] {
+            for at_once in [false, true] {
+                let spin = |from: Vector, drift| motion(from, Vector::Y * drift, turn);
+                let meets = |distance, drift| {
+                    let way = spin(Vector::ZERO, drift);
+                    cast(peg(distance), &bar, &way, [0.0, end], at_once)
+                };
+                assert!(meets(1.7, 0.0).is_none(), "out of reach, for ever");
+                assert!(meets(1.7, -1.0e-3).is_none(), "out of reach, and ever farther away");
+                assert!(turn * end < 2.0 || meets(0.9, 0.0).is_some(), "within reach");
+                // Where it just grazes, or crosses a peg that it fits past for a while, anything may be said in the end.
+                let _ = [meets(1.2049, 0.0), meets(1.21, 1.0e-6), meets(0.31, 1.0e-3)];
+            }
+        }
+    }
+}
+
+/// A ball that begins 0.1 deep in a wall meets it at once, or is let go: out at any speed, and in until its middle would be inside.
+#[test]
+fn who_begins_inside_is_let_go_unless_its_middle_gets_in() {
+    let wall = || cuboid(1.0, 10.0).translation(vec(1.4, 0.0));
+    let ball = ColliderBuilder::ball(0.5);
+    let go = |velocity: Real, at_once| {
+        let way = motion(Vector::ZERO, Vector::X * velocity, 1.0);
+        cast(wall(), &ball, &way, [0.0, 10.0], at_once).map(|hit| hit.time_of_impact)
+    };
+    assert_eq!(go(-1.0, true), Some(0.0));
+    assert_eq!(go(1.0, true), Some(0.0));
+    assert_eq!(go(-1.0, false), None);
+    let time = go(1.0, false).expect("it goes deeper");
+    assert!(
+        (0.3..0.41).contains(&time),
+        "its middle is 0.4 away from the wall, and stopped after {time}"
+    );
+}
+
+#[test]
+fn the_part_that_is_touched_is_named() {
+    let part = |x: Real| {
+        (Pose::from_translation(vec(x, 0.0)), cuboid(0.5, 0.5).build().shared_shape().clone())
+    };
+    let parts = ColliderBuilder::compound(vec![part(-3.0), part(3.0)]);
+    let fall = |x| motion(vec(x, 5.0), -Vector::Y, 3.0);
+    for (x, expected) in [(-3.0, 0), (3.0, 1)] {
+        let hit = cast(parts.clone(), &cuboid(0.3, 0.3), &fall(x), [0.0, 9.0], true);
+        let hit = hit.expect("a part is below");
+        assert_eq!(hit.subshape2, expected);
+        assert!((hit.witness2.y - 0.5).abs() < 1.0e-2, "on its upper side: {hit:?}");
+    }
+    assert!(cast(parts, &cuboid(0.3, 0.3), &fall(0.0), [0.0, 9.0], true).is_none());
+}
