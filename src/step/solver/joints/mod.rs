@@ -81,7 +81,7 @@ use crate::dim::state::BodyState;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Member, RowMemory};
+use direct::{Direct, Member, Question, RowMemory};
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
@@ -122,11 +122,6 @@ struct Seat {
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
-/// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
-/// taut components, which are projected from afar, take up to four.
-const ROUNDS: usize = 2;
-const TAUT_ROUNDS: usize = 4;
-
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
@@ -153,16 +148,12 @@ impl SolverJoints {
     }
 
     /// Begins a substep: finds out which components are taut.
-    pub fn tighten(&mut self, pass: &JointPass) {
-        let (blocks, tautness) = (&mut self.blocks, &self.tautness);
-        self.direct.tighten(|members| {
-            let taut = members
-                .iter()
-                .any(|member| tautness.is_taut(&blocks[member.block as usize], member, pass));
-            for member in members {
-                let lanes = &mut blocks[member.block as usize].is_taut;
-                lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
-            }
+    pub fn tighten(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+        let Self { blocks, direct, tautness, .. } = self;
+        let moving = (&*bodies.poses, &*bodies.states);
+        direct.tighten(|members| {
+            let taut = tautness.is_taut(members, blocks, moving, pass.substep);
+            note_taut(members, blocks, taut);
             taut
         });
     }
@@ -205,16 +196,27 @@ impl SolverJoints {
         if !AHEAD {
             self.direct.forget_matrices();
         }
-        if !self.direct.is_empty() {
-            let rounds = match (AHEAD, self.direct.any_taut()) {
-                (false, _) => 1,
-                (true, false) => ROUNDS,
-                (true, true) => TAUT_ROUNDS,
-            };
-            for round in 0..rounds {
-                self.solve_exactly::<AHEAD>(bodies, round, pass, simd, tasks);
-            }
+        if self.direct.is_empty() {
+            return;
         }
+        self.direct.begin();
+        self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        while AHEAD && self.go_on(bodies, pass) {
+            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        }
+    }
+
+    /// Is another round of the exact solution wanted?
+    fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
+        let Self { blocks, memory, direct, tautness, .. } = self;
+        let moving = (&*bodies.poses, &*bodies.states);
+        direct.go_on(memory, pass.inv_substep, |members, question| match question {
+            Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
+            Question::Tauten => {
+                note_taut(members, blocks, true);
+                true
+            }
+        })
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
@@ -235,17 +237,18 @@ impl SolverJoints {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(v - old_v, w - old_w);
         }
-        let (count, again, shared) = (self.blocks.len(), false, DisjointMut::new(states));
+        self.direct.begin();
+        let (count, shared) = (self.blocks.len(), DisjointMut::new(states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             let (states, before) = (shared, start);
-            simd.run(WriteRows::<false> { range, blocks, memory, states, before, again, pass });
+            simd.run(WriteRows::<false> { range, blocks, memory, states, before, pass });
         });
-        let wanted = |members: &[Member], _: bool| {
+        let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, shared, wanted, false, simd, tasks);
+        self.direct.solve(&mut self.memory, shared, wanted, simd, tasks);
         let memory = &self.memory;
         let end = End::Count;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -266,31 +269,31 @@ impl SolverJoints {
     fn solve_exactly<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
-        round: usize,
         pass: &JointPass,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let (_, states, before) = bodies.shared();
-        let (count, again) = (self.blocks.len(), round > 0);
+        let count = self.blocks.len();
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, again, pass });
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, pass });
         });
-        self.direct.solve(
-            &mut self.memory,
-            states,
-            |_, taut| taut || round < ROUNDS,
-            again,
-            simd,
-            tasks,
-        );
+        self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
         let end = End::Finish { is_last: !AHEAD && pass.is_last_visit };
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, end });
         });
+    }
+}
+
+/// Notes whether the joints of a component are taut.
+fn note_taut(members: &[Member], blocks: &mut [JointBlock], taut: bool) {
+    for member in members {
+        let lanes = &mut blocks[member.block as usize].is_taut;
+        lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
     }
 }
 
@@ -369,7 +372,6 @@ struct WriteRows<'a, const AHEAD: bool> {
     memory: DisjointMut<'a, RowMemory>,
     states: DisjointMut<'a, BodyState>,
     before: &'a [BodyState],
-    again: bool,
     pass: &'a JointPass,
 }
 
@@ -389,7 +391,6 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
                         memory,
                         &self.states,
                         self.before,
-                        self.again,
                         self.pass,
                     );
                 }

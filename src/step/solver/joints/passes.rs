@@ -390,7 +390,12 @@ impl<W: Wide> LookAhead<W> {
         bodies: &Bodies<W>,
         pass: &JointPass,
     ) -> [W; SPATIAL_DIM] {
-        let (now, then) = (self.now.errors(), self.then.errors());
+        let taut = W::zero().lt(W::load(&block.is_taut));
+        let (now, mut then) = (self.now.errors(), self.then.errors());
+        let seen_from_now = self.then.errors_seen_from(&self.now, block);
+        for (then, seen) in then.iter_mut().zip(seen_from_now) {
+            *then = W::select(taut, *then, seen);
+        }
         let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
         let mut rates = [W::zero(); SPATIAL_DIM];
         for k in 0..SPATIAL_DIM {

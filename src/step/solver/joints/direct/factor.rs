@@ -54,6 +54,27 @@ const SHARE_MIN: f64 = 1.0e-3;
 /// that hangs at rest 10⁻⁵ is rounding.
 const DONE: f64 = 1.0e-4;
 
+/// When other joints are done: what is left, as a share of what their impulses do as a whole (both energies).
+const PRECISION: f64 = 1.0e-9;
+/// The rounding of where anchors are, in levers.
+const NOISE: f64 = 4.0 * Real::EPSILON as f64;
+/// With more than this share left, the joints are not where they should be.
+const ROUGH: f64 = 1.0e-3;
+/// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
+const ASTRAY: f64 = 100.0;
+
+/// How far the rounds of a solution have come.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) enum Progress {
+    Done,
+    /// Another round would make it better, and that is all.
+    Near,
+    /// It takes another round.
+    Far,
+    /// The rounds lead away.
+    Astray,
+}
+
 /// A number for each row of a joint.
 type Column = [f64; SPATIAL_DIM];
 /// Columns of a matrix.
@@ -107,8 +128,9 @@ pub(super) struct Factor {
     x: Vec<Column>,
     /// By member: right-hand side of the second turn.
     again: Vec<Column>,
-    /// How much the first solution of a substep had to do.
+    /// How much the first solution of a substep had to do, the one before the last, and the last one.
     first_size: f64,
+    sizes: [f64; 2],
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
@@ -128,9 +150,11 @@ impl Factor {
         simd: Simd,
     ) {
         simd.run(Solve { factor: self, component, memory });
+        let size = self.size_of_rates(component, memory);
         if !again {
-            self.first_size = self.size_of_rates(component, memory);
+            self.first_size = size;
         }
+        self.sizes = [self.sizes[1], size];
         // SAFETY: the caller's promise.
         unsafe { self.push_bodies(component, states) };
     }
@@ -161,6 +185,73 @@ impl Factor {
             self.x.fill([0.0; SPATIAL_DIM]);
         }
         is_done
+    }
+
+    /// Takes all impulses of the component back.
+    ///
+    /// # Safety
+    /// As [`Self::solve`].
+    pub unsafe fn take_back(
+        &mut self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        for (member, x) in component.members.iter().zip(&mut self.x) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (x, axis) in x.iter_mut().zip(locked_axes(member)) {
+                *x = -f64::from(from.impulses[axis].0[lane]);
+            }
+        }
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// How far the rounds have come, the last of which is at least the second one. What it has left is to what it found as
+    /// that is to what the one before it had found.
+    pub fn progress(
+        &self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        inv_h: Real,
+    ) -> Progress {
+        let [before, last] = self.sizes;
+        let rest = if last < before { last * (last / before) } else { last };
+        let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
+        if rest <= PRECISION * load + noise {
+            Progress::Done
+        } else if last > load && last > ASTRAY * before {
+            Progress::Astray
+        } else if rest > ROUGH * load {
+            Progress::Far
+        } else {
+            Progress::Near
+        }
+    }
+
+    /// As [`Self::size_of_rates`], of what the impulses do as a whole, and of what rounding makes of rates.
+    fn size_of_load(
+        &self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        inv_h: f64,
+    ) -> (f64, f64) {
+        let (mut load, mut noise) = (0.0, 0.0);
+        for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (row, axis) in locked_axes(member).enumerate().filter(|(row, _)| own[*row] > 0.0) {
+                let impulse = from.impulses[axis].0[lane] + from.changes[axis].0[lane];
+                load += own[row] * f64::from(impulse) * f64::from(impulse);
+                let size = rows
+                    .jacobians
+                    .iter()
+                    .flatten()
+                    .fold(0.0, |most: f64, column| most.max(column[row].abs()));
+                let rounding = NOISE * size * inv_h;
+                noise += rounding * rounding / own[row];
+            }
+        }
+        (load, noise)
     }
 
     /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.

@@ -62,13 +62,12 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
     before: &[BodyState],
-    again: bool,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
     let (rows, rates) = if AHEAD {
-        rows_ahead(block, &bodies, again, pass)
+        rows_ahead(block, &bodies, pass)
     } else {
         let rows = Geometry::new(block, &bodies.displacements).rows();
         (rows, rates_here(block, &rows, &bodies))
@@ -87,25 +86,16 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and rates of the solve pass. Taut joints look ahead from where they are about to go, and take the rows
-/// there; others look ahead from the velocities before any impulse, or `again` from what they found, and take
-/// the rows where they are.
+/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
+/// where they are.
 #[inline(always)]
 fn rows_ahead<W: Wide>(
     block: &mut JointBlock,
     bodies: &Bodies<W>,
-    again: bool,
     pass: &JointPass,
 ) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
     let taut = W::zero().lt(W::load(&block.is_taut));
-    let mut velocities = bodies.velocities;
-    if !again {
-        for (velocity, before) in velocities.iter_mut().zip(&bodies.before) {
-            velocity.linear = WideVector::select(taut, velocity.linear, before.linear);
-            velocity.angular = select_ang(taut, velocity.angular, before.angular);
-        }
-    }
-    let ahead = LookAhead::new(block, bodies, velocities, pass);
+    let ahead = LookAhead::new(block, bodies, bodies.velocities, pass);
     let (mut rows, then) = (ahead.now.rows(), ahead.then.rows());
     for (row, then) in rows.iter_mut().zip(&then) {
         row.linear = WideVector::select(taut, then.linear, row.linear);

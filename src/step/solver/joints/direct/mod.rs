@@ -42,9 +42,16 @@ pub(super) use pattern::Member;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
+use crate::dim::math::Real;
 use crate::dim::state::BodyState;
-use factor::Factor;
+use factor::{Factor, Progress};
 use pattern::Pattern;
+
+/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
+/// where bodies turn by much in a substep.
+const ROUNDS: usize = 8;
+/// The same for taut components, which are projected from afar.
+const TAUT_ROUNDS: usize = 4;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -53,7 +60,34 @@ pub(super) struct Direct {
     /// One per component; some may be left over from larger steps.
     factors: Vec<Factor>,
     /// By component.
-    taut: Vec<bool>,
+    courses: Vec<Course>,
+}
+
+/// How the solution of a component goes.
+#[derive(Copy, Clone, Debug)]
+struct Course {
+    taut: bool,
+    /// How many rounds of this visit it has had in this way.
+    rounds: usize,
+    next: Next,
+}
+
+/// What is asked about the members of a component.
+#[derive(Copy, Clone, Debug)]
+pub(super) enum Question {
+    /// Do the pulls that were found make it taut?
+    IsTaut,
+    /// It is from now on, isn't it?
+    Tauten,
+}
+
+/// What happens to a component in the next round.
+#[derive(Copy, Clone, Debug, PartialEq)]
+enum Next {
+    Solve,
+    /// It turned out to be taut: its impulses are taken back, and the next round begins anew.
+    TakeBack,
+    Nothing,
 }
 
 impl Direct {
@@ -83,12 +117,67 @@ impl Direct {
         self.pattern.component_count() == 0
     }
 
-    /// Notes which components are taut, as `find` says of the members of each.
+    /// Notes which components are taut from the beginning, as `find` says of the members of each.
     pub fn tighten(&mut self, mut find: impl FnMut(&[Member]) -> bool) {
-        self.taut.clear();
+        self.courses.clear();
         for index in 0..self.pattern.component_count() {
-            self.taut.push(find(self.pattern.component(index).members));
+            let taut = find(self.pattern.component(index).members);
+            if taut {
+                // Taut joints take other rows than those of the last relax pass.
+                self.factors[index].forget();
+            }
+            self.courses.push(Course { taut, rounds: 0, next: Next::Solve });
         }
+    }
+
+    /// Begins a visit.
+    pub fn begin(&mut self) {
+        for course in &mut self.courses {
+            (course.rounds, course.next) = (0, Next::Solve);
+        }
+    }
+
+    /// Ends a round of the solve pass, and says whether another one is wanted. `find` says of the members of a component whether
+    /// the pulls that were found make it taut; `tauten` is told of those that are from now on.
+    pub fn go_on(
+        &mut self,
+        rows: &[RowMemory],
+        inv_h: Real,
+        mut ask: impl FnMut(&[Member], Question) -> bool,
+    ) -> bool {
+        let mut goes_on = false;
+        for (index, course) in self.courses.iter_mut().enumerate() {
+            let (component, factor) = (self.pattern.component(index), &mut self.factors[index]);
+            course.rounds += 1;
+            course.next = match course.next {
+                Next::Nothing => Next::Nothing,
+                Next::TakeBack => {
+                    factor.forget();
+                    course.taut = ask(component.members, Question::Tauten);
+                    course.rounds = 0;
+                    Next::Solve
+                }
+                Next::Solve if course.taut => {
+                    if course.rounds < TAUT_ROUNDS {
+                        Next::Solve
+                    } else {
+                        Next::Nothing
+                    }
+                }
+                Next::Solve if course.rounds == 1 => Next::Solve,
+                Next::Solve if course.rounds == 2 && ask(component.members, Question::IsTaut) => {
+                    Next::TakeBack
+                }
+                Next::Solve => match factor.progress(component, rows, inv_h) {
+                    Progress::Done => Next::Nothing,
+                    Progress::Near | Progress::Far if course.rounds < ROUNDS => Next::Solve,
+                    Progress::Near => Next::Nothing,
+                    Progress::Far | Progress::Astray => Next::TakeBack,
+                },
+            };
+            goes_on |= course.next != Next::Nothing;
+        }
+        goes_on
     }
 
     /// The bodies have moved, or others took their places: all matrices must be made anew.
@@ -96,25 +185,21 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Is any component taut?
-    pub fn any_taut(&self) -> bool {
-        self.taut.contains(&true)
-    }
-
-    /// Solves the components that are `wanted`, by their members and whether they are taut: gives the rows their change
-    /// of impulse, and the bodies what it does to them.
+    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and the bodies what
+    /// it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
-        wanted: impl Fn(&[Member], bool) -> bool + Sync,
-        again: bool,
+        wanted: impl Fn(&[Member]) -> bool + Sync,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
-        let (pattern, taut) = (&self.pattern, &self.taut);
-        let is_wanted = |index: &usize| wanted(pattern.component(*index).members, taut[*index]);
+        let (pattern, courses) = (&self.pattern, &self.courses);
+        let is_wanted = |index: &usize| {
+            courses[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
+        };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
@@ -123,12 +208,18 @@ impl Direct {
                 // task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
-                    if again && taut[index] && factor.has_converged(component, read) {
+                    let course = courses[index];
+                    if course.next == Next::TakeBack {
+                        factor.take_back(component, read, &states);
+                        continue;
+                    }
+                    let again = course.rounds > 0;
+                    if again && course.taut && factor.has_converged(component, read) {
                         continue;
                     }
                     factor.solve(component, again, read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
-                    if taut[index] {
+                    if course.taut {
                         factor.forget();
                     }
                 }
