@@ -18,8 +18,7 @@
 //! `ω² h` of it per second. So the solve pass looks ahead: it asks for the velocity that leads to
 //! `C = 0` at the *end* of the substep. With the present velocities the substep would end at
 //! `C' = C(x + h v)`; of that, `h Ċ` will change with the velocity and the rest, `C' - C - h Ċ`, is the
-//! curvature of the constraint. (The present velocities are those before any impulse of the substep: they
-//! obeyed the joints when the last one ended. Half-solved ones would feed their errors back.)
+//! curvature of the constraint.
 //!
 //! ```text
 //! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
@@ -27,8 +26,9 @@
 //!
 //! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE
 //! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
-//! keeps its energy. Joints that are solved exactly repeat the look ahead from the velocity that they have
-//! found. Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
+//! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
+//! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
+//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
 //!
 //! ## Inertias turn
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A
@@ -130,10 +130,10 @@ impl SolverJoints {
 
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(WarmStart { range, parts, states, before });
+            simd.run(WarmStart { range, parts, states });
         });
         self.pins.warm_start(states, simd, tasks);
     }
@@ -187,10 +187,10 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
+            simd.run(Visit::<AHEAD> { range, parts, states, pass });
         });
         self.pins.visit::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
@@ -242,8 +242,8 @@ impl SolverJoints {
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            let (states, before) = (shared, start);
-            simd.run(WriteRows::<false> { range, blocks, memory, states, before, pass });
+            let states = shared;
+            simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
         });
         let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
@@ -273,12 +273,12 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let count = self.blocks.len();
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, pass });
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
@@ -315,7 +315,6 @@ struct WarmStart<'a> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
 }
 
 impl Kernel for WarmStart<'_> {
@@ -328,7 +327,7 @@ impl Kernel for WarmStart<'_> {
             // not read-only.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::warm_start::<W>(block, &self.parts.rows, &self.states, self.before);
+                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
             }
         }
     }
@@ -339,7 +338,6 @@ struct Visit<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
     pass: &'a JointPass,
 }
 
@@ -353,13 +351,7 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
             // read-only, and one colour is done before the next begins.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::visit::<W, AHEAD>(
-                    block,
-                    &self.parts.rows,
-                    &self.states,
-                    self.before,
-                    self.pass,
-                );
+                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
             }
         }
     }
@@ -371,7 +363,6 @@ struct WriteRows<'a, const AHEAD: bool> {
     blocks: DisjointMut<'a, JointBlock>,
     memory: DisjointMut<'a, RowMemory>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
     pass: &'a JointPass,
 }
 
@@ -386,13 +377,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
                 let block = self.blocks.get_mut(index);
                 if block.has_exact {
                     let memory = self.memory.get_mut(index);
-                    direct::write_rows::<W, AHEAD>(
-                        block,
-                        memory,
-                        &self.states,
-                        self.before,
-                        self.pass,
-                    );
+                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
                 }
             }
         }

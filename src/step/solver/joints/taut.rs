@@ -21,6 +21,11 @@
 //! for each of two bodies, is no tautness. `Ω` is that of the component's angular momentum about its centre of mass: light
 //! links that vibrate have little of it.
 //!
+//! One thing that turns as a whole is braked all the same: thin bodies on hinges, faster than [`TUMBLING_TURN`] (36 rad/s at
+//! 240 substeps per second). Their inertias turn with them, at the beginning of a substep for impulses and in its middle for
+//! free motion, and what a hinge holds between the two grows slowly: at 60 rad/s the axis of two rods would tumble after
+//! four seconds.
+//!
 //! ## When
 //! Whether a component is taut shows in the pulls of its last substep; then it is projected from the beginning. Where
 //! it turns out by the pulls that the symplectic method finds (a slack chain is tightened by a weight at its end), or that
@@ -30,7 +35,8 @@ use super::block::JointBlock;
 use super::direct::Member;
 use crate::dim::joint::inertia_about;
 use crate::dim::math::{
-    ANG_ZERO, AngularInertia, Real, Vector, ang_length_squared, cross, torque, zero_inertia,
+    ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
+    zero_inertia,
 };
 use crate::dim::state::{BodyPose, BodyState};
 
@@ -39,6 +45,20 @@ use crate::dim::state::{BodyPose, BodyState};
 const TAUT: Real = 0.25;
 /// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
 const WHOLE: Real = 4.0;
+/// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
+const TURN: Real = 0.85;
+
+/// Where no joint has more than this, nothing else is asked.
+const LOOSE: Real = 0.01;
+/// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
+const TUMBLING_TURN: Real = 0.15;
+
+/// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
+fn tumbles(member: &Member, blocks: &[JointBlock]) -> bool {
+    let locked = (member.form.locked >> DIM).count_ones() as usize;
+    let inertias = &blocks[member.block as usize].inertias;
+    (1..ANG_DIM).contains(&locked) && inertias.tumble(member.lane as usize)
+}
 
 /// The bodies that joints hold: by solver index.
 #[derive(Default)]
@@ -83,11 +103,14 @@ impl Tautness {
         let swings =
             members.iter().map(|member| self.swing(member, &blocks[member.block as usize]) * h);
         let swing = swings.fold(0.0, Real::max);
-        if swing <= TAUT {
+        if swing <= LOOSE {
             return false;
         }
         let turn = self.turning(members, poses, states) * h;
-        swing - WHOLE * turn * turn > TAUT
+        let excess = swing - WHOLE * turn * turn;
+        excess > TAUT
+            || turn > TURN
+            || (turn > TUMBLING_TURN && members.iter().any(|member| tumbles(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.

@@ -61,11 +61,10 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
-    before: &[BodyState],
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let bodies = unsafe { Bodies::<W>::gather(states, block) };
     let (rows, rates) = if AHEAD {
         rows_ahead(block, &bodies, pass)
     } else {
