@@ -124,14 +124,14 @@ fn short_pendulums_keep_their_swing() {
                     degrees.to_string(),
                     format!("{:.2}", left.to_degrees()),
                 ]);
-                // At 30 Hz a step of the shortest takes it over 0.3 rad: the largest angle that is seen is less.
+                // It is seen at the ends of steps alone: at 30 Hz the largest angle of the shortest may fall between two.
                 table.check("the amplitude", left / angle, 1.0, 0.05);
             }
         }
     }
 }
 
-/// Motion and height of all bodies; none is below `lowest`.
+/// Of motion and of height, of all bodies.
 fn energy(world: &PhysicsWorld) -> Real {
     let heights = world.bodies.iter().map(|(_, body)| body.mass() * body.center_of_mass().y * G);
     kinetic_energy(world) + heights.sum::<Real>()

@@ -85,7 +85,7 @@ use direct::{Direct, Member, Question, RowMemory};
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
-use taut::Tautness;
+use taut::{Moving, Tautness};
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -150,7 +150,7 @@ impl SolverJoints {
     /// Begins a substep: finds out which components are taut.
     pub fn tighten(&mut self, bodies: &SolverBodies, pass: &JointPass) {
         let Self { blocks, direct, tautness, .. } = self;
-        let moving = (&*bodies.poses, &*bodies.states);
+        let moving = moving(bodies);
         direct.tighten(|members| {
             let taut = tautness.is_taut(members, blocks, moving, pass.substep);
             note_taut(members, blocks, taut);
@@ -209,7 +209,7 @@ impl SolverJoints {
     /// Is another round of the exact solution wanted?
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, tautness, .. } = self;
-        let moving = (&*bodies.poses, &*bodies.states);
+        let moving = moving(bodies);
         direct.go_on(memory, pass.inv_substep, |members, question| match question {
             Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
             Question::Tauten => {
@@ -287,6 +287,10 @@ impl SolverJoints {
             simd.run(Finish { range, blocks, memory, end });
         });
     }
+}
+
+fn moving(bodies: &SolverBodies) -> Moving<'_> {
+    Moving { poses: &bodies.poses, states: &bodies.states, before: &bodies.before }
 }
 
 /// Notes whether the joints of a component are taut.

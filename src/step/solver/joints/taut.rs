@@ -68,6 +68,15 @@ pub(super) struct Tautness {
     questions: u32,
 }
 
+/// Where all bodies are, by solver index, and how they move before any impulse of the substep. (Those of the last one
+/// point where its beginning was, and would count as turning.)
+#[derive(Copy, Clone)]
+pub(super) struct Moving<'a> {
+    pub poses: &'a [BodyPose],
+    pub states: &'a [BodyState],
+    pub before: &'a [BodyState],
+}
+
 /// A body that joints hold.
 #[derive(Copy, Clone)]
 struct Held {
@@ -97,7 +106,7 @@ impl Tautness {
         &mut self,
         members: &[Member],
         blocks: &[JointBlock],
-        (poses, states): (&[BodyPose], &[BodyState]),
+        moving: Moving<'_>,
         h: Real,
     ) -> bool {
         let swings =
@@ -106,7 +115,7 @@ impl Tautness {
         if swing <= LOOSE {
             return false;
         }
-        let turn = self.turning(members, poses, states) * h;
+        let turn = self.turning(members, moving) * h;
         let excess = swing - WHOLE * turn * turn;
         excess > TAUT
             || turn > TURN
@@ -132,14 +141,15 @@ impl Tautness {
 
     /// How fast a component turns as a whole about its centre of mass (rad/s): its angular momentum over its moment of
     /// inertia about the axis of that.
-    fn turning(&mut self, members: &[Member], poses: &[BodyPose], states: &[BodyState]) -> Real {
+    fn turning(&mut self, members: &[Member], moving: Moving<'_>) -> Real {
+        let Moving { poses, states, before } = moving;
         let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);
         self.for_each(members, |body, held| {
             let m = 1.0 / held.inv_mass;
             let (shift, _) = states[body].displacement();
             mass += m;
             moved += (poses[body].center() + shift) * m;
-            push += states[body].velocity().0 * m;
+            push += before[body].velocity().0 * m;
         });
         if mass <= 0.0 {
             return 0.0;
@@ -147,7 +157,7 @@ impl Tautness {
         let (center, velocity) = (moved / mass, push / mass);
         let mut spin = ANG_ZERO;
         self.for_each(members, |body, held| {
-            let ((v, w), (shift, _)) = (states[body].velocity(), states[body].displacement());
+            let ((v, w), (shift, _)) = (before[body].velocity(), states[body].displacement());
             let place = poses[body].center() + shift - center;
             spin += torque(place, (v - velocity) / held.inv_mass);
             spin += w * inertia_about(&held.inv_inertia).unwrap_or(0.0);

@@ -20,8 +20,8 @@
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
 //! (`factor.rs`).
 //!
-//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round. So their
-//! rounds end when there is nothing left to do.
+//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
+//! one too. All rounds end when there is nothing left to do: each component by itself, whatever others need.
 //!
 //! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
 //! of even masses. A ragdoll bears no load for long.
