@@ -67,18 +67,24 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
 pub const TURN_MAX: Real = 1.0e4;
 
-/// Rotates `rotation` by the angle `angle` (radians): by `2 atan(t)`, where `t` is the tangent of half the angle to
-/// fifth order, `θ/2 (1 + θ²/12 + θ⁴/120)`. At 1 rad 0.0007 rad are missing, and no angle turns by more than a turn.
-/// The exponential map would cost a sine and a cosine, whose last bits differ between machines.
+/// Rotates `rotation` by the angle `angle` (radians). Sine and cosine of an eighth of the angle are their series to sixth
+/// order, and three doublings lead from there to the whole of it: at 1 rad nothing is missing, at a turn 10⁻⁵ rad, and at
+/// two turns 0.003. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = (angle * angle).min(TURN_MAX);
-    let t = angle * (0.5 + square * (1.0 / 24.0 + square * (1.0 / 240.0)));
-    let scale = 1.0 / (1.0 + t * t);
-    let (cos, sin) = ((1.0 - t * t) * scale, (t + t) * scale);
+    let eighth = square * (1.0 / 64.0);
+    // The angle θ/8, then θ/4, θ/2 and θ: its cosine, and its sine as a share of the whole angle.
+    let mut cosine = 1.0 - eighth * (1.0 / 2.0 - eighth * (1.0 / 24.0 - eighth * (1.0 / 720.0)));
+    let mut sine =
+        0.125 - eighth * (1.0 / 48.0 - eighth * (1.0 / 960.0 - eighth * (1.0 / 40320.0)));
+    for _ in 0..3 {
+        (cosine, sine) = (cosine * cosine - square * (sine * sine), 2.0 * cosine * sine);
+    }
+    let sine = angle * sine;
     Rotation::from_cos_sin_unchecked(
-        cos * rotation.re - sin * rotation.im,
-        cos * rotation.im + sin * rotation.re,
+        cosine * rotation.re - sine * rotation.im,
+        cosine * rotation.im + sine * rotation.re,
     )
     .normalize()
 }

@@ -116,6 +116,11 @@ impl BodyPose {
         Self([q.re, q.im, x.x, x.y, m.x, m.y, *inv_inertia, 0.0])
     }
 
+    /// Centre of mass when the step began.
+    pub fn center(&self) -> Vector {
+        Vector::new(self.0[2], self.0[3])
+    }
+
     /// Inverse mass per axis.
     pub fn inv_mass(&self) -> Vector {
         Vector::new(self.0[4], self.0[5])

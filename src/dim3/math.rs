@@ -76,18 +76,27 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
 pub const TURN_MAX: Real = 1.0e4;
 
-/// Rotates `rotation` by the world-space rotation vector `angle` (radians): by `2 atan(t)`, where `t` is the tangent of
-/// half the angle to fifth order, `θ/2 (1 + θ²/12 + θ⁴/120)`. At 1 rad 0.0007 rad are missing, and no angle turns by more
-/// than a turn. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
+/// Rotates `rotation` by the world-space rotation vector `angle` (radians). Sine and cosine of an eighth of the angle are
+/// their series to sixth order, and three doublings lead from there to the whole of it: at 1 rad nothing is missing, at a
+/// turn 10⁻⁵ rad, and at two turns 0.003. The exponential map would cost a sine and a cosine, whose last bits differ
+/// between machines.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = angle.length_squared().min(TURN_MAX);
-    let (q, a) = (rotation, angle * (0.5 + square * (1.0 / 24.0 + square * (1.0 / 240.0))));
+    let eighth = square * (1.0 / 64.0);
+    // The half-angle θ/8, then θ/4 and θ/2: its cosine, and its sine as a share of the whole angle.
+    let mut cosine = 1.0 - eighth * (1.0 / 2.0 - eighth * (1.0 / 24.0 - eighth * (1.0 / 720.0)));
+    let mut sine =
+        0.125 - eighth * (1.0 / 48.0 - eighth * (1.0 / 960.0 - eighth * (1.0 / 40320.0)));
+    for _ in 0..2 {
+        (cosine, sine) = (cosine * cosine - square * (sine * sine), 2.0 * cosine * sine);
+    }
+    let (q, a) = (rotation, angle * sine);
     Rotation::from_xyzw(
-        q.x + (a.x * q.w + a.y * q.z - a.z * q.y),
-        q.y + (a.y * q.w + a.z * q.x - a.x * q.z),
-        q.z + (a.z * q.w + a.x * q.y - a.y * q.x),
-        q.w - (a.x * q.x + a.y * q.y + a.z * q.z),
+        q.x * cosine + (a.x * q.w + a.y * q.z - a.z * q.y),
+        q.y * cosine + (a.y * q.w + a.z * q.x - a.x * q.z),
+        q.z * cosine + (a.z * q.w + a.x * q.y - a.y * q.x),
+        q.w * cosine - (a.x * q.x + a.y * q.y + a.z * q.z),
     )
     .normalize()
 }

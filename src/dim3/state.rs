@@ -116,6 +116,11 @@ impl BodyPose {
         ])
     }
 
+    /// Centre of mass when the step began.
+    pub fn center(&self) -> Vector {
+        Vector::new(self.0[4], self.0[5], self.0[6])
+    }
+
     /// Inverse mass per axis.
     pub fn inv_mass(&self) -> Vector {
         Vector::new(self.0[7], self.0[8], self.0[9])

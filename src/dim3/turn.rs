@@ -7,21 +7,35 @@ use crate::base::wide::Wide;
 /// Where [`turned_further`] gives up (rad).
 const SERIES_MAX: Real = 2.0;
 
-/// Half the rotation vector, lengthened so that the quaternion `(this, 1)` turns by the whole angle to seventh
-/// order: see [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
+/// A quaternion, not of unit length, that turns by a rotation vector: its real part and its vector. See
+/// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
 #[inline(always)]
-fn half_turn<W: Wide>(turn: WideAngVector<W>) -> WideVector<W> {
+fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
     let square = turn.dot(turn).min(W::splat(TURN_MAX));
-    let correction = W::splat(1.0 / 24.0) + square * W::splat(1.0 / 240.0);
-    turn * (W::splat(0.5) + square * correction)
+    let (mut cosine, mut sine) = of_eighth(square);
+    for _ in 0..2 {
+        let product = cosine * sine;
+        (cosine, sine) = (cosine * cosine - square * (sine * sine), product + product);
+    }
+    (cosine, turn * sine)
+}
+
+/// Cosine and sine of an eighth of an angle whose square this is; the sine as a share of the whole angle.
+#[inline(always)]
+fn of_eighth<W: Wide>(square: W) -> (W, W) {
+    let (number, square) = (W::splat, square * W::splat(1.0 / 64.0));
+    let cosine = number(1.0 / 24.0) - square * number(1.0 / 720.0);
+    let cosine = number(1.0) - square * (number(1.0 / 2.0) - square * cosine);
+    let sine = number(1.0 / 960.0) - square * number(1.0 / 40320.0);
+    (cosine, number(1.0 / 8.0) - square * (number(1.0 / 48.0) - square * sine))
 }
 
 /// A lever of a body after the body has turned.
 #[inline(always)]
 pub(crate) fn turned_lever<W: Wide>(lever: WideVector<W>, turn: WideAngVector<W>) -> WideVector<W> {
-    let (one, u) = (W::splat(1.0), half_turn(turn));
-    let scale = W::splat(2.0) / (one + u.dot(u));
-    lever + cross(u, cross(u, lever) + lever) * scale
+    let (real, u) = quaternion(turn);
+    let scale = W::splat(2.0) / (real * real + u.dot(u));
+    lever + cross(u, cross(u, lever) + lever * real) * scale
 }
 
 /// A frame of a body after the body has turned.
@@ -30,14 +44,14 @@ pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
     turn: WideAngVector<W>,
 ) -> WideRotation<W> {
-    let (q, a) = (frame, half_turn(turn));
+    let (q, (real, a)) = (frame, quaternion(turn));
     let turned = WideRotation {
-        x: q.x + (a.x * q.w + a.y * q.z - a.z * q.y),
-        y: q.y + (a.y * q.w + a.z * q.x - a.x * q.z),
-        z: q.z + (a.z * q.w + a.x * q.y - a.y * q.x),
-        w: q.w - (a.x * q.x + a.y * q.y + a.z * q.z),
+        x: q.x * real + (a.x * q.w + a.y * q.z - a.z * q.y),
+        y: q.y * real + (a.y * q.w + a.z * q.x - a.x * q.z),
+        z: q.z * real + (a.z * q.w + a.x * q.y - a.y * q.x),
+        w: q.w * real - (a.x * q.x + a.y * q.y + a.z * q.z),
     };
-    let scale = W::splat(1.0) / (W::splat(1.0) + a.dot(a)).sqrt();
+    let scale = W::splat(1.0) / (real * real + a.dot(a)).sqrt();
     WideRotation {
         x: turned.x * scale,
         y: turned.y * scale,

@@ -5,7 +5,8 @@ use crate::dim::{about_z, ang_length, hinge, moment, spin_momentum, vec};
 use crate::suite::physics::stage::{RATES, steps, weightless};
 use rapier::prelude::*;
 
-fn momenta(world: &PhysicsWorld) -> (Vector, AngVector) {
+/// Momentum and angular momentum about the origin.
+pub fn momenta(world: &PhysicsWorld) -> (Vector, AngVector) {
     let mut total = (Vector::ZERO, about_z(0.0));
     for (_, body) in world.bodies.iter() {
         let push = body.linvel() * body.mass();

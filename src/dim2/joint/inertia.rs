@@ -29,6 +29,11 @@ impl JointedInertias {
         set_symmetric_lane(&mut self.0[side], lane, value);
     }
 
+    /// Does the inertia of a body of this lane turn with it? It is a number.
+    pub fn tumble(&self, _lane: usize) -> bool {
+        false
+    }
+
     /// That of one lane's first or second body as it stands now.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.0[side], lane)

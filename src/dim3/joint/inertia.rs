@@ -59,6 +59,11 @@ impl JointedInertias {
         }
     }
 
+    /// Does the inertia of a body of this lane turn with it?
+    pub fn tumble(&self, lane: usize) -> bool {
+        self.tumbles.iter().any(|tumbles| tumbles.0[lane] != 0.0)
+    }
+
     /// That of one lane's first or second body as it stands now.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.now[side], lane)

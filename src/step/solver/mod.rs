@@ -234,7 +234,7 @@ fn solve_group(
             multibodies.follow_loops(place.1, states);
         }
         multibodies.integrate_velocities(h, params, tasks);
-        joints.tighten(&joint_pass);
+        joints.tighten(states, &joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);

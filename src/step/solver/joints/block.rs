@@ -104,19 +104,6 @@ impl JointBlock {
         }
     }
 
-    /// Takes over the impulses of a lane, and what they have done.
-    pub fn set_impulses(&mut self, lane: usize, from: &Self) {
-        for (impulse, old) in self.impulses.iter_mut().zip(&from.impulses) {
-            impulse.0[lane] = old.0[lane];
-        }
-        self.applied.linear.set_lane(lane, from.applied.linear.lane(lane));
-        for side in 0..2 {
-            let (applied, turned) = (&from.applied.angular[side], &from.turned[side]);
-            set_ang_lane(&mut self.applied.angular[side], lane, ang_lane(applied, lane));
-            set_ang_lane(&mut self.turned[side], lane, ang_lane(turned, lane));
-        }
-    }
-
     /// Scales the impulses with which the next substep starts.
     pub fn scale_impulses(&mut self, factor: Real) {
         self.impulses.iter_mut().for_each(|impulse| scale(impulse, factor));

@@ -160,7 +160,8 @@ impl SolverJoints {
                     let body = block.bodies[side][lane];
                     if body & READ_ONLY == 0 {
                         let inv_inertia = block.inertias.lane(side, lane);
-                        self.tautness.note(body, &inv_inertia);
+                        let inv_mass = block.inv_mass[side].lane(lane).max_element();
+                        self.tautness.note(body, inv_mass, &inv_inertia);
                     }
                 }
             }

@@ -18,8 +18,7 @@
 //! `ω² h` of it per second. So the solve pass looks ahead: it asks for the velocity that leads to
 //! `C = 0` at the *end* of the substep. With the present velocities the substep would end at
 //! `C' = C(x + h v)`; of that, `h Ċ` will change with the velocity and the rest, `C' - C - h Ċ`, is the
-//! curvature of the constraint. (The present velocities are those before any impulse of the substep: they
-//! obeyed the joints when the last one ended. Half-solved ones would feed their errors back.)
+//! curvature of the constraint.
 //!
 //! ```text
 //! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
@@ -27,8 +26,9 @@
 //!
 //! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE
 //! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
-//! keeps its energy. Joints that are solved exactly repeat the look ahead from the velocity that they have
-//! found. Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
+//! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
+//! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
+//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this would not be stable are treated otherwise: see `taut.rs`.
 //!
 //! ## Inertias turn
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A
@@ -63,7 +63,6 @@ mod block;
 mod direct;
 mod drive;
 mod geometry;
-mod guard;
 mod load;
 mod passes;
 mod pins;
@@ -82,12 +81,11 @@ use crate::dim::state::BodyState;
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Look, Member, RowMemory};
-use guard::Guard;
+use direct::{Direct, Member, Question, RowMemory};
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
-use taut::Tautness;
+use taut::{Moving, Tautness};
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -111,7 +109,6 @@ pub(super) struct SolverJoints {
     /// By block: where its rows begin; then where the last ones end.
     first_rows: Vec<usize>,
     tautness: Tautness,
-    guard: Guard,
 }
 
 /// A joint in a block.
@@ -125,11 +122,6 @@ struct Seat {
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
-/// Newton steps per substep towards where the bodies should be: the second makes a pendulum keep its energy, and
-/// taut components, which are projected from afar, take up to four.
-const ROUNDS: usize = 2;
-const TAUT_ROUNDS: usize = 4;
-
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
@@ -138,10 +130,10 @@ impl SolverJoints {
 
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(WarmStart { range, parts, states, before });
+            simd.run(WarmStart { range, parts, states });
         });
         self.pins.warm_start(states, simd, tasks);
     }
@@ -156,16 +148,12 @@ impl SolverJoints {
     }
 
     /// Begins a substep: finds out which components are taut.
-    pub fn tighten(&mut self, pass: &JointPass) {
-        let (blocks, tautness) = (&mut self.blocks, &self.tautness);
-        self.direct.tighten(|members| {
-            let taut = members
-                .iter()
-                .any(|member| tautness.is_taut(&blocks[member.block as usize], member, pass));
-            for member in members {
-                let lanes = &mut blocks[member.block as usize].is_taut;
-                lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
-            }
+    pub fn tighten(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+        let Self { blocks, direct, tautness, .. } = self;
+        let moving = moving(bodies);
+        direct.tighten(|members| {
+            let taut = tautness.is_taut(members, blocks, moving, pass.substep);
+            note_taut(members, blocks, taut);
             taut
         });
     }
@@ -199,10 +187,10 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Visit::<AHEAD> { range, parts, states, before, pass });
+            simd.run(Visit::<AHEAD> { range, parts, states, pass });
         });
         self.pins.visit::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
@@ -211,43 +199,24 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        let any_taut = AHEAD && self.direct.any_taut();
-        let rounds = match (AHEAD, any_taut) {
-            (false, _) => 1,
-            (true, false) => ROUNDS,
-            (true, true) => TAUT_ROUNDS,
-        };
-        if any_taut {
-            self.guard.remember(&bodies.states, &self.blocks);
-        }
-        for round in 0..rounds {
-            let look = if round == 0 { Look::First } else { Look::Again };
-            self.solve_exactly::<AHEAD>(bodies, look, round < ROUNDS, pass, simd, tasks);
-        }
-        if any_taut {
-            self.undo_gains(bodies, pass, simd, tasks);
+        self.direct.begin();
+        self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        while AHEAD && self.go_on(bodies, pass) {
+            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
         }
     }
 
-    /// Sets taut components back that gained energy, and solves them without looking ahead: see `guard.rs`.
-    fn undo_gains(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
-        if !self.direct.find_gains() {
-            return;
-        }
-        for member in self.direct.gained() {
-            let (index, lane) = (member.block as usize, member.lane as usize);
-            self.guard.take_back(index, lane, &mut self.blocks[index]);
-            for (_, body) in member.movable() {
-                self.guard.set_back(body, &mut bodies.states[body as usize]);
+    /// Is another round of the exact solution wanted?
+    fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
+        let Self { blocks, memory, direct, tautness, .. } = self;
+        let moving = moving(bodies);
+        direct.go_on(memory, pass.inv_substep, |members, question| match question {
+            Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
+            Question::Tauten => {
+                note_taut(members, blocks, true);
+                true
             }
-        }
-        self.solve_exactly::<true>(bodies, Look::Nowhere, true, pass, simd, tasks);
+        })
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
@@ -268,17 +237,18 @@ impl SolverJoints {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(v - old_v, w - old_w);
         }
-        let (count, look, shared) = (self.blocks.len(), Look::First, DisjointMut::new(states));
+        self.direct.begin();
+        let (count, shared) = (self.blocks.len(), DisjointMut::new(states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            let (states, before) = (shared, start);
-            simd.run(WriteRows::<false> { range, blocks, memory, states, before, look, pass });
+            let states = shared;
+            simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
         });
-        let wanted = |members: &[Member], _: bool| {
+        let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, shared, wanted, Look::First, simd, tasks);
+        self.direct.solve(&mut self.memory, shared, wanted, simd, tasks);
         let memory = &self.memory;
         let end = End::Count;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -295,36 +265,39 @@ impl SolverJoints {
         self.direct.forget_matrices();
     }
 
-    /// Solves the locked axes of connected joints together: of taut ones, and `with_slack` of all.
+    /// Solves the locked axes of connected joints together.
     fn solve_exactly<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
-        look: Look,
-        with_slack: bool,
         pass: &JointPass,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, before) = bodies.shared();
+        let (_, states, _) = bodies.shared();
         let count = self.blocks.len();
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, before, look, pass });
+            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
         });
-        self.direct.solve(
-            &mut self.memory,
-            states,
-            |_, taut| taut || with_slack,
-            look,
-            simd,
-            tasks,
-        );
+        self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
         let end = End::Finish { is_last: !AHEAD && pass.is_last_visit };
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, end });
         });
+    }
+}
+
+fn moving(bodies: &SolverBodies) -> Moving<'_> {
+    Moving { poses: &bodies.poses, states: &bodies.states, before: &bodies.before }
+}
+
+/// Notes whether the joints of a component are taut.
+fn note_taut(members: &[Member], blocks: &mut [JointBlock], taut: bool) {
+    for member in members {
+        let lanes = &mut blocks[member.block as usize].is_taut;
+        lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
     }
 }
 
@@ -346,7 +319,6 @@ struct WarmStart<'a> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
 }
 
 impl Kernel for WarmStart<'_> {
@@ -359,7 +331,7 @@ impl Kernel for WarmStart<'_> {
             // not read-only.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::warm_start::<W>(block, &self.parts.rows, &self.states, self.before);
+                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
             }
         }
     }
@@ -370,7 +342,6 @@ struct Visit<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
     pass: &'a JointPass,
 }
 
@@ -384,13 +355,7 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
             // read-only, and one colour is done before the next begins.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::visit::<W, AHEAD>(
-                    block,
-                    &self.parts.rows,
-                    &self.states,
-                    self.before,
-                    self.pass,
-                );
+                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
             }
         }
     }
@@ -402,8 +367,6 @@ struct WriteRows<'a, const AHEAD: bool> {
     blocks: DisjointMut<'a, JointBlock>,
     memory: DisjointMut<'a, RowMemory>,
     states: DisjointMut<'a, BodyState>,
-    before: &'a [BodyState],
-    look: Look,
     pass: &'a JointPass,
 }
 
@@ -418,14 +381,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
                 let block = self.blocks.get_mut(index);
                 if block.has_exact {
                     let memory = self.memory.get_mut(index);
-                    direct::write_rows::<W, AHEAD>(
-                        block,
-                        memory,
-                        &self.states,
-                        self.before,
-                        self.look,
-                        self.pass,
-                    );
+                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
                 }
             }
         }

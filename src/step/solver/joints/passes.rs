@@ -8,16 +8,15 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideMotion, gather_states, gather_velocities, scatter_states};
+use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
 use crate::dim::turn::turned_further;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
 
-/// Velocities and displacements of a block's two bodies, and their velocities before any impulse.
+/// Velocities and displacements of a block's two bodies.
 pub(super) struct Bodies<W> {
-    pub before: [WideMotion<W>; 2],
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideMotion<W>; 2],
 }
@@ -26,20 +25,12 @@ impl<W: Wide> Bodies<W> {
     /// # Safety
     /// As [`gather_states`], for both bodies.
     #[inline(always)]
-    pub unsafe fn gather(
-        states: &DisjointMut<BodyState>,
-        before: &[BodyState],
-        block: &JointBlock,
-    ) -> Self {
+    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
         // SAFETY: the caller's promise.
         let ([v1, d1], [v2, d2]) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
         };
-        let before = [
-            gather_velocities(before, &block.bodies[0]),
-            gather_velocities(before, &block.bodies[1]),
-        ];
-        Self { before, velocities: [v1, v2], displacements: [d1, d2] }
+        Self { velocities: [v1, v2], displacements: [d1, d2] }
     }
 
     /// # Safety
@@ -112,10 +103,9 @@ pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
-    before: &[BodyState],
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
@@ -190,11 +180,10 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
-    before: &[BodyState],
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, before, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
         let [d1, d2] = &bodies.displacements;
@@ -390,7 +379,12 @@ impl<W: Wide> LookAhead<W> {
         bodies: &Bodies<W>,
         pass: &JointPass,
     ) -> [W; SPATIAL_DIM] {
-        let (now, then) = (self.now.errors(), self.then.errors());
+        let taut = W::zero().lt(W::load(&block.is_taut));
+        let (now, mut then) = (self.now.errors(), self.then.errors());
+        let seen_from_now = self.then.errors_seen_from(&self.now, block);
+        for (then, seen) in then.iter_mut().zip(seen_from_now) {
+            *then = W::select(taut, *then, seen);
+        }
         let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
         let mut rates = [W::zero(); SPATIAL_DIM];
         for k in 0..SPATIAL_DIM {
@@ -407,7 +401,7 @@ impl<W: Wide> LookAhead<W> {
 /// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
 /// ahead, which would feed the errors that sweeps leave back into them.
 #[inline(always)]
-pub(super) fn rates_with_bias<W: Wide>(
+fn rates_with_bias<W: Wide>(
     block: &mut JointBlock,
     geometry: &Geometry<W>,
     rows: &[Row<W>; SPATIAL_DIM],

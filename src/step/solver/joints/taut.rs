@@ -4,55 +4,187 @@
 //! a spring: turned aside, the body swings about its anchor with `ω² = F r / (I + m r²)`. A method that keeps the
 //! direction of the force through a substep, as the symplectic one does, is stable only for `h ω < 2`, and near
 //! that it turns its small errors into vibrations of what is light. The links of a chain under a weight a thousand
-//! times as heavy are beyond that.
+//! times as heavy are near that, and those under more are beyond. (Of a chain's swings, in which neighbours turn against
+//! each other, the fastest has four times the sum of `ω²` over the two bodies of a joint.)
 //!
 //! So where `(h ω)²`, summed over the two bodies of a joint, is above [`TAUT`], its whole component is solved by a
 //! method that loses energy instead (Müller et al., "Detailed rigid body simulation with extended position based
 //! dynamics", 2020; with all joints at once: Deul et al., "Direct position-based solver for stiff rods", 2018):
 //! starting without impulses, the bodies are led to where they would go freely, and from there projected on what
-//! the joints allow, along the rows *there*. A projection never adds energy, however stiff.
+//! the joints allow, along the rows *there*. A projection never adds energy, however stiff. It takes about the share
+//! `(h ω)²` of the motion across the pull in each substep, and of the angular momentum: of vibrations all, of a heavy
+//! weight that swings slowly next to nothing, but the spin of a fast rotor within a second.
+//!
+//! ## What turns as a whole
+//! A pull that does no more than lead bodies round holds nothing stiffly: it turns with them, and the symplectic method
+//! follows it exactly. Of bodies that turn as a whole at the rate `Ω`, each is pulled with about `ω² = Ω²`; so much, twice
+//! for each of two bodies, is no tautness. `Ω` is that of the component's angular momentum about its centre of mass: light
+//! links that vibrate have little of it.
+//!
+//! One thing that turns as a whole is braked all the same: thin bodies on hinges, faster than [`TUMBLING_TURN`] (36 rad/s at
+//! 240 substeps per second). Their inertias turn with them, at the beginning of a substep for impulses and in its middle for
+//! free motion, and what a hinge holds between the two grows slowly: at 60 rad/s the axis of two rods would tumble after
+//! four seconds.
+//!
+//! ## When
+//! Whether a component is taut shows in the pulls of its last substep; then it is projected from the beginning. Where
+//! it turns out by the pulls that the symplectic method finds (a slack chain is tightened by a weight at its end), or that
+//! Newton's steps lead nowhere, these are taken back and it is projected after all.
 
 use super::block::JointBlock;
 use super::direct::Member;
 use crate::dim::joint::inertia_about;
-use crate::dim::math::{AngularInertia, Real, zero_inertia};
-use crate::model::params::JointPass;
+use crate::dim::math::{
+    ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
+    zero_inertia,
+};
+use crate::dim::state::{BodyPose, BodyState};
 
-/// The `(h ω)²` above which a joint is taut.
-const TAUT: Real = 0.003;
+/// The `(h ω)²` above which a joint is taut: a quarter of what is stable in a chain. Pendulums of 2 cm and double pendulums
+/// of 10 cm are below at 240 substeps per second.
+const TAUT: Real = 0.25;
+/// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
+const WHOLE: Real = 4.0;
+/// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
+const TURN: Real = 0.85;
+
+/// Where no joint has more than this, nothing else is asked.
+const LOOSE: Real = 0.01;
+/// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
+const TUMBLING_TURN: Real = 0.15;
+
+/// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
+fn tumbles(member: &Member, blocks: &[JointBlock]) -> bool {
+    let locked = (member.form.locked >> DIM).count_ones() as usize;
+    let inertias = &blocks[member.block as usize].inertias;
+    (1..ANG_DIM).contains(&locked) && inertias.tumble(member.lane as usize)
+}
 
 /// The bodies that joints hold: by solver index.
 #[derive(Default)]
 pub(super) struct Tautness {
-    inv_inertias: Vec<AngularInertia>,
+    bodies: Vec<Held>,
+    /// How often [`Self::turning`] was asked.
+    questions: u32,
+}
+
+/// Where all bodies are, by solver index, and how they move before any impulse of the substep. (Those of the last one
+/// point where its beginning was, and would count as turning.)
+#[derive(Copy, Clone)]
+pub(super) struct Moving<'a> {
+    pub poses: &'a [BodyPose],
+    pub states: &'a [BodyState],
+    pub before: &'a [BodyState],
+}
+
+/// A body that joints hold.
+#[derive(Copy, Clone)]
+struct Held {
+    inv_mass: Real,
+    inv_inertia: AngularInertia,
+    /// The last question for which it was counted.
+    counted: u32,
 }
 
 impl Tautness {
     /// Forgets all bodies.
     pub fn clear(&mut self, body_count: usize) {
-        self.inv_inertias.clear();
-        self.inv_inertias.resize(body_count, zero_inertia());
+        let nobody = Held { inv_mass: 0.0, inv_inertia: zero_inertia(), counted: 0 };
+        self.questions = 0;
+        self.bodies.clear();
+        self.bodies.resize(body_count, nobody);
     }
 
-    /// Notes the inertia of a body that a joint holds.
-    pub fn note(&mut self, body: u32, inv_inertia: &AngularInertia) {
-        self.inv_inertias[body as usize] = *inv_inertia;
+    /// Notes a body that a joint holds.
+    pub fn note(&mut self, body: u32, inv_mass: Real, inv_inertia: &AngularInertia) {
+        let held = &mut self.bodies[body as usize];
+        (held.inv_mass, held.inv_inertia) = (inv_mass, *inv_inertia);
     }
 
-    /// Did the joint pull so hard in the last substep that it is taut?
-    pub fn is_taut(&self, block: &JointBlock, member: &Member, pass: &JointPass) -> bool {
+    /// Do joints pull so hard that their component is taut?
+    pub fn is_taut(
+        &mut self,
+        members: &[Member],
+        blocks: &[JointBlock],
+        moving: Moving<'_>,
+        h: Real,
+    ) -> bool {
+        let swings =
+            members.iter().map(|member| self.swing(member, &blocks[member.block as usize]) * h);
+        let swing = swings.fold(0.0, Real::max);
+        if swing <= LOOSE {
+            return false;
+        }
+        let turn = self.turning(members, moving) * h;
+        let excess = swing - WHOLE * turn * turn;
+        excess > TAUT
+            || turn > TURN
+            || (turn > TUMBLING_TURN && members.iter().any(|member| tumbles(member, blocks)))
+    }
+
+    /// `ω² h` by the pull of a joint's last substep, summed over its bodies.
+    fn swing(&self, member: &Member, block: &JointBlock) -> Real {
         let lane = member.lane as usize;
-        let pull = block.applied.linear.lane(lane).length() * pass.substep;
+        let pull = block.applied.linear.lane(lane).length();
         let swings = member.movable().map(|(side, body)| {
             let lever = block.levers[side].lane(lane).length();
-            let inv_mass = block.inv_mass[side].lane(lane).max_element();
-            match inertia_about(&self.inv_inertias[body as usize]) {
-                Some(inertia) if inv_mass > 0.0 => {
+            let Held { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
+            match inertia_about(inv_inertia) {
+                Some(inertia) if *inv_mass > 0.0 => {
                     pull * lever / (inertia + lever * lever / inv_mass)
                 }
                 _ => 0.0,
             }
         });
-        swings.sum::<Real>() > TAUT
+        swings.sum()
+    }
+
+    /// How fast a component turns as a whole about its centre of mass (rad/s): its angular momentum over its moment of
+    /// inertia about the axis of that.
+    fn turning(&mut self, members: &[Member], moving: Moving<'_>) -> Real {
+        let Moving { poses, states, before } = moving;
+        let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);
+        self.for_each(members, |body, held| {
+            let m = 1.0 / held.inv_mass;
+            let (shift, _) = states[body].displacement();
+            mass += m;
+            moved += (poses[body].center() + shift) * m;
+            push += before[body].velocity().0 * m;
+        });
+        if mass <= 0.0 {
+            return 0.0;
+        }
+        let (center, velocity) = (moved / mass, push / mass);
+        let mut spin = ANG_ZERO;
+        self.for_each(members, |body, held| {
+            let ((v, w), (shift, _)) = (before[body].velocity(), states[body].displacement());
+            let place = poses[body].center() + shift - center;
+            spin += torque(place, (v - velocity) / held.inv_mass);
+            spin += w * inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        });
+        let size = ang_length_squared(spin).sqrt();
+        if size <= 0.0 {
+            return 0.0;
+        }
+        let (axis, mut inertia) = (spin / size, 0.0);
+        self.for_each(members, |body, held| {
+            let (shift, _) = states[body].displacement();
+            let place = poses[body].center() + shift - center;
+            inertia += cross(axis, place).length_squared() / held.inv_mass;
+            inertia += inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        });
+        size / inertia
+    }
+
+    /// Visits the bodies with a mass that these joints hold, each once.
+    fn for_each(&mut self, members: &[Member], mut visit: impl FnMut(usize, &Held)) {
+        self.questions += 1;
+        for body in members.iter().flat_map(Member::movable).map(|(_, body)| body as usize) {
+            let held = &mut self.bodies[body];
+            if held.counted != self.questions && held.inv_mass > 0.0 {
+                held.counted = self.questions;
+                visit(body, held);
+            }
+        }
     }
 }

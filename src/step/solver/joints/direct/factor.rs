@@ -32,7 +32,6 @@ use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
-use crate::dim::spatial::join;
 use crate::dim::state::BodyState;
 
 /// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
@@ -55,8 +54,26 @@ const SHARE_MIN: f64 = 1.0e-3;
 /// that hangs at rest 10⁻⁵ is rounding.
 const DONE: f64 = 1.0e-4;
 
-/// The share of what taut joints had to do in the first round, an energy, that rounding may bring in.
-const ROUNDING: f64 = 1.0e-3;
+/// When other joints are done: what is left, as a share of what their impulses do as a whole (both energies).
+const PRECISION: f64 = 1.0e-9;
+/// The rounding of where anchors are, in levers.
+const NOISE: f64 = 4.0 * Real::EPSILON as f64;
+/// With more than this share left, the joints are not where they should be.
+const ROUGH: f64 = 1.0e-3;
+/// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
+const ASTRAY: f64 = 100.0;
+
+/// How far the rounds of a solution have come.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) enum Progress {
+    Done,
+    /// Another round would make it better, and that is all.
+    Near,
+    /// It takes another round.
+    Far,
+    /// The rounds lead away.
+    Astray,
+}
 
 /// A number for each row of a joint.
 type Column = [f64; SPATIAL_DIM];
@@ -111,11 +128,9 @@ pub(super) struct Factor {
     x: Vec<Column>,
     /// By member: right-hand side of the second turn.
     again: Vec<Column>,
-    /// How much the first solution of a substep had to do.
+    /// How much the first solution of a substep had to do, the one before the last, and the last one.
     first_size: f64,
-    /// The energy that taut joints brought in since then, and what they may.
-    gain: f64,
-    gain_max: f64,
+    sizes: [f64; 2],
     /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
     made_with: Option<f64>,
 }
@@ -129,21 +144,19 @@ impl Factor {
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
-        (again, taut): (bool, bool),
+        again: bool,
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
         simd.run(Solve { factor: self, component, memory });
+        let size = self.size_of_rates(component, memory);
         if !again {
-            self.first_size = self.size_of_rates(component, memory);
-            self.gain = 0.0;
+            self.first_size = size;
         }
+        self.sizes = [self.sizes[1], size];
         // SAFETY: the caller's promise.
-        self.gain += unsafe { self.push_bodies(component, taut, states) };
-        if taut && !again {
-            self.gain_max = self.energy_of_biases(component, memory);
-        }
+        unsafe { self.push_bodies(component, states) };
     }
 
     /// Finds the changes of the impulses.
@@ -174,6 +187,73 @@ impl Factor {
         is_done
     }
 
+    /// Takes all impulses of the component back.
+    ///
+    /// # Safety
+    /// As [`Self::solve`].
+    pub unsafe fn take_back(
+        &mut self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        for (member, x) in component.members.iter().zip(&mut self.x) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (x, axis) in x.iter_mut().zip(locked_axes(member)) {
+                *x = -f64::from(from.impulses[axis].0[lane]);
+            }
+        }
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// How far the rounds have come, the last of which is at least the second one. What it has left is to what it found as
+    /// that is to what the one before it had found.
+    pub fn progress(
+        &self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        inv_h: Real,
+    ) -> Progress {
+        let [before, last] = self.sizes;
+        let rest = if last < before { last * (last / before) } else { last };
+        let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
+        if rest <= PRECISION * load + noise {
+            Progress::Done
+        } else if last > load && last > ASTRAY * before {
+            Progress::Astray
+        } else if rest > ROUGH * load {
+            Progress::Far
+        } else {
+            Progress::Near
+        }
+    }
+
+    /// As [`Self::size_of_rates`], of what the impulses do as a whole, and of what rounding makes of rates.
+    fn size_of_load(
+        &self,
+        component: Component<'_>,
+        memory: &[RowMemory],
+        inv_h: f64,
+    ) -> (f64, f64) {
+        let (mut load, mut noise) = (0.0, 0.0);
+        for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
+            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            for (row, axis) in locked_axes(member).enumerate().filter(|(row, _)| own[*row] > 0.0) {
+                let impulse = from.impulses[axis].0[lane] + from.changes[axis].0[lane];
+                load += own[row] * f64::from(impulse) * f64::from(impulse);
+                let size = rows
+                    .jacobians
+                    .iter()
+                    .flatten()
+                    .fold(0.0, |most: f64, column| most.max(column[row].abs()));
+                let rounding = NOISE * size * inv_h;
+                noise += rounding * rounding / own[row];
+            }
+        }
+        (load, noise)
+    }
+
     /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
     fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
         let mut sum = 0.0;
@@ -185,30 +265,6 @@ impl Factor {
             }
         }
         sum
-    }
-
-    /// Did taut joints bring in more energy than the correction of their errors does, and than rounding?
-    pub fn has_gained(&self) -> bool {
-        self.gain > self.gain_max + ROUNDING * self.first_size
-    }
-
-    /// `½ bᵀ A⁻¹ b` of the biases.
-    fn energy_of_biases(&mut self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
-        let solution = core::mem::take(&mut self.x);
-        for member in component.members {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            let mut biases = [0.0; SPATIAL_DIM];
-            for (bias, axis) in biases.iter_mut().zip(locked_axes(member)) {
-                *bias = f64::from(from.biases[axis].0[lane]);
-            }
-            self.x.push(biases);
-        }
-        self.again.clone_from(&self.x);
-        self.substitute(component);
-        let biases = self.again.iter().zip(&self.x);
-        let energy = 0.5 * biases.map(|(bias, x)| dot(bias, x)).sum::<f64>();
-        self.x = solution;
-        energy
     }
 
     /// The bodies have moved: the matrix must be made anew.
@@ -385,17 +441,11 @@ impl Factor {
         }
     }
 
-    /// Gives the bodies what the changes do to them. Returns the energy that this brings in, if it `counts`.
+    /// Gives the bodies what the changes do to them.
     ///
     /// # Safety
     /// Nobody else may touch the states of the component's movable bodies meanwhile.
-    unsafe fn push_bodies(
-        &self,
-        component: Component<'_>,
-        counts: bool,
-        states: &DisjointMut<'_, BodyState>,
-    ) -> f64 {
-        let mut work = 0.0;
+    unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
                 let mut change = [0.0; SPATIAL_DIM];
@@ -404,17 +454,9 @@ impl Factor {
                 }
                 // SAFETY: the caller's promise.
                 let state = unsafe { states.get_mut(body as usize) };
-                if counts {
-                    let push = rows.jacobians[side].map(|column| dot(&column, x));
-                    let (linear, angular) = state.velocity();
-                    let before = join(linear, angular).map(f64::from);
-                    let mean = core::array::from_fn(|k| before[k] + 0.5 * change[k]);
-                    work += dot(&push, &mean);
-                }
                 state.add_velocity(change.map(|value| value as Real));
             }
         }
-        work
     }
 
     /// Writes the changes of the impulses to the rows.

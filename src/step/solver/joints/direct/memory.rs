@@ -2,9 +2,7 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{
-    Bodies, LookAhead, note_turned, rates_here, rates_with_bias, store_couple, yields_of,
-};
+use super::super::passes::{Bodies, LookAhead, note_turned, rates_here, store_couple, yields_of};
 use super::super::rows::{Masses, Row};
 use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
@@ -24,8 +22,6 @@ pub(in super::super) struct RowMemory {
     pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
     /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
-    /// The bias of the errors when the substep began.
-    pub biases: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub yields: Lane,
     /// Of its bodies as they stand now.
@@ -41,7 +37,6 @@ impl RowMemory {
         Self {
             rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
             rates: [zero; SPATIAL_DIM],
-            biases: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             yields: zero,
             inv_mass: [WideVector::ZERO; 2],
@@ -57,17 +52,6 @@ impl RowMemory {
     }
 }
 
-/// From which velocities a solve pass looks ahead.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(in super::super) enum Look {
-    /// From those that the substep begins with.
-    First,
-    /// From those that the last round found.
-    Again,
-    /// It does not.
-    Nowhere,
-}
-
 /// Writes down the rows of a block as its bodies stand and move now.
 ///
 /// # Safety
@@ -77,27 +61,18 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     memory: &mut RowMemory,
     states: &DisjointMut<BodyState>,
-    before: &[BodyState],
-    look: Look,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, before, block) };
-    let (rows, rates) = if AHEAD && look != Look::Nowhere {
-        rows_ahead(block, &bodies, look == Look::Again, pass)
+    let bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let (rows, rates) = if AHEAD {
+        rows_ahead(block, &bodies, pass)
     } else {
-        let geometry = Geometry::new(block, &bodies.displacements);
-        let rows = geometry.rows();
-        let rates = if AHEAD {
-            rates_with_bias(block, &geometry, &rows, &bodies)
-        } else {
-            rates_here(block, &rows, &bodies)
-        };
-        (rows, rates)
+        let rows = Geometry::new(block, &bodies.displacements).rows();
+        (rows, rates_here(block, &rows, &bodies))
     };
     for k in 0..SPATIAL_DIM {
         rates[k].store(&mut memory.rates[k]);
-        memory.biases[k] = block.held_bias[k];
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
         memory.changes[k] = Lane::ZERO;
         for side in 0..2 {
@@ -110,25 +85,16 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and rates of the solve pass. Taut joints look ahead from where they are about to go, and take the rows
-/// there; others look ahead from the velocities before any impulse, or `again` from what they found, and take
-/// the rows where they are.
+/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
+/// where they are.
 #[inline(always)]
 fn rows_ahead<W: Wide>(
     block: &mut JointBlock,
     bodies: &Bodies<W>,
-    again: bool,
     pass: &JointPass,
 ) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
     let taut = W::zero().lt(W::load(&block.is_taut));
-    let mut velocities = bodies.velocities;
-    if !again {
-        for (velocity, before) in velocities.iter_mut().zip(&bodies.before) {
-            velocity.linear = WideVector::select(taut, velocity.linear, before.linear);
-            velocity.angular = select_ang(taut, velocity.angular, before.angular);
-        }
-    }
-    let ahead = LookAhead::new(block, bodies, velocities, pass);
+    let ahead = LookAhead::new(block, bodies, bodies.velocities, pass);
     let (mut rows, then) = (ahead.now.rows(), ahead.then.rows());
     for (row, then) in rows.iter_mut().zip(&then) {
         row.linear = WideVector::select(taut, then.linear, row.linear);

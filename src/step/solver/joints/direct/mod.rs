@@ -20,8 +20,8 @@
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
 //! (`factor.rs`).
 //!
-//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round. So their
-//! rounds end when there is nothing left to do.
+//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
+//! one too. All rounds end when there is nothing left to do: each component by itself, whatever others need.
 //!
 //! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
 //! of even masses. A ragdoll bears no load for long.
@@ -36,15 +36,22 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{Look, RowMemory, count, finish, write_rows};
+pub(super) use memory::{RowMemory, count, finish, write_rows};
 pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
+use crate::dim::math::Real;
 use crate::dim::state::BodyState;
-use factor::Factor;
+use factor::{Factor, Progress};
 use pattern::Pattern;
+
+/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
+/// where bodies turn by much in a substep.
+const ROUNDS: usize = 8;
+/// The same for taut components, which are projected from afar.
+const TAUT_ROUNDS: usize = 4;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -53,8 +60,34 @@ pub(super) struct Direct {
     /// One per component; some may be left over from larger steps.
     factors: Vec<Factor>,
     /// By component.
-    taut: Vec<bool>,
-    gained: Vec<bool>,
+    courses: Vec<Course>,
+}
+
+/// How the solution of a component goes.
+#[derive(Copy, Clone, Debug)]
+struct Course {
+    taut: bool,
+    /// How many rounds of this visit it has had in this way.
+    rounds: usize,
+    next: Next,
+}
+
+/// What is asked about the members of a component.
+#[derive(Copy, Clone, Debug)]
+pub(super) enum Question {
+    /// Do the pulls that were found make it taut?
+    IsTaut,
+    /// It is from now on, isn't it?
+    Tauten,
+}
+
+/// What happens to a component in the next round.
+#[derive(Copy, Clone, Debug, PartialEq)]
+enum Next {
+    Solve,
+    /// It turned out to be taut: its impulses are taken back, and the next round begins anew.
+    TakeBack,
+    Nothing,
 }
 
 impl Direct {
@@ -84,12 +117,67 @@ impl Direct {
         self.pattern.component_count() == 0
     }
 
-    /// Notes which components are taut, as `find` says of the members of each.
+    /// Notes which components are taut from the beginning, as `find` says of the members of each.
     pub fn tighten(&mut self, mut find: impl FnMut(&[Member]) -> bool) {
-        self.taut.clear();
+        self.courses.clear();
         for index in 0..self.pattern.component_count() {
-            self.taut.push(find(self.pattern.component(index).members));
+            let taut = find(self.pattern.component(index).members);
+            if taut {
+                // Taut joints take other rows than those of the last relax pass.
+                self.factors[index].forget();
+            }
+            self.courses.push(Course { taut, rounds: 0, next: Next::Solve });
         }
+    }
+
+    /// Begins a visit.
+    pub fn begin(&mut self) {
+        for course in &mut self.courses {
+            (course.rounds, course.next) = (0, Next::Solve);
+        }
+    }
+
+    /// Ends a round of the solve pass, and says whether another one is wanted. `find` says of the members of a component whether
+    /// the pulls that were found make it taut; `tauten` is told of those that are from now on.
+    pub fn go_on(
+        &mut self,
+        rows: &[RowMemory],
+        inv_h: Real,
+        mut ask: impl FnMut(&[Member], Question) -> bool,
+    ) -> bool {
+        let mut goes_on = false;
+        for (index, course) in self.courses.iter_mut().enumerate() {
+            let (component, factor) = (self.pattern.component(index), &mut self.factors[index]);
+            course.rounds += 1;
+            course.next = match course.next {
+                Next::Nothing => Next::Nothing,
+                Next::TakeBack => {
+                    factor.forget();
+                    course.taut = ask(component.members, Question::Tauten);
+                    course.rounds = 0;
+                    Next::Solve
+                }
+                Next::Solve if course.taut => {
+                    if course.rounds < TAUT_ROUNDS {
+                        Next::Solve
+                    } else {
+                        Next::Nothing
+                    }
+                }
+                Next::Solve if course.rounds == 1 => Next::Solve,
+                Next::Solve if course.rounds == 2 && ask(component.members, Question::IsTaut) => {
+                    Next::TakeBack
+                }
+                Next::Solve => match factor.progress(component, rows, inv_h) {
+                    Progress::Done => Next::Nothing,
+                    Progress::Near | Progress::Far if course.rounds < ROUNDS => Next::Solve,
+                    Progress::Near => Next::Nothing,
+                    Progress::Far | Progress::Astray => Next::TakeBack,
+                },
+            };
+            goes_on |= course.next != Next::Nothing;
+        }
+        goes_on
     }
 
     /// The bodies have moved, or others took their places: all matrices must be made anew.
@@ -97,43 +185,20 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Is any component taut?
-    pub fn any_taut(&self) -> bool {
-        self.taut.contains(&true)
-    }
-
-    /// Finds the taut components that gained more energy since they were solved first than the correction of errors may
-    /// bring in. Is there any?
-    pub fn find_gains(&mut self) -> bool {
-        let has_gained = |(taut, factor): (&bool, &Factor)| *taut && factor.has_gained();
-        self.gained.clear();
-        self.gained.extend(self.taut.iter().zip(&self.factors).map(has_gained));
-        self.gained.contains(&true)
-    }
-
-    /// The joints of the components that were found.
-    pub fn gained(&self) -> impl Iterator<Item = &Member> {
-        let components = (0..self.gained.len()).filter(|&index| self.gained[index]);
-        components.flat_map(|index| self.pattern.component(index).members)
-    }
-
-    /// Solves the components that are `wanted`, by their members and whether they are taut; without looking ahead only those
-    /// that gained energy. Gives the rows their change
-    /// of impulse, and the bodies what it does to them.
+    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and the bodies what
+    /// it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [RowMemory],
         states: DisjointMut<'_, BodyState>,
-        wanted: impl Fn(&[Member], bool) -> bool + Sync,
-        look: Look,
+        wanted: impl Fn(&[Member]) -> bool + Sync,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
-        let (pattern, taut, gained) = (&self.pattern, &self.taut, &self.gained);
-        let is_wanted = |index: &usize| match look {
-            Look::Nowhere => gained[*index],
-            _ => wanted(pattern.component(*index).members, taut[*index]),
+        let (pattern, courses) = (&self.pattern, &self.courses);
+        let is_wanted = |index: &usize| {
+            courses[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
         };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
@@ -143,13 +208,18 @@ impl Direct {
                 // task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
-                    let again = look != Look::First;
-                    if look == Look::Again && taut[index] && factor.has_converged(component, read) {
+                    let course = courses[index];
+                    if course.next == Next::TakeBack {
+                        factor.take_back(component, read, &states);
                         continue;
                     }
-                    factor.solve(component, (again, taut[index]), read, &states, simd);
+                    let again = course.rounds > 0;
+                    if again && course.taut && factor.has_converged(component, read) {
+                        continue;
+                    }
+                    factor.solve(component, again, read, &states, simd);
                     // Taut joints took their rows from where the bodies are not yet.
-                    if taut[index] {
+                    if course.taut {
                         factor.forget();
                     }
                 }

@@ -71,13 +71,7 @@ impl Net {
         // SAFETY: nobody else knows the states.
         unsafe {
             let shared = DisjointMut::new(&mut states);
-            factor.solve(
-                pattern.component(0),
-                (false, false),
-                &self.memory,
-                &shared,
-                Simd::detect(),
-            );
+            factor.solve(pattern.component(0), false, &self.memory, &shared, Simd::detect());
         }
         factor.write_changes(pattern.component(0), &mut self.memory);
         let errors = self.members.iter().map(|member| self.worst_error(member, &states));
