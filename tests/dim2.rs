@@ -94,6 +94,11 @@ pub fn moment(r: Vector, p: Vector) -> AngVector {
     r.perp_dot(p)
 }
 
+/// Lets a body slide along x. (What could turn about the upright axis is 3D.)
+pub fn spin_upright(body: &mut RigidBody, _spin: Real, _arm: Real, slide: Real) {
+    body.set_linvel(vec(slide, 0.0), true);
+}
+
 /// The angular momentum `I ω` of a body about its centre of mass.
 pub fn spin_momentum(body: &RigidBody) -> AngVector {
     body.mass_properties().local_mprops().principal_inertia() * body.angvel()

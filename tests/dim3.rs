@@ -128,6 +128,12 @@ pub fn moment(r: Vector, p: Vector) -> AngVector {
     r.cross(p)
 }
 
+/// Lets a body slide along x while it goes round the upright axis, to which its arm along x leads.
+pub fn spin_upright(body: &mut RigidBody, spin: Real, arm: Real, slide: Real) {
+    body.set_angvel(Vector::Y * spin, true);
+    body.set_linvel(Vector::new(slide, 0.0, -spin * arm), true);
+}
+
 /// The angular momentum `I ω` of a body about its centre of mass.
 pub fn spin_momentum(body: &RigidBody) -> AngVector {
     let local = body.mass_properties().local_mprops();

@@ -9,7 +9,9 @@ use crate::model::contact::{ContactPair, NarrowPhase};
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
-use crate::model::joint::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet};
+use crate::model::joint::{
+    GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, InvalidJoint,
+};
 use crate::model::multibody::{
     Multibody, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet, MultibodyLink,
 };
@@ -158,6 +160,43 @@ impl PhysicsWorld {
         self.impulse_joints.insert(body1, body2, joint, true)
     }
 
+    /// The same as [`Self::insert_impulse_joint`].
+    ///
+    /// # Errors
+    /// If one of the bodies is not there, if they are the same or none of them is dynamic, or if a number of the joint is not
+    /// usable.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// let mut world = PhysicsWorld::new();
+    /// let [post, wall] = [0, 1].map(|_| world.insert_body(RigidBodyBuilder::fixed()));
+    /// let refused = world.try_insert_impulse_joint(post, wall, FixedJoint::new());
+    /// assert_eq!(refused, Err(InvalidJoint::NobodyDynamic { body1: post, body2: wall }));
+    /// ```
+    pub fn try_insert_impulse_joint(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        joint: impl Into<GenericJoint>,
+    ) -> Result<ImpulseJointHandle, InvalidJoint> {
+        self.check_joined(body1, body2)?;
+        self.impulse_joints.try_insert(body1, body2, joint, true)
+    }
+
+    /// Can a joint hold these bodies?
+    fn check_joined(
+        &self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ) -> Result<(), InvalidJoint> {
+        let find = |body| self.bodies.get(body).ok_or(InvalidJoint::MissingBody { body });
+        let (first, second) = (find(body1)?, find(body2)?);
+        if body1 != body2 && !first.is_dynamic() && !second.is_dynamic() {
+            return Err(InvalidJoint::NobodyDynamic { body1, body2 });
+        }
+        Ok(())
+    }
+
     /// Removes a joint and returns it; the bodies that it held wake. `None` if the handle is stale.
     pub fn remove_impulse_joint(&mut self, handle: ImpulseJointHandle) -> Option<ImpulseJoint> {
         self.impulse_joints.remove(handle, true)
@@ -185,6 +224,21 @@ impl PhysicsWorld {
         joint: impl Into<GenericJoint>,
     ) -> Option<MultibodyJointHandle> {
         self.multibody_joints.insert(body1, body2, joint, true)
+    }
+
+    /// The same as [`Self::insert_multibody_joint`].
+    ///
+    /// # Errors
+    /// If one of the bodies is not there, if they are the same or none of them is dynamic, if `body2` has a parent already or is
+    /// an ancestor of `body1`, or if a number of the joint is not usable.
+    pub fn try_insert_multibody_joint(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        joint: impl Into<GenericJoint>,
+    ) -> Result<MultibodyJointHandle, InvalidJoint> {
+        self.check_joined(body1, body2)?;
+        self.multibody_joints.try_insert(body1, body2, joint, true)
     }
 
     /// Removes a multibody joint and returns it; the bodies that it held wake. `None` if the handle is stale.

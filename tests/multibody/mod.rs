@@ -17,3 +17,4 @@ mod loops;
 mod nonsense;
 mod pendulum;
 mod repeat;
+mod whole;

@@ -5,6 +5,33 @@ use crate::dim::{hinge, loose_joint, vec};
 use crate::suite::physics::stage::{Dice, run, world};
 use rapier::prelude::*;
 
+/// Whoever asks a world gets the reason as a value, with the bodies in it.
+#[test]
+fn a_world_says_why_a_joint_cannot_be() {
+    let mut world = world(60);
+    let [a, b, c] = [0.0, 1.0, 2.0].map(|x| world.insert_body(super::stage::slab(vec(x, 0.0))));
+    let [post, wall] = [0, 1].map(|_| world.insert_body(RigidBodyBuilder::fixed()));
+    let gone = world.insert_body(super::stage::slab(vec(9.0, 0.0)));
+    world.remove_body(gone);
+    let cases = [
+        (a, a, InvalidJoint::SameBody { body: a }),
+        (post, wall, InvalidJoint::NobodyDynamic { body1: post, body2: wall }),
+        (a, gone, InvalidJoint::MissingBody { body: gone }),
+        (gone, a, InvalidJoint::MissingBody { body: gone }),
+    ];
+    for (body1, body2, reason) in cases {
+        assert_eq!(world.try_insert_impulse_joint(body1, body2, hinge()), Err(reason));
+        assert_eq!(world.try_insert_multibody_joint(body1, body2, hinge()), Err(reason));
+    }
+    assert!(world.try_insert_multibody_joint(a, b, hinge()).is_ok());
+    assert!(world.try_insert_multibody_joint(b, c, hinge()).is_ok());
+    let refused = world.try_insert_multibody_joint(a, c, hinge());
+    assert_eq!(refused, Err(InvalidJoint::SecondParent { body: c }));
+    let refused = world.try_insert_multibody_joint(c, a, hinge());
+    assert_eq!(refused, Err(InvalidJoint::Loop { parent: c, child: a }));
+    assert!(world.try_insert_impulse_joint(a, c, hinge()).is_ok(), "impulse joints close loops");
+}
+
 #[test]
 fn joints_that_cannot_be_are_refused() {
     let mut world = world(60);

@@ -54,7 +54,8 @@ fn tumbling_chains_fall_as_all_things_do() {
             let chain = thin_chain(&mut world, count, vec(3.0, 0.0), spin);
             let mass: Real = chain.iter().map(|&link| world.bodies[link].mass()).sum();
             let middle = |world: &PhysicsWorld| {
-                let of = |&link: &_| world.bodies[link].center_of_mass() * world.bodies[link].mass();
+                let of =
+                    |&link: &_| world.bodies[link].center_of_mass() * world.bodies[link].mass();
                 chain.iter().map(of).sum::<Vector>() / mass
             };
             // About the middle: without what goes with it.
@@ -148,7 +149,8 @@ fn wheels_of_a_multibody_roll() {
 /// What bounces without friction spins on as it did, and comes as high as it was.
 #[test]
 fn what_spins_bounces_as_high() {
-    let mut table = Table::new("two balls that spin about the upright axis and bounce", &["spin", "apex"]);
+    let mut table =
+        Table::new("two balls that spin about the upright axis and bounce", &["spin", "apex"]);
     for spin in [0.0, 20.0, 40.0] {
         for slide in [0.0, 5.0] {
             let mut world = world(60);

@@ -76,4 +76,26 @@ pub enum InvalidJoint {
         /// The handle.
         body: RigidBodyHandle,
     },
+    /// Nothing can move the bodies against each other: neither is dynamic.
+    #[error("neither {body1:?} nor {body2:?} is dynamic")]
+    NobodyDynamic {
+        /// The first body.
+        body1: RigidBodyHandle,
+        /// The second body.
+        body2: RigidBodyHandle,
+    },
+    /// The body of a multibody joint has a parent already.
+    #[error("{body:?} has a parent already")]
+    SecondParent {
+        /// The body that was to become a child.
+        body: RigidBodyHandle,
+    },
+    /// The joint would close a loop of multibody joints. Impulse joints can.
+    #[error("{child:?} is an ancestor of {parent:?}")]
+    Loop {
+        /// The body that was to become the parent.
+        parent: RigidBodyHandle,
+        /// The body that was to become its child.
+        child: RigidBodyHandle,
+    },
 }

@@ -103,6 +103,23 @@ impl MultibodyJointSet {
         self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), true), wake_up)
     }
 
+    /// The same as [`Self::insert`].
+    ///
+    /// # Errors
+    /// If `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint is not usable.
+    pub fn try_insert(
+        &mut self,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+        data: impl Into<GenericJoint>,
+        wake_up: bool,
+    ) -> Result<MultibodyJointHandle, InvalidJoint> {
+        let joint = MultibodyJoint::new(data.into(), false);
+        self.check([body1, body2], &joint.data)?;
+        self.insert_sound([body1, body2], joint, wake_up)
+            .ok_or(InvalidJoint::MissingBody { body: body1 })
+    }
+
     fn insert_joint(
         &mut self,
         bodies: [RigidBodyHandle; 2],
@@ -113,6 +130,15 @@ impl MultibodyJointSet {
             log::warn!("a multibody joint was not inserted: {reason}");
             return None;
         }
+        self.insert_sound(bodies, joint, wake_up)
+    }
+
+    fn insert_sound(
+        &mut self,
+        bodies: [RigidBodyHandle; 2],
+        joint: MultibodyJoint,
+        wake_up: bool,
+    ) -> Option<MultibodyJointHandle> {
         for body in bodies {
             self.drop_if_broken(body);
         }
@@ -139,21 +165,21 @@ impl MultibodyJointSet {
         &self,
         [body1, body2]: [RigidBodyHandle; 2],
         data: &GenericJoint,
-    ) -> Result<(), String> {
-        data.validate().map_err(|error| error.to_string())?;
+    ) -> Result<(), InvalidJoint> {
+        data.validate()?;
         if body1 == body2 {
-            return Err(InvalidJoint::SameBody { body: body1 }.to_string());
+            return Err(InvalidJoint::SameBody { body: body1 });
         }
         for body in [body1, body2] {
             if body == RigidBodyHandle::invalid() {
-                return Err(InvalidJoint::MissingBody { body }.to_string());
+                return Err(InvalidJoint::MissingBody { body });
             }
         }
         let [link1, link2] = [body1, body2].map(|body| self.rigid_body_link(body));
         match (link1, link2) {
-            (_, Some(child)) if child.id != 0 => Err(format!("{body2:?} has a parent already")),
+            (_, Some(child)) if child.id != 0 => Err(InvalidJoint::SecondParent { body: body2 }),
             (Some(parent), Some(child)) if parent.multibody == child.multibody => {
-                Err(format!("{body2:?} is an ancestor of {body1:?}"))
+                Err(InvalidJoint::Loop { parent: body1, child: body2 })
             }
             _ => Ok(()),
         }

@@ -6,7 +6,7 @@
 use super::Dispatcher;
 use crate::collide::{Sweep, Touch, find_touches};
 use crate::dim::math::{Pose, Real, Vector};
-use parry::query::{NonlinearRigidMotion, QueryDispatcher, ShapeCastHit, ShapeCastStatus};
+use parry::query::{Contact, NonlinearRigidMotion, QueryDispatcher, ShapeCastHit, ShapeCastStatus};
 use parry::shape::Shape;
 
 /// Within what share of the smaller shape's size shapes touch.
@@ -57,7 +57,7 @@ fn hit(
     let [side1, side2] = sides;
     let pose12 = sweeps[0].at(*share).inv_mul(&sweeps[1].at(*share));
     let parts12 = side1.place.inv_mul(&(pose12 * side2.place));
-    let contact = Dispatcher.contact(&parts12, side1.shape, side2.shape, Real::MAX).ok()??;
+    let contact = contact(&parts12, side1.shape, side2.shape)?;
     let status = match *share {
         0.0 => ShapeCastStatus::PenetratingOrWithinTargetDist,
         _ if contact.dist > 2.0 * tolerance => ShapeCastStatus::OutOfIterations,
@@ -74,4 +74,13 @@ fn hit(
         subshape1: side1.id,
         subshape2: side2.id,
     })
+}
+
+/// The closest points of two shapes. Where parry's search loses itself from one side it is asked from the other.
+fn contact(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Option<Contact> {
+    let ask = |pose: &Pose, own: &dyn Shape, other: &dyn Shape| {
+        Dispatcher.contact(pose, own, other, Real::MAX).ok()?
+    };
+    let from_there = || ask(&pose12.inverse(), shape2, shape1).map(Contact::flipped);
+    ask(pose12, shape1, shape2).or_else(from_there)
 }
