@@ -57,7 +57,7 @@ fn hit(
     let [side1, side2] = sides;
     let pose12 = sweeps[0].at(*share).inv_mul(&sweeps[1].at(*share));
     let parts12 = side1.place.inv_mul(&(pose12 * side2.place));
-    let contact = contact(&parts12, side1.shape, side2.shape)?;
+    let contact = contact(&parts12, [side1.shape, side2.shape], tolerance)?;
     let status = match *share {
         0.0 => ShapeCastStatus::PenetratingOrWithinTargetDist,
         _ if contact.dist > 2.0 * tolerance => ShapeCastStatus::OutOfIterations,
@@ -76,11 +76,16 @@ fn hit(
     })
 }
 
-/// The closest points of two shapes. Where parry's search loses itself from one side it is asked from the other.
-fn contact(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Option<Contact> {
-    let ask = |pose: &Pose, own: &dyn Shape, other: &dyn Shape| {
-        Dispatcher.contact(pose, own, other, Real::MAX).ok()?
+/// The closest points of two shapes that touch, to this tolerance. Where parry's search loses itself between what is as near as
+/// that, it is asked from the other side, and then with the shapes a tolerance farther apart in one direction or another.
+fn contact(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2], tolerance: Real) -> Option<Contact> {
+    let ask = |shift: Vector| {
+        let mut pose = *pose12;
+        pose.translation += shift;
+        let from_here = Dispatcher.contact(&pose, shape1, shape2, Real::MAX).ok()?;
+        let from_there = || Dispatcher.contact(&pose.inverse(), shape2, shape1, Real::MAX).ok()?;
+        from_here.or_else(|| from_there().map(Contact::flipped))
     };
-    let from_there = || ask(&pose12.inverse(), shape2, shape1).map(Contact::flipped);
-    ask(pose12, shape1, shape2).or_else(from_there)
+    let shifts = Vector::AXES.into_iter().flat_map(|axis| [axis * tolerance, axis * -tolerance]);
+    core::iter::once(Vector::ZERO).chain(shifts).find_map(ask)
 }
