@@ -39,7 +39,7 @@
 //! ```
 //!
 //! That is a projection in the metric of the mass, which takes energy and never gives any (Carnot's theorem). Whips are dull for
-//! a moment, turn by no more than a radian in a substep, and never explode. (Shorter flights would keep them sharp, at the cost of several factorisations in each
+//! a moment, turn by no more than half a radian in a substep, and never explode. (Shorter flights would keep them sharp, at the cost of several factorisations in each
 //! substep.) Momentum and energy of the whole are kept in either case: see `balance.rs`.
 
 mod balance;
@@ -354,7 +354,9 @@ impl Motion {
             if next <= rounding || (visit >= VISITS && next <= CLOSE * first) {
                 return true;
             }
-            if !(next <= WILD * moved) {
+            // Nor do they if something is no number.
+            let comes_nearer = next <= WILD * moved;
+            if !comes_nearer {
                 return false;
             }
             moved = next;
