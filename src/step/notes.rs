@@ -51,11 +51,9 @@ impl FastMotion {
     pub fn velocity_before(&self, left: Real, end: Vector) -> Vector {
         let square = end.length_squared();
         let earlier = square - 2.0 * left * self.acceleration.dot(self.shift);
-        if square > 0.0 && earlier.is_finite() {
-            end * (earlier.max(0.0) / square).sqrt()
-        } else {
-            end
-        }
+        // Of what hardly moves any more nobody knows where it came from.
+        let faster = (earlier.max(0.0) / square).sqrt();
+        if faster.is_finite() { end * faster } else { end }
     }
 }
 
@@ -106,5 +104,40 @@ impl StepNotes {
         self.courses.clear();
         self.lost.clear();
         self.quarantined.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FastMotion;
+    use crate::dim::math::{ANG_ZERO, Pose, Real, Vector};
+    use crate::model::body::RigidBodyHandle;
+
+    fn braked(shift: Real, acceleration: Real) -> FastMotion {
+        FastMotion {
+            body: RigidBodyHandle::invalid(),
+            start: Pose::IDENTITY,
+            center: Vector::ZERO,
+            shift: Vector::X * shift,
+            turn: ANG_ZERO,
+            acceleration: Vector::X * acceleration,
+            link: None,
+        }
+    }
+
+    /// Halfway there is what braking has not yet taken: `v² = 3² + 2 · 2 · 4`, as long as 4 of the 8 m are left.
+    #[test]
+    fn what_was_braked_was_faster_before() {
+        let before = braked(8.0, -2.0).velocity_before(0.5, Vector::X * 3.0);
+        assert!((before - Vector::X * 5.0).length() < 1.0e-5, "{before}");
+    }
+
+    /// What forces stopped all but entirely has a direction, and no number times that is its speed of before.
+    #[test]
+    fn what_hardly_moves_stays_as_it_is() {
+        for end in [0.0, Real::MIN_POSITIVE, Real::MIN_POSITIVE.sqrt()] {
+            let before = braked(1.0e4, -1.0e8).velocity_before(1.0, Vector::X * end);
+            assert!(before.is_finite(), "{end} became {before}");
+        }
     }
 }
