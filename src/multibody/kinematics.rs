@@ -1,6 +1,6 @@
 //! Where the links are, and how the degrees of freedom move them.
 
-use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot};
+use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot, turn};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
     ANG_ZERO, DIM, Pose, Real, Rotation, SpatialVector, Vector, ang_length_squared, cross,
@@ -28,6 +28,13 @@ pub struct LinkFrame {
     pub lever: Vector,
     pub mass: Real,
     pub inertia: AngularMatrix,
+}
+
+impl LinkFrame {
+    /// The momentum that it has at a velocity.
+    pub fn momentum(&self, velocity: &SpatialVector) -> SpatialVector {
+        join(linear(velocity) * self.mass, turn(&self.inertia, angular(velocity)))
+    }
 }
 
 /// All links at one configuration, and the axes of all degrees of freedom.

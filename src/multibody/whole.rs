@@ -16,7 +16,7 @@
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::{Kinematics, LinkFrame};
-use super::spatial::{AngularMatrix, carry, carry_back};
+use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back};
 use crate::dim::math::{
     ANG_DIM, ANG_ZERO, Real, SPATIAL_DIM, SpatialVector, Vector, cross, torque,
 };
@@ -25,6 +25,8 @@ use crate::dim::spatial::{ANG_AXES, ang_components, angular};
 /// By what share of the sum of its moments of inertia the whole resists more than it does when it is to make up for a missing
 /// momentum.
 const SLOWNESS: Real = 0.05;
+/// In how many rounds that is made up for.
+const ROUNDS: usize = 6;
 
 /// See the [module](self). Its degrees of freedom are the root's.
 #[derive(Clone, Debug, Default)]
@@ -75,22 +77,38 @@ impl Whole {
     /// The rates of the root's degrees of freedom at which the whole has a momentum, given about the root's centre of mass.
     pub fn rates_at(&mut self, momentum: &SpatialVector) -> &[Real] {
         self.resist(|_| 0.0);
-        self.solve(momentum)
+        self.solve(&carry_back(momentum, -self.reach));
+        &self.rates
     }
 
-    /// The rates that make up for a missing momentum, or for nearly all of it about axes that are not thin.
+    /// The rates that make up for a missing momentum, but for what is missing about thin axes.
+    ///
+    /// Each round makes up for the share `I / (I + S)` of what the last one left, with the slowness `S`: six for all but a few
+    /// millionths about axes that are not thin, and for next to nothing about those that are.
     pub fn correction(&mut self, missing: &SpatialVector) -> &[Real] {
-        let trace: Real = (0..ANG_DIM).map(|k| self.body.links[0].inertia[k][k]).sum();
-        let turns = |axis: &SpatialVector| angular(axis) != ANG_ZERO;
-        self.resist(|axis| if turns(axis) { trace * SLOWNESS } else { 0.0 });
-        self.solve(missing)
+        let link = &self.body.links[0];
+        let slowness = SLOWNESS * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
+        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { slowness });
+        let mut rest = carry_back(missing, -self.reach);
+        let mut sum = [0.0; SPATIAL_DIM];
+        for _ in 0..ROUNDS {
+            self.solve(&rest);
+            let mut velocity = ZERO;
+            for (dof, (axis, rate)) in self.body.axes.iter().zip(&self.rates).enumerate() {
+                add_scaled(&mut velocity, axis, *rate);
+                sum[dof] += rate;
+            }
+            add_scaled(&mut rest, &self.body.links[0].momentum(&velocity), -1.0);
+        }
+        let count = self.rates.len();
+        self.rates.copy_from_slice(&sum[..count]);
+        &self.rates
     }
 
-    fn solve(&mut self, momentum: &SpatialVector) -> &[Real] {
+    /// The rates that a momentum about the centre of mass of the whole leads to.
+    fn solve(&mut self, momentum: &SpatialVector) {
         self.rates.clear();
         self.rates.resize(self.body.axes.len(), 0.0);
-        let momentum = carry_back(momentum, -self.reach);
-        self.factor.solve(&self.body, &[momentum], &mut self.rates);
-        &self.rates
+        self.factor.solve(&self.body, &[*momentum], &mut self.rates);
     }
 }

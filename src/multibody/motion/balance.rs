@@ -19,7 +19,7 @@ use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, add_scaled, carry_back, turn};
 use super::{Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
-use crate::dim::spatial::{angular, join, linear};
+use crate::dim::spatial::{angular, linear};
 
 /// Contacts of links that turn far make energy if they leave so many times what there was.
 const JUMP: Real = 1.1;
@@ -27,13 +27,9 @@ const JUMP: Real = 1.1;
 const FAR_TURN: Real = 0.1;
 /// The farthest that joints turn in a substep (rad) when a flight is wild. Beyond that links would come to be anywhere.
 const WHIP: Real = 0.5;
-
-impl LinkFrame {
-    /// The momentum that it has at a velocity.
-    pub(super) fn momentum(&self, velocity: &SpatialVector) -> SpatialVector {
-        join(linear(velocity) * self.mass, turn(&self.inertia, angular(velocity)))
-    }
-}
+/// What turns farther than this in a substep (rad) is no whip: somebody pushed harder than anybody can calculate with, and is to be
+/// told so ([`QuarantineEvent`](crate::model::event::QuarantineEvent)).
+const SENSELESS: Real = 1.0e6;
 
 // ---- Momentum ----
 
@@ -216,7 +212,7 @@ impl Motion {
         let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
-        if fastest > WHIP {
+        if fastest > WHIP && fastest < SENSELESS {
             let own = self.rates.clone();
             self.slow_to_whole();
             self.blend(&own, WHIP / fastest);
