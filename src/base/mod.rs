@@ -17,6 +17,7 @@ pub mod square;
 pub mod tasks;
 pub mod timer;
 pub mod trig;
+pub(crate) mod turning;
 pub mod walk;
 pub mod wide;
 #[cfg(test)]

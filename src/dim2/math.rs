@@ -1,6 +1,7 @@
 //! Vectors, rotations and poses in 2D, and the few formulas whose shape depends on the dimension.
 
 use crate::base::trig::{atan2, sin_cos};
+use crate::base::turning::cosine_and_sine;
 pub use parry::math::{
     AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
 };
@@ -67,20 +68,12 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
 pub const TURN_MAX: Real = 1.0e4;
 
-/// Rotates `rotation` by the angle `angle` (radians). Sine and cosine of an eighth of the angle are their series to sixth
-/// order, and three doublings lead from there to the whole of it: at 1 rad nothing is missing, at a turn 10⁻⁵ rad, and at
-/// two turns 0.003. The exponential map would cost a sine and a cosine, whose last bits differ between machines.
+/// Rotates `rotation` by the angle `angle` (radians), by the series of [`turning`](crate::base::turning): at 1 rad nothing
+/// is missing, at a turn 10⁻⁵ rad, and at two turns 0.003.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = (angle * angle).min(TURN_MAX);
-    let eighth = square * (1.0 / 64.0);
-    // The angle θ/8, then θ/4, θ/2 and θ: its cosine, and its sine as a share of the whole angle.
-    let mut cosine = 1.0 - eighth * (1.0 / 2.0 - eighth * (1.0 / 24.0 - eighth * (1.0 / 720.0)));
-    let mut sine =
-        0.125 - eighth * (1.0 / 48.0 - eighth * (1.0 / 960.0 - eighth * (1.0 / 40320.0)));
-    for _ in 0..3 {
-        (cosine, sine) = (cosine * cosine - square * (sine * sine), 2.0 * cosine * sine);
-    }
+    let (cosine, sine) = cosine_and_sine::<3>(square);
     let sine = angle * sine;
     Rotation::from_cos_sin_unchecked(
         cosine * rotation.re - sine * rotation.im,

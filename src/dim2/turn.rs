@@ -2,30 +2,17 @@
 
 use super::math::TURN_MAX;
 use super::wide::{WideAngVector, WideRotation, WideVector};
+use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
 #[inline(always)]
 fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
     let square = (turn * turn).min(W::splat(TURN_MAX));
-    let (mut cosine, mut sine) = of_eighth(square);
-    for _ in 0..3 {
-        let product = cosine * sine;
-        (cosine, sine) = (cosine * cosine - square * (sine * sine), product + product);
-    }
+    let (cosine, sine) = wide_cosine_and_sine::<W, 3>(square);
     let sine = turn * sine;
     let scale = W::splat(1.0) / (cosine * cosine + sine * sine).sqrt();
     WideRotation { re: cosine * scale, im: sine * scale }
-}
-
-/// Cosine and sine of an eighth of an angle whose square this is; the sine as a share of the whole angle.
-#[inline(always)]
-fn of_eighth<W: Wide>(square: W) -> (W, W) {
-    let (number, square) = (W::splat, square * W::splat(1.0 / 64.0));
-    let cosine = number(1.0 / 24.0) - square * number(1.0 / 720.0);
-    let cosine = number(1.0) - square * (number(1.0 / 2.0) - square * cosine);
-    let sine = number(1.0 / 960.0) - square * number(1.0 / 40320.0);
-    (cosine, number(1.0 / 8.0) - square * (number(1.0 / 48.0) - square * sine))
 }
 
 /// A lever of a body after the body has turned.

@@ -1,6 +1,7 @@
 //! Vectors, rotations and poses in 3D, and the few formulas whose shape depends on the dimension.
 
 use crate::base::trig::{atan2, sin_cos};
+use crate::base::turning::cosine_and_sine;
 pub use parry::math::{
     AngVector, AngularInertia, DIM, Int, Matrix, Orientation, Pose, Real, Rotation, Vector,
 };
@@ -76,21 +77,13 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
 pub const TURN_MAX: Real = 1.0e4;
 
-/// Rotates `rotation` by the world-space rotation vector `angle` (radians). Sine and cosine of an eighth of the angle are
-/// their series to sixth order, and three doublings lead from there to the whole of it: at 1 rad nothing is missing, at a
-/// turn 10⁻⁵ rad, and at two turns 0.003. The exponential map would cost a sine and a cosine, whose last bits differ
-/// between machines.
+/// Rotates `rotation` by the world-space rotation vector `angle` (radians), by the series of
+/// [`turning`](crate::base::turning): at 1 rad nothing is missing, at a turn 10⁻⁵ rad, and at two turns 0.003.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = angle.length_squared().min(TURN_MAX);
-    let eighth = square * (1.0 / 64.0);
-    // The half-angle θ/8, then θ/4 and θ/2: its cosine, and its sine as a share of the whole angle.
-    let mut cosine = 1.0 - eighth * (1.0 / 2.0 - eighth * (1.0 / 24.0 - eighth * (1.0 / 720.0)));
-    let mut sine =
-        0.125 - eighth * (1.0 / 48.0 - eighth * (1.0 / 960.0 - eighth * (1.0 / 40320.0)));
-    for _ in 0..2 {
-        (cosine, sine) = (cosine * cosine - square * (sine * sine), 2.0 * cosine * sine);
-    }
+    // Of half the angle.
+    let (cosine, sine) = cosine_and_sine::<2>(square);
     let (q, a) = (rotation, angle * sine);
     Rotation::from_xyzw(
         q.x * cosine + (a.x * q.w + a.y * q.z - a.z * q.y),

@@ -2,6 +2,7 @@
 
 use super::math::{Real, TURN_MAX};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
+use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
 /// Where [`turned_further`] gives up (rad).
@@ -12,22 +13,8 @@ const SERIES_MAX: Real = 2.0;
 #[inline(always)]
 fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
     let square = turn.dot(turn).min(W::splat(TURN_MAX));
-    let (mut cosine, mut sine) = of_eighth(square);
-    for _ in 0..2 {
-        let product = cosine * sine;
-        (cosine, sine) = (cosine * cosine - square * (sine * sine), product + product);
-    }
+    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square);
     (cosine, turn * sine)
-}
-
-/// Cosine and sine of an eighth of an angle whose square this is; the sine as a share of the whole angle.
-#[inline(always)]
-fn of_eighth<W: Wide>(square: W) -> (W, W) {
-    let (number, square) = (W::splat, square * W::splat(1.0 / 64.0));
-    let cosine = number(1.0 / 24.0) - square * number(1.0 / 720.0);
-    let cosine = number(1.0) - square * (number(1.0 / 2.0) - square * cosine);
-    let sine = number(1.0 / 960.0) - square * number(1.0 / 40320.0);
-    (cosine, number(1.0 / 8.0) - square * (number(1.0 / 48.0) - square * sine))
 }
 
 /// A lever of a body after the body has turned.

@@ -17,8 +17,9 @@
 //! down   a = X a_parent      q̈ = (u - Uᵀ a) / D     a ← a + s q̈
 //! ```
 //!
-//! Impulses become velocities the same way. Stiffness `k` and damping `d` of a degree of freedom, integrated implicitly over
-//! `h`, add `h d + h² k` to its armature: they are stable however stiff, and cost nothing.
+//! Impulses become velocities the same way. Damping `d` of a degree of freedom, integrated implicitly over `h`,
+//! and a spring of stiffness `k` taken where it is after the share `θ` of that (`motion/`), add `h d + θ h² k` to its armature: they are
+//! stable however stiff, and cost nothing.
 
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{SpatialMatrix, ZERO, add_scaled, carry, carry_back, dot};

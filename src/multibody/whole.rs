@@ -40,11 +40,14 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// That of links as they are placed.
+    /// That of links as they are placed. On a root without degrees of freedom nothing moves as a whole.
     pub fn update(&mut self, kinematics: &Kinematics) {
         let root = &kinematics.links[0];
         self.body.links.clear();
         self.body.axes.clear();
+        if root.dofs.is_empty() {
+            return;
+        }
         let mass: Real = kinematics.links.iter().map(|link| link.mass).sum();
         let moment = |sum: Vector, link: &LinkFrame| sum + (link.center - root.center) * link.mass;
         let moment = kinematics.links.iter().fold(Vector::ZERO, moment);

@@ -88,7 +88,7 @@ impl MultibodyJointSet {
         data: impl Into<GenericJoint>,
         wake_up: bool,
     ) -> Option<MultibodyJointHandle> {
-        self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), false), wake_up)
+        self.insert_or_warn([body1, body2], MultibodyJoint::new(data.into(), false), wake_up)
     }
 
     /// The same as [`Self::insert`], for a joint that moves at the velocity that the user gives it
@@ -100,7 +100,7 @@ impl MultibodyJointSet {
         data: impl Into<GenericJoint>,
         wake_up: bool,
     ) -> Option<MultibodyJointHandle> {
-        self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), true), wake_up)
+        self.insert_or_warn([body1, body2], MultibodyJoint::new(data.into(), true), wake_up)
     }
 
     /// The same as [`Self::insert`].
@@ -114,10 +114,17 @@ impl MultibodyJointSet {
         data: impl Into<GenericJoint>,
         wake_up: bool,
     ) -> Result<MultibodyJointHandle, InvalidJoint> {
-        let joint = MultibodyJoint::new(data.into(), false);
-        self.check([body1, body2], &joint.data)?;
-        self.insert_sound([body1, body2], joint, wake_up)
-            .ok_or(InvalidJoint::MissingBody { body: body1 })
+        self.insert_joint([body1, body2], MultibodyJoint::new(data.into(), false), wake_up)
+    }
+
+    fn insert_or_warn(
+        &mut self,
+        bodies: [RigidBodyHandle; 2],
+        joint: MultibodyJoint,
+        wake_up: bool,
+    ) -> Option<MultibodyJointHandle> {
+        let warn = |reason: &_| log::warn!("a multibody joint was not inserted: {reason}");
+        self.insert_joint(bodies, joint, wake_up).inspect_err(warn).ok()
     }
 
     fn insert_joint(
@@ -125,20 +132,8 @@ impl MultibodyJointSet {
         bodies: [RigidBodyHandle; 2],
         joint: MultibodyJoint,
         wake_up: bool,
-    ) -> Option<MultibodyJointHandle> {
-        if let Err(reason) = self.check(bodies, &joint.data) {
-            log::warn!("a multibody joint was not inserted: {reason}");
-            return None;
-        }
-        self.insert_sound(bodies, joint, wake_up)
-    }
-
-    fn insert_sound(
-        &mut self,
-        bodies: [RigidBodyHandle; 2],
-        joint: MultibodyJoint,
-        wake_up: bool,
-    ) -> Option<MultibodyJointHandle> {
+    ) -> Result<MultibodyJointHandle, InvalidJoint> {
+        self.check(bodies, &joint.data)?;
         for body in bodies {
             self.drop_if_broken(body);
         }
@@ -146,7 +141,8 @@ impl MultibodyJointSet {
         let parent = self.rigid_body_link(body1).copied().unwrap_or_else(|| self.add_root(body1));
         let child = self.rigid_body_link(body2).copied();
         let other = child.and_then(|child| self.multibodies.remove(child.multibody.0));
-        let multibody = self.multibodies.get_mut(parent.multibody.0)?;
+        let multibody = self.multibodies.get_mut(parent.multibody.0);
+        let multibody = multibody.ok_or(InvalidJoint::MissingBody { body: body1 })?;
         let id = multibody.num_links();
         match other {
             Some(other) => multibody.append(other, parent.id, joint),
@@ -157,7 +153,7 @@ impl MultibodyJointSet {
         multibody.links[id].handle = Some(handle);
         self.file(parent.multibody, id);
         self.modified.push((parent.multibody, wake_up));
-        Some(handle)
+        Ok(handle)
     }
 
     /// May these bodies be joined?

@@ -17,12 +17,12 @@
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, add_scaled, carry_back, turn};
-use super::{Motion, add_all};
+use super::{Drive, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 
-/// Contacts of links that turn far make energy if they leave so many times what there was.
-const JUMP: Real = 1.1;
+/// Flights, and contacts of links that turn far, make energy if they leave so many times what there was.
+pub(super) const JUMP: Real = 1.1;
 /// How far a link turns in a substep (rad) if contacts may be wrong.
 const FAR_TURN: Real = 0.1;
 /// The farthest that joints turn in a substep (rad) when a flight is wild. Beyond that links would come to be anywhere.
@@ -98,8 +98,8 @@ impl Motion {
 
     /// Notes the momenta of the links.
     pub(super) fn note_momenta(&mut self) {
+        self.update_velocities();
         let Self { kinematics, velocities, momenta, .. } = self;
-        kinematics.velocities(&self.rates, &self.root, velocities);
         momenta.clear();
         let links = kinematics.links.iter().zip(velocities);
         momenta.extend(links.map(|(link, velocity)| link.momentum(velocity)));
@@ -108,7 +108,7 @@ impl Motion {
     /// Changes the velocities to those at which, for each degree of freedom, the links have these momenta; `None`: the
     /// momentum that the link has.
     pub fn take_momenta(&mut self, of: impl Fn(usize, &LinkFrame) -> Option<SpatialVector>) {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        self.update_velocities();
         self.wrenches.clear();
         for (id, link) in self.kinematics.links.iter().enumerate() {
             let missing = of(id, link).map_or(ZERO, |mut missing| {
@@ -132,23 +132,24 @@ impl Motion {
     /// The energy that a flight keeps; `None` if something drives the links: a root that turns, or a joint that moves as it
     /// is told.
     pub(super) fn flight_energy(&mut self) -> Option<Real> {
-        let is_told = self.drives.iter().zip(&self.rates);
-        let is_told =
-            is_told.fold(false, |told, (drive, rate)| told || (drive.is_told() && *rate != 0.0));
-        if is_told || angular(&self.root) != ANG_ZERO {
+        let is_told = |(drive, rate): (&Drive, &Real)| drive.is_told() && *rate != 0.0;
+        if angular(&self.root) != ANG_ZERO || self.drives.iter().zip(&self.rates).any(is_told) {
             return None;
         }
-        let frame = self.frame_velocity();
-        Some(self.kinetic_energy_from(frame))
+        self.update_velocities();
+        Some(self.energy_seen_from(self.frame_velocity()))
     }
 
-    /// The velocity of the frame in which the multibody as a whole goes nowhere.
-    fn frame_velocity(&mut self) -> Vector {
+    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the links had last.
+    fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);
         }
-        let momentum = linear(&self.root_momentum());
-        let mass: Real = self.kinematics.links.iter().map(|link| link.mass).sum();
+        let links = self.kinematics.links.iter().zip(&self.velocities);
+        let add = |(mass, momentum): (Real, Vector), (link, velocity): (&LinkFrame, _)| {
+            (mass + link.mass, momentum + linear(velocity) * link.mass)
+        };
+        let (mass, momentum) = links.fold((0.0, Vector::ZERO), add);
         let axes = self.kinematics.axes[..self.root_dofs()].iter().map(linear);
         let moving = axes.map(|axis| axis * axis.dot(momentum)).sum::<Vector>();
         if mass > 0.0 { moving / mass } else { Vector::ZERO }
@@ -188,14 +189,16 @@ impl Motion {
     /// and their energy allow.
     pub(super) fn limit_flight(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
+        self.update_velocities();
         let frame = self.frame_velocity();
-        let energy = self.kinetic_energy_from(frame);
+        let energy = self.energy_seen_from(frame);
         if energy <= most {
             return;
         }
         let own = self.rates.clone();
         self.slow_to_whole();
-        let of_whole = self.kinetic_energy_from(frame);
+        self.update_velocities();
+        let of_whole = self.energy_seen_from(frame);
         if of_whole < most {
             self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
         } else {
@@ -266,7 +269,8 @@ impl Motion {
 
     /// The kinetic energy of all links.
     pub fn kinetic_energy(&mut self) -> Real {
-        self.kinetic_energy_from(Vector::ZERO)
+        self.update_velocities();
+        self.energy_seen_from(Vector::ZERO)
     }
 
     /// The same at other rates of the degrees of freedom.
@@ -277,9 +281,8 @@ impl Motion {
         energy
     }
 
-    /// The kinetic energy of all links, seen from a frame with this velocity.
-    fn kinetic_energy_from(&mut self, frame: Vector) -> Real {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this velocity.
+    fn energy_seen_from(&self, frame: Vector) -> Real {
         let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
             let (v, w) = (linear(velocity) - frame, angular(velocity));
             0.5 * (link.mass * v.length_squared() + ang_dot(w, turn(&link.inertia, w)))

@@ -52,6 +52,7 @@ use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{Multibody, MultibodyLink};
+use balance::JUMP;
 
 /// The least and the most visits of the implicit half.
 const VISITS: usize = 3;
@@ -60,8 +61,6 @@ const VISITS_MAX: usize = 8;
 const CLOSE: Real = 1.0e-3;
 /// The visits do not come together if one changes more than this share of what the one before changed.
 const WILD: Real = 0.5;
-/// The flight is wild, too, if its second half makes the energy so many times what it was.
-const JUMP: Real = 1.1;
 
 /// What acts on a link all through a step.
 #[derive(Copy, Clone, Debug)]
@@ -219,7 +218,7 @@ impl Motion {
 
     /// What forces, springs and dampers add to the velocities.
     fn kick(&mut self, multibody: &Multibody, h: Real, change: &mut Vec<Real>) {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        self.update_velocities();
         self.wrenches.clear();
         for ((link, force), velocity) in
             self.kinematics.links.iter().zip(&self.forces).zip(&self.velocities)
@@ -371,8 +370,12 @@ impl Motion {
 
     /// The velocities of all links.
     pub fn link_velocities(&mut self) -> &[SpatialVector] {
-        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
+        self.update_velocities();
         &self.velocities
+    }
+
+    fn update_velocities(&mut self) {
+        self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
     }
 
     /// The velocities of all links if these rates alone move them.

@@ -203,6 +203,9 @@ impl SolverMultibodies {
         place: (&NarrowPhase, &RigidBodySet),
         bodies: &mut SolverBodies,
     ) {
+        if !self.any_turns_far() {
+            return;
+        }
         for position in 0..self.contacts.contacts.len() {
             let slots = place.0.contacts.bodies(self.contacts.contacts[position].at.pair);
             let turns_far =

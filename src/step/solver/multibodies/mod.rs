@@ -269,7 +269,7 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, true);
-        self.note_work(&bodies.states);
+        self.note_work(&mut bodies.states);
         self.keep_energy();
     }
 
@@ -294,27 +294,29 @@ impl SolverMultibodies {
 
     /// Adds the work of motors and other joints, and that of bodies and belts which push links before them, to the energy that
     /// contacts may leave.
-    fn note_work(&mut self, states: &[BodyState]) {
-        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
-        if !moving.iter().any(|moving| moving.turns_far) {
+    fn note_work(&mut self, states: &mut [BodyState]) {
+        if !self.any_turns_far() {
             return;
         }
+        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
+        let mut actors = Actors { multibodies: moving, states };
         for (row, impulse) in joints.rows().chain(gears.rows()).chain(loops.rows()) {
-            numbers.note_work(row, impulse, moving);
+            numbers.note_work(row, impulse, &mut actors);
         }
         for (row, impulse, surface) in contacts.rows() {
-            numbers.note_shove(row, impulse, surface, states, moving);
+            numbers.note_shove(row, impulse, surface, &mut actors);
         }
+    }
+
+    /// Is there a multibody with links that turn far?
+    fn any_turns_far(&self) -> bool {
+        self.moving.iter().any(|moving| moving.turns_far)
     }
 
     /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
     fn keep_energy(&mut self) {
-        self.fast().for_each(|moving| moving.motion.keep_energy(moving.energy));
-    }
-
-    /// The multibodies with links that turn far.
-    fn fast(&mut self) -> impl Iterator<Item = &mut Moving> {
-        self.moving.iter_mut().filter(|moving| moving.turns_far)
+        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far);
+        fast.for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
     /// Visits all rows but those of friction.

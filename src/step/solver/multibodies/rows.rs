@@ -145,45 +145,33 @@ impl Numbers {
     }
 
     /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
-    pub fn note_work(&self, row: &Row, impulse: Real, multibodies: &mut [Moving]) {
+    pub fn note_work(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
         for part in &row.parts {
-            let Part::Links { multibody, start, span: [first, behind], .. } = *part else {
-                continue;
-            };
-            let moving = &mut multibodies[multibody];
-            let jacobian = &self.jacobians[start + first..start + behind];
-            let work = impulse * product(jacobian, &moving.motion.rates[first..behind]);
-            moving.energy += work.max(0.0);
+            let Part::Links { multibody, .. } = part else { continue };
+            let work = impulse * self.rate(part, actors);
+            actors.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
-    /// Adds the work that a body does on a link, which an impulse keeps from getting into it, to the energy that contacts
-    /// may leave: the body, or the belt on it, moves on as fast as it does, and the link at least as fast.
-    pub fn note_shove(
-        &self,
-        row: &Row,
-        impulse: Real,
-        surface: Real,
-        states: &[BodyState],
-        multibodies: &mut [Moving],
-    ) {
+    /// Adds the work on a link of what is on the other side, which an impulse keeps from getting into it, to the energy that
+    /// contacts may leave: the other one, or the belt on it, moves on as fast as it does, and the link at least as fast.
+    pub fn note_shove(&self, row: &Row, impulse: Real, surface: Real, actors: &mut Actors<'_>) {
         let [first, second] = &row.parts;
         for (link, other) in [(first, second), (second, first)] {
-            let Part::Links { multibody, gives_way: true, .. } = *link else { continue };
-            let comes = match other {
-                Part::Body { index, jacobian, .. } => {
-                    let (linvel, angvel) = states[at(*index)].velocity();
-                    product(jacobian, &join(linvel, angvel))
-                }
-                _ => 0.0,
-            };
-            multibodies[multibody].energy += (impulse * (surface - comes)).max(0.0);
+            let Part::Links { multibody, gives_way: true, .. } = link else { continue };
+            let work = impulse * (surface - self.rate(other, actors));
+            actors.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
     /// `Ċ`.
     pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
-        self.sum(row, |part| match part {
+        self.sum(row, |part| self.rate(part, actors))
+    }
+
+    /// What a part of a row adds to `Ċ`.
+    fn rate(&self, part: &Part, actors: &Actors<'_>) -> Real {
+        match part {
             Part::Nothing => 0.0,
             Part::Links { multibody, start, span: [first, behind], .. } => {
                 let rates = &actors.multibodies[*multibody].motion.rates;
@@ -193,7 +181,7 @@ impl Numbers {
                 let (linvel, angvel) = actors.states[at(*index)].velocity();
                 product(jacobian, &join(linvel, angvel))
             }
-        })
+        }
     }
 
     /// How far `C` has changed since the step began.

@@ -137,8 +137,8 @@ impl Direct {
         }
     }
 
-    /// Ends a round of the solve pass, and says whether another one is wanted. `find` says of the members of a component whether
-    /// the pulls that were found make it taut; `tauten` is told of those that are from now on.
+    /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `ask` knows, by its
+    /// members.
     pub fn go_on(
         &mut self,
         rows: &[RowMemory],

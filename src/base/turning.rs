@@ -1,0 +1,41 @@
+//! Cosine and sine of the angle by which something turns in a substep, from the square of that angle: no root, no function of the
+//! platform, whose last bits differ between machines.
+//!
+//! An eighth of the angle is so small that its series to sixth order do, and each doubling
+//!
+//! ```text
+//! cos 2α = cos² α - sin² α        sin 2α = 2 cos α sin α
+//! ```
+//!
+//! leads to twice that. The sine is given as a share of the whole angle: who turns about an axis has that times the angle already.
+
+use super::wide::Wide;
+use parry::math::Real;
+
+/// Of the angle `θ 2ᴰ / 8` after `D` doublings, from `θ²`: the cosine, and the sine divided by `θ`.
+#[inline(always)]
+pub fn cosine_and_sine<const D: usize>(square: Real) -> (Real, Real) {
+    let eighth = square * (1.0 / 64.0);
+    let mut cosine = 1.0 - eighth * (1.0 / 2.0 - eighth * (1.0 / 24.0 - eighth * (1.0 / 720.0)));
+    let mut sine =
+        0.125 - eighth * (1.0 / 48.0 - eighth * (1.0 / 960.0 - eighth * (1.0 / 40320.0)));
+    for _ in 0..D {
+        (cosine, sine) = (cosine * cosine - square * (sine * sine), 2.0 * cosine * sine);
+    }
+    (cosine, sine)
+}
+
+/// The same lane by lane.
+#[inline(always)]
+pub fn wide_cosine_and_sine<W: Wide, const D: usize>(square: W) -> (W, W) {
+    let (number, eighth) = (W::splat, square * W::splat(1.0 / 64.0));
+    let cosine = number(1.0 / 24.0) - eighth * number(1.0 / 720.0);
+    let mut cosine = number(1.0) - eighth * (number(1.0 / 2.0) - eighth * cosine);
+    let sine = number(1.0 / 960.0) - eighth * number(1.0 / 40320.0);
+    let mut sine = number(1.0 / 8.0) - eighth * (number(1.0 / 48.0) - eighth * sine);
+    for _ in 0..D {
+        let product = cosine * sine;
+        (cosine, sine) = (cosine * cosine - square * (sine * sine), product + product);
+    }
+    (cosine, sine)
+}
