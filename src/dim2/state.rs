@@ -4,7 +4,10 @@
 //! whole registers: so records are arrays of numbers, with the meaning of each stated here and
 //! nowhere else.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
+use super::math::{
+    AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, integrate_rotation,
+};
+use super::turn::rotation_by;
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -13,7 +16,8 @@ use crate::base::wide::{LANES, Wide, gather, scatter};
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
-/// Numbers in a velocity or displacement: two linear, one angular, one unused.
+/// Numbers in a velocity or displacement: two linear, one angular; and the real part of the turn behind the velocity, the
+/// imaginary one behind the displacement.
 const MOTION_LEN: usize = 4;
 const STATE_LEN: usize = 2 * MOTION_LEN;
 const POSE_LEN: usize = 8;
@@ -25,19 +29,25 @@ const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
 /// What changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One register in single precision, one cache line in double precision.
-#[derive(Copy, Clone, Debug, Default)]
+#[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct BodyState([Real; STATE_LEN]);
 
 const _: () = assert!(size_of::<BodyState>() == 8 * size_of::<Real>());
 
+impl Default for BodyState {
+    fn default() -> Self {
+        Self::AT_REST
+    }
+}
+
 impl BodyState {
     /// A body that neither moves nor has moved.
-    pub const AT_REST: Self = Self([0.0; STATE_LEN]);
+    pub const AT_REST: Self = Self([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
 
     /// A body with these velocities that has not moved yet.
     pub fn new(linvel: Vector, angvel: AngVector) -> Self {
-        let mut state = Self::default();
+        let mut state = Self::AT_REST;
         state.set_velocity(linvel, angvel);
         state
     }
@@ -77,6 +87,8 @@ impl BodyState {
         for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
             *value += change;
         }
+        let turn = integrate_rotation(Rotation::IDENTITY, self.0[MOTION_LEN + 2]);
+        (self.0[3], self.0[7]) = (turn.re, turn.im);
     }
 
     /// Is no number of these states beyond a bound, or none at all?
@@ -134,6 +146,36 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
+/// How far one body per lane has moved and turned since the step began.
+#[derive(Copy, Clone)]
+pub(crate) struct WideDisplacement<W> {
+    pub linear: WideVector<W>,
+    /// The angle of the turn.
+    pub angular: WideAngVector<W>,
+    /// The turn itself. It is worked out once, where the body turns: several joints of the body ask for it, many times.
+    pub turn: WideRotation<W>,
+}
+
+impl<W: Wide> WideDisplacement<W> {
+    /// By a vector and an angle.
+    #[inline(always)]
+    pub fn new(linear: WideVector<W>, angular: WideAngVector<W>) -> Self {
+        Self { linear, angular, turn: rotation_by(angular) }
+    }
+
+    /// The vector and the angle alone.
+    #[inline(always)]
+    pub fn motion(&self) -> WideMotion<W> {
+        WideMotion { linear: self.linear, angular: self.angular }
+    }
+
+    /// The rotation since the step began.
+    #[inline(always)]
+    pub fn rotation(&self) -> WideRotation<W> {
+        self.turn
+    }
+}
+
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
@@ -142,7 +184,7 @@ pub(crate) struct WideMotion<W> {
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-) -> [WideMotion<W>; 2] {
+) -> (WideMotion<W>, WideDisplacement<W>) {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
         // SAFETY: the caller's promise.
@@ -161,7 +203,7 @@ pub(crate) unsafe fn gather_states<W: Wide>(
 pub(crate) unsafe fn scatter_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-    [velocity, displacement]: [WideMotion<W>; 2],
+    state: (WideMotion<W>, WideDisplacement<W>),
 ) {
     let mut rows = [const { None }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
@@ -172,7 +214,7 @@ pub(crate) unsafe fn scatter_states<W: Wide>(
         }
     }
     let mut written = [W::zero(); WRITTEN_LEN];
-    written.copy_from_slice(&numbers([velocity, displacement])[..WRITTEN_LEN]);
+    written.copy_from_slice(&numbers(state)[..WRITTEN_LEN]);
     scatter::<W, WRITTEN_LEN>(written, rows);
 }
 
@@ -186,13 +228,13 @@ pub(crate) fn gather_velocities<W: Wide>(
     for (row, &index) in rows.iter_mut().zip(indices) {
         *row = &states[(index & !READ_ONLY) as usize].0;
     }
-    let [velocity, _] = motions(gather::<W, STATE_LEN>(rows));
+    let (velocity, _) = motions(gather::<W, STATE_LEN>(rows));
     velocity
 }
 
 /// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
 #[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, WideDisplacement<W>) {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = &state.0;
@@ -202,7 +244,10 @@ pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
 
 /// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
 #[inline(always)]
-pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMotion<W>; 2]) {
+pub(crate) fn store_states<W: Wide>(
+    states: &mut [BodyState],
+    motions: (WideMotion<W>, WideDisplacement<W>),
+) {
     let mut rows = [const { None }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = Some(&mut state.0);
@@ -211,17 +256,19 @@ pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMoti
 }
 
 #[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> [WideMotion<W>; 2] {
-    [
-        WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] },
-        WideMotion { linear: WideVector { x: s[4], y: s[5] }, angular: s[6] },
-    ]
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> (WideMotion<W>, WideDisplacement<W>) {
+    let velocity = WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] };
+    let linear = WideVector { x: s[4], y: s[5] };
+    (
+        velocity,
+        WideDisplacement { linear, angular: s[6], turn: WideRotation { re: s[3], im: s[7] } },
+    )
 }
 
 #[inline(always)]
-fn numbers<W: Wide>([v, d]: [WideMotion<W>; 2]) -> [W; STATE_LEN] {
-    let unused = W::zero();
-    [v.linear.x, v.linear.y, v.angular, unused, d.linear.x, d.linear.y, d.angular, unused]
+fn numbers<W: Wide>((v, d): (WideMotion<W>, WideDisplacement<W>)) -> [W; STATE_LEN] {
+    let WideRotation { re, im } = d.turn;
+    [v.linear.x, v.linear.y, v.angular, re, d.linear.x, d.linear.y, d.angular, im]
 }
 
 /// Poses and inverse masses of one body per lane.

@@ -1,37 +1,18 @@
 //! Turning, lane by lane, in 2D.
 
 use super::math::TURN_MAX;
-use super::wide::{WideAngVector, WideRotation, WideVector};
+use super::wide::{WideAngVector, WideRotation};
 use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
 #[inline(always)]
-fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
+pub(crate) fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
     let square = (turn * turn).min(W::splat(TURN_MAX));
     let (cosine, sine) = wide_cosine_and_sine::<W, 3>(square);
     let sine = turn * sine;
     let scale = W::splat(1.0) / (cosine * cosine + sine * sine).sqrt();
     WideRotation { re: cosine * scale, im: sine * scale }
-}
-
-/// A lever of a body after the body has turned.
-#[inline(always)]
-pub(crate) fn turned_lever<W: Wide>(lever: WideVector<W>, turn: WideAngVector<W>) -> WideVector<W> {
-    rotation_by(turn).rotate(lever)
-}
-
-/// A frame of a body after the body has turned.
-#[inline(always)]
-pub(crate) fn turned_frame<W: Wide>(
-    frame: WideRotation<W>,
-    turn: WideAngVector<W>,
-) -> WideRotation<W> {
-    let by = rotation_by(turn);
-    WideRotation {
-        re: by.re * frame.re - by.im * frame.im,
-        im: by.im * frame.re + by.re * frame.im,
-    }
 }
 
 /// The angle after a further turn.

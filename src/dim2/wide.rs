@@ -260,6 +260,13 @@ impl<W: Wide> WideRotation<W> {
         WideVector { x: self.re * v.x - self.im * v.y, y: self.im * v.x + self.re * v.y }
     }
 
+    /// This rotation after another one: the product of the complex numbers.
+    #[inline(always)]
+    pub fn times(self, first: Self) -> Self {
+        let (p, q) = (self, first);
+        Self { re: p.re * q.re - p.im * q.im, im: p.im * q.re + p.re * q.im }
+    }
+
     /// The rotation that turns `earlier` into this one.
     #[inline(always)]
     pub fn since(self, earlier: Self) -> Self {

@@ -5,6 +5,7 @@
 //! nowhere else.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
+use super::turn::{unit_quaternion, wide_unit_quaternion};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, scatter};
@@ -13,7 +14,8 @@ use crate::base::wide::{LANES, Wide, gather, scatter};
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
-/// Numbers in a velocity or displacement: three linear, three angular, two unused.
+/// Numbers in a velocity or displacement: three linear, three angular, two unused. Behind the displacement they are the turn
+/// as a quaternion: what the rotation vector is to be scaled by for its vector part, and its real part.
 pub(crate) const MOTION_LEN: usize = 8;
 const STATE_LEN: usize = 2 * MOTION_LEN;
 const POSE_LEN: usize = 16;
@@ -21,19 +23,29 @@ const POSE_LEN: usize = 16;
 /// What changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One cache line in single precision.
-#[derive(Copy, Clone, Debug, Default)]
+#[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct BodyState([Real; STATE_LEN]);
 
 const _: () = assert!(size_of::<BodyState>() == 16 * size_of::<Real>());
 
+impl Default for BodyState {
+    fn default() -> Self {
+        Self::AT_REST
+    }
+}
+
 impl BodyState {
     /// A body that neither moves nor has moved.
-    pub const AT_REST: Self = Self([0.0; STATE_LEN]);
+    pub const AT_REST: Self = {
+        let mut numbers = [0.0; STATE_LEN];
+        (numbers[STATE_LEN - 2], numbers[STATE_LEN - 1]) = (0.5, 1.0);
+        Self(numbers)
+    };
 
     /// A body with these velocities that has not moved yet.
     pub fn new(linvel: Vector, angvel: AngVector) -> Self {
-        let mut state = Self::default();
+        let mut state = Self::AT_REST;
         state.set_velocity(linvel, angvel);
         state
     }
@@ -73,6 +85,8 @@ impl BodyState {
         for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
             *value += change;
         }
+        let (scale, real) = unit_quaternion(self.displacement().1);
+        (self.0[STATE_LEN - 2], self.0[STATE_LEN - 1]) = (scale, real);
     }
 
     /// Is no number of these states beyond a bound, or none at all?
@@ -134,6 +148,47 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
+/// How far one body per lane has moved and turned since the step began.
+#[derive(Copy, Clone)]
+pub(crate) struct WideDisplacement<W> {
+    pub linear: WideVector<W>,
+    /// The rotation vector of the turn.
+    pub angular: WideAngVector<W>,
+    /// The unit quaternion of the turn: what makes its vector part of the rotation vector, and its real part. They are worked
+    /// out once, where the body turns: several joints of the body ask for them, many times.
+    scale: W,
+    real: W,
+}
+
+impl<W: Wide> WideDisplacement<W> {
+    /// By a vector and a rotation vector.
+    #[inline(always)]
+    pub fn new(linear: WideVector<W>, angular: WideAngVector<W>) -> Self {
+        let (scale, real) = wide_unit_quaternion(angular);
+        Self { linear, angular, scale, real }
+    }
+
+    /// The vector and the angle alone.
+    #[inline(always)]
+    pub fn motion(&self) -> WideMotion<W> {
+        WideMotion { linear: self.linear, angular: self.angular }
+    }
+
+    /// The rotation since the step began.
+    #[inline(always)]
+    pub fn rotation(&self) -> WideRotation<W> {
+        let WideVector { x, y, z } = self.angular * self.scale;
+        WideRotation { x, y, z, w: self.real }
+    }
+
+    /// The same in some lanes, and no rotation in the others.
+    #[inline(always)]
+    pub fn rotation_where(&self, mask: W::Mask) -> WideRotation<W> {
+        let WideVector { x, y, z } = self.angular * W::select(mask, self.scale, W::zero());
+        WideRotation { x, y, z, w: W::select(mask, self.real, W::splat(1.0)) }
+    }
+}
+
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
@@ -142,7 +197,7 @@ pub(crate) struct WideMotion<W> {
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-) -> [WideMotion<W>; 2] {
+) -> (WideMotion<W>, WideDisplacement<W>) {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
         // SAFETY: the caller's promise.
@@ -182,7 +237,7 @@ pub(crate) unsafe fn scatter_velocities<W: Wide>(
 pub(crate) unsafe fn scatter_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-    [velocity, _]: [WideMotion<W>; 2],
+    (velocity, _): (WideMotion<W>, WideDisplacement<W>),
 ) {
     // SAFETY: the caller's promise.
     unsafe { scatter_velocities(states, indices, velocity) };
@@ -205,7 +260,7 @@ pub(crate) fn gather_velocities<W: Wide>(
 
 /// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
 #[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, WideDisplacement<W>) {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = &state.0;
@@ -215,7 +270,10 @@ pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> [WideMotion<W>; 2] {
 
 /// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
 #[inline(always)]
-pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMotion<W>; 2]) {
+pub(crate) fn store_states<W: Wide>(
+    states: &mut [BodyState],
+    motions: (WideMotion<W>, WideDisplacement<W>),
+) {
     let mut rows = [const { None }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = Some(&mut state.0);
@@ -224,11 +282,18 @@ pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: [WideMoti
 }
 
 #[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> [WideMotion<W>; 2] {
-    [
-        motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]),
-        motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]),
-    ]
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> (WideMotion<W>, WideDisplacement<W>) {
+    let velocity = motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]);
+    let moved = motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]);
+    (
+        velocity,
+        WideDisplacement {
+            linear: moved.linear,
+            angular: moved.angular,
+            scale: s[14],
+            real: s[15],
+        },
+    )
 }
 
 #[inline(always)]
@@ -240,7 +305,7 @@ fn motion<W: Wide>(s: [W; MOTION_LEN]) -> WideMotion<W> {
 }
 
 #[inline(always)]
-fn numbers<W: Wide>([v, d]: [WideMotion<W>; 2]) -> [W; STATE_LEN] {
+fn numbers<W: Wide>((v, d): (WideMotion<W>, WideDisplacement<W>)) -> [W; STATE_LEN] {
     let unused = W::zero();
     [
         v.linear.x,
@@ -257,8 +322,8 @@ fn numbers<W: Wide>([v, d]: [WideMotion<W>; 2]) -> [W; STATE_LEN] {
         d.angular.x,
         d.angular.y,
         d.angular.z,
-        unused,
-        unused,
+        d.scale,
+        d.real,
     ]
 }
 

@@ -1,8 +1,8 @@
 //! Turning, lane by lane, in 3D.
 
-use super::math::{Real, TURN_MAX};
+use super::math::{AngVector, Real, TURN_MAX};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
-use crate::base::turning::wide_cosine_and_sine;
+use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};
 use crate::base::wide::Wide;
 
 /// Where [`turned_further`] gives up (rad).
@@ -17,12 +17,21 @@ fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
     (cosine, turn * sine)
 }
 
-/// A lever of a body after the body has turned.
+/// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part.
 #[inline(always)]
-pub(crate) fn turned_lever<W: Wide>(lever: WideVector<W>, turn: WideAngVector<W>) -> WideVector<W> {
-    let (real, u) = quaternion(turn);
-    let scale = W::splat(2.0) / (real * real + u.dot(u));
-    lever + cross(u, cross(u, lever) + lever * real) * scale
+pub(crate) fn wide_unit_quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, W) {
+    let square = turn.dot(turn);
+    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
+    let scale = W::splat(1.0) / (cosine * cosine + square * (sine * sine)).sqrt();
+    (sine * scale, cosine * scale)
+}
+
+/// The same of one body.
+pub(crate) fn unit_quaternion(turn: AngVector) -> (Real, Real) {
+    let square = turn.length_squared();
+    let (cosine, sine) = cosine_and_sine::<2>(square.min(TURN_MAX));
+    let scale = 1.0 / (cosine * cosine + square * (sine * sine)).sqrt();
+    (sine * scale, cosine * scale)
 }
 
 /// A frame of a body after the body has turned.
@@ -66,16 +75,16 @@ pub(crate) fn turned_further<W: Wide>(
 #[inline(always)]
 pub(crate) fn turned_inertia<W: Wide>(
     inv_inertia: WideSymmetric<W>,
-    turn: WideAngVector<W>,
+    rotation: WideRotation<W>,
 ) -> WideSymmetric<W> {
     let m = inv_inertia;
     // Of each row of I⁻¹, and then of each column of what comes out.
-    let x = turned_lever(WideVector { x: m.m11, y: m.m12, z: m.m13 }, turn);
-    let y = turned_lever(WideVector { x: m.m12, y: m.m22, z: m.m23 }, turn);
-    let z = turned_lever(WideVector { x: m.m13, y: m.m23, z: m.m33 }, turn);
-    let first = turned_lever(WideVector { x: x.x, y: y.x, z: z.x }, turn);
-    let second = turned_lever(WideVector { x: x.y, y: y.y, z: z.y }, turn);
-    let third = turned_lever(WideVector { x: x.z, y: y.z, z: z.z }, turn);
+    let x = rotation.rotate(WideVector { x: m.m11, y: m.m12, z: m.m13 });
+    let y = rotation.rotate(WideVector { x: m.m12, y: m.m22, z: m.m23 });
+    let z = rotation.rotate(WideVector { x: m.m13, y: m.m23, z: m.m33 });
+    let first = rotation.rotate(WideVector { x: x.x, y: y.x, z: z.x });
+    let second = rotation.rotate(WideVector { x: x.y, y: y.y, z: z.y });
+    let third = rotation.rotate(WideVector { x: x.z, y: y.z, z: z.z });
     WideSymmetric {
         m11: first.x,
         m12: first.y,
@@ -92,8 +101,9 @@ mod tests {
     use crate::base::random::Random;
     use crate::base::wide::{Kernel, LANES, Lane, Simd};
     use crate::dim::math::{
-        AngVector, AngularInertia, Rotation, Vector, integrate_rotation, rotation_to_angle,
+        AngularInertia, Rotation, Vector, integrate_rotation, rotation_to_angle,
     };
+    use crate::dim::state::WideDisplacement;
     use crate::dim::wide::{load_symmetric, set_symmetric_lane, store_symmetric, symmetric_lane};
 
     /// A turn, a further one, and what is turned.
@@ -109,8 +119,9 @@ mod tests {
         #[inline(always)]
         fn run<W: Wide>(self) {
             let (turn, by) = (WideVector::<W>::load(&self.turn), WideVector::load(&self.by));
-            turned_lever(WideVector::load(&self.lever), turn).store(&mut self.lever);
-            let inertia = turned_inertia(load_symmetric::<W>(&self.inertia), turn);
+            let rotation = WideDisplacement::new(WideVector::zero(), turn).rotation();
+            rotation.rotate(WideVector::load(&self.lever)).store(&mut self.lever);
+            let inertia = turned_inertia(load_symmetric::<W>(&self.inertia), rotation);
             store_symmetric(inertia, &mut self.inertia);
             turned_further(turn, by).store(&mut self.turn);
         }

@@ -93,6 +93,10 @@ fn what_rests_meets_what_rests_on_request_alone() {
         let asked = types == ActiveCollisionTypes::FIXED_FIXED;
         assert_eq!(events.len(), usize::from(asked), "{types:?}");
         assert_eq!(world.contact_pair(wall, ground).is_some(), asked, "{types:?}");
+
+        world.colliders[wall].set_active_collision_types(ActiveCollisionTypes::FIXED_FIXED);
+        world.step();
+        assert!(world.contact_pair(wall, ground).is_some(), "asked later: {types:?}");
     }
 }
 

@@ -172,11 +172,11 @@ unsafe fn warm_start<W: Wide>(
     }
     // SAFETY: the caller's promise.
     unsafe {
-        let [v1, d1] = gather_states::<W>(states, &block.bodies[0]);
-        let [v2, d2] = gather_states::<W>(states, &block.bodies[1]);
+        let (v1, d1) = gather_states::<W>(states, &block.bodies[0]);
+        let (v2, d2) = gather_states::<W>(states, &block.bodies[1]);
         let velocities = friction.apply(friction.impulse, block, &pair.frame, [v1, v2]);
         let [v1, v2] = impulse.apply(block, &pair.frame, velocities);
-        scatter_states(states, &block.bodies[0], [v1, d1]);
-        scatter_states(states, &block.bodies[1], [v2, d2]);
+        scatter_states(states, &block.bodies[0], (v1, d1));
+        scatter_states(states, &block.bodies[1], (v2, d2));
     }
 }

@@ -7,14 +7,14 @@ use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim2::math::MAX_MANIFOLD_POINTS;
-use crate::dim2::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim2::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
 use crate::dim2::wide::WideVector;
 use crate::model::params::{ContactPass, Softness};
 
 /// Velocities and displacements of a block's two bodies.
 pub(crate) struct Bodies<W> {
     pub velocities: [WideMotion<W>; 2],
-    pub displacements: [WideMotion<W>; 2],
+    pub displacements: [WideDisplacement<W>; 2],
 }
 
 impl<W: Wide> Bodies<W> {
@@ -23,10 +23,16 @@ impl<W: Wide> Bodies<W> {
     #[inline(always)]
     pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
         // SAFETY: the caller's promise.
-        let ([v1, d1], [v2, d2]) = unsafe {
+        let ((v1, d1), (v2, d2)) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
         };
         Self { velocities: [v1, v2], displacements: [d1, d2] }
+    }
+
+    /// How far the bodies have moved since the step began.
+    #[inline(always)]
+    pub fn moved(&self) -> [WideMotion<W>; 2] {
+        [self.displacements[0].motion(), self.displacements[1].motion()]
     }
 
     /// # Safety
@@ -36,8 +42,8 @@ impl<W: Wide> Bodies<W> {
         let (v, d) = (self.velocities, self.displacements);
         // SAFETY: the caller's promise.
         unsafe {
-            scatter_states(states, &block.bodies[0], [v[0], d[0]]);
-            scatter_states(states, &block.bodies[1], [v[1], d[1]]);
+            scatter_states(states, &block.bodies[0], (v[0], d[0]));
+            scatter_states(states, &block.bodies[1], (v[1], d[1]));
         }
     }
 }
@@ -119,7 +125,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
     let frame = Frame::load(block);
     let c = WideVector::load(&block.offset);
     let mut rows = values_at(block, NormalRow::new(&frame, c, bodies.velocities));
-    let displacement = NormalRow::new(&frame, c, bodies.displacements);
+    let displacement = NormalRow::new(&frame, c, bodies.moved());
     let soft = SoftRow::<W>::new(pass);
     let mut sum = NormalImpulse::zero();
     let mut coupling = 0;

@@ -2,8 +2,9 @@
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim2::math::{AngularInertia, Real};
+use crate::dim2::state::WideDisplacement;
 use crate::dim2::wide::{
-    WideAngVector, WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, symmetric_lane,
+    WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, symmetric_lane,
 };
 
 /// The moment of inertia of a body with this inverse; `None` if it cannot turn.
@@ -53,7 +54,7 @@ impl JointedInertias {
 
     /// The bodies have turned since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, _turns: [WideAngVector<W>; 2]) {}
+    pub fn turn<W: Wide>(&mut self, _displacements: &[WideDisplacement<W>; 2]) {}
 }
 
 /// The inertia of a body whose moment is 1.

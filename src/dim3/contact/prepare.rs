@@ -210,8 +210,8 @@ unsafe fn gather_both<W: Wide>(
 ) -> [WideMotion<W>; 2] {
     // SAFETY: the caller's promise.
     unsafe {
-        let [v1, _] = gather_states(states, &block.bodies[0]);
-        let [v2, _] = gather_states(states, &block.bodies[1]);
+        let (v1, _) = gather_states(states, &block.bodies[0]);
+        let (v2, _) = gather_states(states, &block.bodies[1]);
         [v1, v2]
     }
 }

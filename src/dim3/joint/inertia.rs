@@ -2,10 +2,11 @@
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{AngularInertia, Real};
+use crate::dim3::state::WideDisplacement;
 use crate::dim3::turn::turned_inertia;
 use crate::dim3::wide::{
-    WideAngVector, WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane,
-    store_symmetric, symmetric_lane,
+    WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, store_symmetric,
+    symmetric_lane,
 };
 
 /// The harmonic mean of the moments of inertia of a body with this inverse; `None` if it cannot turn.
@@ -81,15 +82,16 @@ impl JointedInertias {
         [load_symmetric(&self.now[0]), load_symmetric(&self.now[1])]
     }
 
-    /// The bodies have turned by so much since the step began.
+    /// The bodies have moved by so much since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, turns: [WideAngVector<W>; 2]) {
+    pub fn turn<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
         if !self.has_tumbling {
             return;
         }
         for side in 0..2 {
-            let turn = turns[side] * W::load(&self.tumbles[side]);
-            let turned = turned_inertia(load_symmetric::<W>(&self.start[side]), turn);
+            let tumbles = W::zero().lt(W::load(&self.tumbles[side]));
+            let rotation = displacements[side].rotation_where(tumbles);
+            let turned = turned_inertia(load_symmetric::<W>(&self.start[side]), rotation);
             store_symmetric(turned, &mut self.now[side]);
         }
     }

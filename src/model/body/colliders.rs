@@ -8,6 +8,10 @@ use crate::model::collider::{Collider, ColliderEnabled, ColliderHandle, Collider
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
 
+/// The colliders of one body. One or two, as nearly all bodies have, stand in the body itself: the step asks for them when it has
+/// the body at hand, and a list elsewhere would be one more wait for memory for every body that moves.
+pub(crate) type AttachedColliders = SmallVec<[ColliderHandle; 2]>;
+
 /// What a collider adds to its body's mass, in the body's frame. Nothing if the user disabled it.
 fn mass_in_body(collider: &Collider) -> MassProperties {
     match &collider.parent {

@@ -23,6 +23,7 @@ pub use activation::RigidBodyActivation;
 pub use body_type::RigidBodyType;
 pub use builder::{InvalidRigidBody, RigidBodyBuilder};
 pub use changes::RigidBodyChanges;
+pub(crate) use colliders::AttachedColliders;
 pub use handle::RigidBodyHandle;
 pub use mass::{RigidBodyAdditionalMassProps, RigidBodyMassProps};
 pub use quarantine::QuarantineCause;

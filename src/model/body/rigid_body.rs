@@ -5,13 +5,12 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps, RigidBodyBuilder,
-    RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
+    AttachedColliders, QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps,
+    RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
 };
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
 use crate::model::check::refuse;
-use crate::model::collider::ColliderHandle;
 use crate::model::island::BodyLink;
 use parry::mass_properties::MassProperties;
 
@@ -71,7 +70,7 @@ pub struct RigidBody {
     pub(crate) additional_solver_iterations: usize,
     /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
     pub(crate) substep: Real,
-    pub(crate) colliders: Vec<ColliderHandle>,
+    pub(crate) colliders: AttachedColliders,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
@@ -122,7 +121,7 @@ impl RigidBody {
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,
             substep: 0.0,
-            colliders: Vec::new(),
+            colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
             quarantine: None,
             user_data: 0,
@@ -142,7 +141,7 @@ impl RigidBody {
     }
 
     /// Forgets the set that the body stood in, and all that it held there.
-    pub(super) fn detach_from_set(&mut self) -> (Vec<ColliderHandle>, BodyLink) {
+    pub(super) fn detach_from_set(&mut self) -> (AttachedColliders, BodyLink) {
         self.changes = RigidBodyChanges::everything();
         let colliders = core::mem::take(&mut self.colliders);
         if !colliders.is_empty() {

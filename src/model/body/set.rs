@@ -1,10 +1,10 @@
 //! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
 
-use super::{RigidBody, RigidBodyChanges, RigidBodyHandle};
+use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::Arena;
 use crate::base::hash::FastHashMap;
 use crate::base::tasks::Tasks;
-use crate::model::collider::{ColliderChanges, ColliderHandle, ColliderSet};
+use crate::model::collider::{ColliderChanges, ColliderSet};
 use crate::model::island::BodyLink;
 use crate::model::seal::Seal;
 
@@ -15,7 +15,7 @@ const TURNS_AHEAD: usize = 3;
 
 /// What the step needs to know of a body that was removed: its colliders, which go with it (`None`: the
 /// colliders must be asked), and its place in the step's lists.
-pub(crate) type RemovedBody = (RigidBodyHandle, Option<Vec<ColliderHandle>>, BodyLink);
+pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyLink);
 
 /// All rigid bodies of a simulation, each found by its handle.
 ///

@@ -165,6 +165,19 @@ impl InteractionGroups {
         self
     }
 
+    /// Groups that meet whoever meets these, or the others, or both.
+    pub(crate) const fn union(self, other: Self) -> Self {
+        let test_mode = match (self.test_mode, other.test_mode) {
+            (InteractionTestMode::And, InteractionTestMode::And) => InteractionTestMode::And,
+            _ => InteractionTestMode::Or,
+        };
+        Self {
+            memberships: self.memberships.union(other.memberships),
+            filter: self.filter.union(other.filter),
+            test_mode,
+        }
+    }
+
     /// Does each of the two want to meet the other?
     #[inline]
     pub const fn test_and(self, other: Self) -> bool {
@@ -218,6 +231,25 @@ mod tests {
         assert!(!a.with_test_mode(or).test(wanted_only), "one `Or` is not enough");
         assert!(a.with_test_mode(or).test(wanted_only.with_test_mode(or)));
         assert!(!a.with_test_mode(or).test(neither.with_test_mode(or)));
+    }
+
+    /// Whoever meets one of two meets their union: with all memberships, wishes, and modes of three groups.
+    #[test]
+    fn a_union_meets_whom_its_parts_meet() {
+        let mut all = Vec::new();
+        for bits in 0..64 {
+            let groups = InteractionGroups::new(Group::from(bits & 7), Group::from(bits >> 3));
+            all.push(groups);
+            all.push(groups.with_test_mode(InteractionTestMode::Or));
+        }
+        for &a in &all {
+            for &b in &all {
+                let union = a.union(b);
+                for &c in &all {
+                    assert!(union.test(c) || !(a.test(c) || b.test(c)), "{a:?} {b:?} {c:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub(crate) use shape_box::shape_box;
 
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::dim::math::Real;
-use crate::model::collider::ColliderHandle;
+use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::seal::Seal;
 use parry::bounding_volume::Aabb;
 
@@ -46,6 +46,8 @@ pub struct BroadPhaseBvh {
     has_kinematics: bool,
     /// Has any collider ever been a sensor?
     has_sensors: bool,
+    /// All memberships and wishes that colliders of these trees ever had, together.
+    groups: Option<InteractionGroups>,
     pub(crate) seal: Seal,
 }
 
@@ -166,6 +168,12 @@ impl BroadPhaseBvh {
     /// Must a collider of this kind look for neighbours among those of the other?
     pub(crate) fn may_meet(&self, kind1: TreeKind, kind2: TreeKind) -> bool {
         self.fixed_meet || kind1 == TreeKind::Movable || kind2 == TreeKind::Movable
+    }
+
+    /// May a collider of these groups meet any other? Those that are there only to be found by queries, such as debris that
+    /// nothing collides with, need not look around.
+    pub(crate) fn may_meet_any(&self, groups: InteractionGroups) -> bool {
+        self.groups.is_some_and(|all| groups.test(all))
     }
 
     /// The boxes of one kind of colliders, by slot.

@@ -19,16 +19,22 @@ impl BroadPhaseBvh {
         if !collider.is_enabled() {
             return self.remove(handle.into_raw_parts().0, &mut collider.proxy);
         }
-        let kind = kind_of(body);
+        self.note_wishes(collider, body);
+        let margin = margin_of(collider, body, params);
+        let tight = shape_box(collider.shape(), &collider.pose);
+        self.place(handle, &mut collider.proxy, kind_of(body), &tight, &margin)
+    }
+
+    /// Takes in whom a collider may meet, so that no search is spared that might find somebody.
+    pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
         self.has_kinematics |= body.is_some_and(RigidBody::is_kinematic);
         self.has_sensors |= collider.is_sensor();
-        if kind == TreeKind::Fixed {
+        let groups = collider.collision_groups();
+        self.groups = Some(self.groups.map_or(groups, |all| all.union(groups)));
+        if kind_of(body) == TreeKind::Fixed {
             let types = collider.active_collision_types();
             self.fixed_meet |= types.intersects(ActiveCollisionTypes::FIXED_FIXED);
         }
-        let margin = margin_of(collider, body, params);
-        let tight = shape_box(collider.shape(), &collider.pose);
-        self.place(handle, &mut collider.proxy, kind, &tight, &margin)
     }
 }
 

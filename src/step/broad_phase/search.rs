@@ -48,6 +48,9 @@ impl<K: KnownPairs> Search<'_, K> {
                 // The collider may be gone since it moved, or disabled.
                 let Some((handle, collider)) = self.colliders.at_slot(slot) else { continue };
                 let Some(kind) = collider.proxy.tree else { continue };
+                if !self.tree.may_meet_any(collider.collision_groups()) {
+                    continue;
+                }
                 self.look_around(Seeker { slot, handle, collider, kind }, &mut found);
             }
             finds.put(found);

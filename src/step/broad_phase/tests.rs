@@ -66,6 +66,14 @@ impl Boxes {
         self.tree.follow(handle, collider, body, &self.params);
     }
 
+    /// What the step does for a collider whose groups or kinds of partners the user changed.
+    fn look_again(&mut self, handle: ColliderHandle) {
+        let collider = self.colliders.get_mut(handle).unwrap();
+        let body = collider.parent().and_then(|body| self.bodies.get(body));
+        self.tree.note_wishes(collider, body);
+        self.tree.mark_moved(handle.into_raw_parts().0);
+    }
+
     fn remove(&mut self, handle: ColliderHandle) {
         let (slot, _) = handle.into_raw_parts();
         self.tree.remove_slot(slot);
@@ -122,12 +130,12 @@ fn what_cannot_interact_is_no_pair() {
     assert_eq!(boxes.find(), [], "groups do not meet, and kinematic meets fixed only on request");
 
     boxes.colliders.get_mut(first).unwrap().set_collision_groups(InteractionGroups::all());
-    boxes.tree.mark_moved(first.into_raw_parts().0);
+    boxes.look_again(first);
     assert_eq!(boxes.find(), [(ground, first), (first, second)]);
 
     let collider = boxes.colliders.get_mut(ground).unwrap();
     collider.set_active_collision_types(ActiveCollisionTypes::all());
-    boxes.tree.mark_moved(ground.into_raw_parts().0);
+    boxes.look_again(ground);
     assert_eq!(boxes.find(), [(ground, second)]);
 }
 
@@ -139,8 +147,7 @@ fn fixed_colliders_meet_on_request() {
     assert_eq!(boxes.find(), []);
     let collider = boxes.colliders.get_mut(second).unwrap();
     collider.set_active_collision_types(ActiveCollisionTypes::all());
-    boxes.put(second, Vector::ZERO);
-    boxes.tree.mark_moved(second.into_raw_parts().0);
+    boxes.look_again(second);
     assert_eq!(boxes.find(), [(first, second)]);
     let third = boxes.cube(Vector::ZERO, None);
     assert_eq!(boxes.find(), [(second, third)], "the one that asked is found by the one that came");

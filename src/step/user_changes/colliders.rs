@@ -16,6 +16,8 @@ impl Digest<'_> {
         collider.replace_broken_shape();
         let changes = std::mem::take(&mut collider.changes);
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
+        let body = parent.and_then(|parent| self.structure.bodies.get(parent));
+        self.tree.note_wishes(collider, body);
 
         // What is another kind of pair, or of other bodies, cannot be kept.
         let identity =

@@ -1,13 +1,12 @@
 //! Bodies and colliders that are gone.
 
 use super::Digest;
-use crate::model::body::RigidBodyHandle;
-use crate::model::collider::ColliderHandle;
+use crate::model::body::{AttachedColliders, RigidBodyHandle};
 use crate::model::event::CollisionEventFlags;
 
 impl Digest<'_> {
     /// All colliders that are attached to a body, by their own account.
-    pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> Vec<ColliderHandle> {
+    pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> AttachedColliders {
         let colliders = self.structure.colliders.iter();
         let attached = colliders.filter(|(_, collider)| collider.parent() == Some(body));
         attached.map(|(handle, _)| handle).collect()

@@ -61,7 +61,7 @@ fn a_removed_body_leaves_word_of_its_colliders() {
     let body = bodies.remove(handle).expect("it is there");
     assert!(body.colliders().is_empty());
     let removed = bodies.take_removed();
-    assert_eq!((removed[0].0, &removed[0].1), (handle, &Some(vec![collider])));
+    assert_eq!((removed[0].0, &removed[0].1), (handle, &Some(smallvec::smallvec![collider])));
 
     let inserted = bodies.insert(copy);
     assert!(bodies[inserted].colliders().is_empty(), "a copy has no colliders");

@@ -4,7 +4,7 @@ use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, tumble};
-use crate::dim::state::{BodyState, WideMotion, load_states, store_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
 use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
 
@@ -64,8 +64,8 @@ impl Kernel for Accelerate<'_> {
     fn run<W: Wide>(self) -> usize {
         let (warmth, mut limited) = (W::splat(self.warmth), 0);
         for Movers { states, before, motions } in self.bodies.chunks() {
-            let [old, unmoved] = load_states::<W>(before);
-            let [velocity, displacement] = load_states::<W>(states);
+            let (old, unmoved) = load_states::<W>(before);
+            let (velocity, displacement) = load_states::<W>(states);
             let linear = (velocity.linear - old.linear) * warmth;
             let angular = (velocity.angular - old.angular) * warmth;
             let start = if self.is_first { old } else { velocity };
@@ -73,10 +73,10 @@ impl Kernel for Accelerate<'_> {
             let (slow, are_faster) = free.linear.clamped(self.speed_max);
             free.linear = slow;
             limited += are_faster.count_ones() as usize;
-            store_states(before, [free, unmoved]);
+            store_states(before, (free, unmoved));
             let linear = free.linear + linear;
             let angular = free.angular + angular;
-            store_states(states, [WideMotion { linear, angular }, displacement]);
+            store_states(states, (WideMotion { linear, angular }, displacement));
         }
         limited
     }
@@ -95,15 +95,15 @@ impl Kernel for Advance<'_> {
     fn run<W: Wide>(self) {
         let h = W::splat(self.h);
         for Movers { states, before, motions } in self.bodies.chunks() {
-            let [mut velocity, mut displacement] = load_states::<W>(states);
-            displacement.linear = displacement.linear + velocity.linear * h;
-            displacement.angular = turned_further(displacement.angular, velocity.angular * h);
+            let (mut velocity, moved) = load_states::<W>(states);
+            let linear = moved.linear + velocity.linear * h;
+            let angular = turned_further(moved.angular, velocity.angular * h);
             if motions.iter().any(FreeMotion::tumbles) {
-                let [mut old, unmoved] = load_states::<W>(before);
+                let (mut old, unmoved) = load_states::<W>(before);
                 tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
-                store_states(before, [old, unmoved]);
+                store_states(before, (old, unmoved));
             }
-            store_states(states, [velocity, displacement]);
+            store_states(states, (velocity, WideDisplacement::new(linear, angular)));
         }
     }
 }

@@ -46,7 +46,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     #[inline(always)]
     pub fn separations(&self) -> [W; MAX_MANIFOLD_POINTS] {
         let c = WideVector::load(&self.block.offset);
-        let row = NormalRow::new(&Frame::load(self.block), c, self.bodies.displacements);
+        let row = NormalRow::new(&Frame::load(self.block), c, self.bodies.moved());
         let mut separations = values_at(self.block, row);
         for (separation, point) in separations.iter_mut().zip(&self.block.points) {
             *separation = *separation + W::load(&point.separation);

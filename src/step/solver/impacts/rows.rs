@@ -5,7 +5,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, gather_states, scatter_states};
 use crate::model::params::ImpactPass;
 
 /// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
@@ -230,10 +230,10 @@ impl ImpactBlock {
         for indices in &block.bodies {
             // SAFETY: the caller's promise.
             unsafe {
-                let [mut motion, displacement]: [WideMotion<W>; 2] = gather_states(delays, indices);
+                let (mut motion, displacement) = gather_states::<W>(delays, indices);
                 motion.linear.x = motion.linear.x + weight;
                 motion.linear.y = motion.linear.y + moment;
-                scatter_states(delays, indices, [motion, displacement]);
+                scatter_states(delays, indices, (motion, displacement));
             }
         }
     }

@@ -8,8 +8,7 @@ use crate::dim::joint::{
     locked_rotations,
 };
 use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
-use crate::dim::state::WideMotion;
-use crate::dim::turn::{turned_frame, turned_lever};
+use crate::dim::state::WideDisplacement;
 use crate::dim::wide::{WideAngVector, WideRotation, WideVector, ang_dot, load_ang, torque};
 
 /// Frames and levers of a block's joints after the bodies have moved.
@@ -30,16 +29,17 @@ pub(super) struct Geometry<W> {
 impl<W: Wide> Geometry<W> {
     /// After these displacements since the step began.
     #[inline(always)]
-    pub fn new(block: &JointBlock, displacements: &[WideMotion<W>; 2]) -> Self {
+    pub fn new(block: &JointBlock, displacements: &[WideDisplacement<W>; 2]) -> Self {
         let [d1, d2] = displacements;
+        let (turn1, turn2) = (d1.rotation(), d2.rotation());
         let old1 = WideVector::load(&block.levers[0]);
         let old2 = WideVector::load(&block.levers[1]);
-        let (lever1, lever2) = (turned_lever(old1, d1.angular), turned_lever(old2, d2.angular));
+        let (lever1, lever2) = (turn1.rotate(old1), turn2.rotate(old2));
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
             + ((lever2 - old2) - (lever1 - old1));
-        let frame1 = turned_frame(WideRotation::load(&block.frames[0]), d1.angular);
-        let frame2 = turned_frame(WideRotation::load(&block.frames[1]), d2.angular);
+        let frame1 = turn1.times(WideRotation::load(&block.frames[0]));
+        let frame2 = turn2.times(WideRotation::load(&block.frames[1]));
         let axes = axes(frame1);
         let (errors, directions) = locked_rotations(frame1, frame2, &axes);
         let mut along = [W::zero(); DIM];

@@ -8,7 +8,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
 use crate::dim::turn::turned_further;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
@@ -18,7 +18,7 @@ use crate::model::params::JointPass;
 /// Velocities and displacements of a block's two bodies.
 pub(super) struct Bodies<W> {
     pub velocities: [WideMotion<W>; 2],
-    pub displacements: [WideMotion<W>; 2],
+    pub displacements: [WideDisplacement<W>; 2],
 }
 
 impl<W: Wide> Bodies<W> {
@@ -27,7 +27,7 @@ impl<W: Wide> Bodies<W> {
     #[inline(always)]
     pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
         // SAFETY: the caller's promise.
-        let ([v1, d1], [v2, d2]) = unsafe {
+        let ((v1, d1), (v2, d2)) = unsafe {
             (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
         };
         Self { velocities: [v1, v2], displacements: [d1, d2] }
@@ -40,8 +40,8 @@ impl<W: Wide> Bodies<W> {
         let ([v1, v2], [d1, d2]) = (self.velocities, self.displacements);
         // SAFETY: the caller's promise.
         unsafe {
-            scatter_states(states, &block.bodies[0], [v1, d1]);
-            scatter_states(states, &block.bodies[1], [v2, d2]);
+            scatter_states(states, &block.bodies[0], (v1, d1));
+            scatter_states(states, &block.bodies[1], (v2, d2));
         }
     }
 }
@@ -186,8 +186,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
-        let [d1, d2] = &bodies.displacements;
-        block.inertias.turn([d1.angular, d2.angular]);
+        block.inertias.turn(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::new(block, &geometry);
@@ -441,14 +440,14 @@ pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
 
 #[inline(always)]
 fn advanced<W: Wide>(
-    displacement: &WideMotion<W>,
+    displacement: &WideDisplacement<W>,
     velocity: &WideMotion<W>,
     h: W,
-) -> WideMotion<W> {
-    WideMotion {
-        linear: displacement.linear + velocity.linear * h,
-        angular: turned_further(displacement.angular, velocity.angular * h),
-    }
+) -> WideDisplacement<W> {
+    WideDisplacement::new(
+        displacement.linear + velocity.linear * h,
+        turned_further(displacement.angular, velocity.angular * h),
+    )
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.

@@ -6,7 +6,6 @@ use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::joint::{JointedInertias, axes, from_numbers, numbers, point_response};
 use crate::dim::math::{DIM, Real};
 use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
-use crate::dim::turn::{turned_frame, turned_lever};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ang_lane, cross,
     load_ang, mul_inertia, set_ang_lane, store_ang, torque,
@@ -148,7 +147,7 @@ fn moments_of<W: Wide>(
 #[inline(always)]
 pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &DisjointMut<BodyState>) {
     // SAFETY: the caller's promise.
-    let ([v1, d1], [v2, d2]) = unsafe {
+    let ((v1, d1), (v2, d2)) = unsafe {
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
     };
     let mut velocities = [v1, v2];
@@ -160,8 +159,8 @@ pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &Disjoint
     let [v1, v2] = velocities;
     // SAFETY: the caller's promise.
     unsafe {
-        scatter_states(states, &block.bodies[0], [v1, d1]);
-        scatter_states(states, &block.bodies[1], [v2, d2]);
+        scatter_states(states, &block.bodies[0], (v1, d1));
+        scatter_states(states, &block.bodies[1], (v2, d2));
     }
 }
 
@@ -176,16 +175,16 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
     pass: &PinPass,
 ) {
     // SAFETY: the caller's promise.
-    let ([v1, d1], [v2, d2]) = unsafe {
+    let ((v1, d1), (v2, d2)) = unsafe {
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
     };
     let mut velocities = [v1, v2];
     if !BIASED {
-        block.inertias.turn([d1.angular, d2.angular]);
+        block.inertias.turn(&[d1, d2]);
     }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.levers);
-    let levers = [turned_lever(old[0], d1.angular), turned_lever(old[1], d2.angular)];
+    let levers = [d1.rotation().rotate(old[0]), d2.rotation().rotate(old[1])];
     let impulse = WideVector::<W>::load(&block.impulse);
     let mut turned = [load_ang::<W>(&block.turned[0]), load_ang(&block.turned[1])];
     if BIASED {
@@ -220,8 +219,8 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
     let [v1, v2] = velocities;
     // SAFETY: the caller's promise.
     unsafe {
-        scatter_states(states, &block.bodies[0], [v1, d1]);
-        scatter_states(states, &block.bodies[1], [v2, d2]);
+        scatter_states(states, &block.bodies[0], (v1, d1));
+        scatter_states(states, &block.bodies[1], (v2, d2));
     }
 }
 
@@ -232,9 +231,9 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
 #[inline(always)]
 pub(super) unsafe fn turn_back<W: Wide>(block: &mut PinBlock, states: &DisjointMut<BodyState>) {
     // SAFETY: the caller's promise.
-    let [_, moved] = unsafe { gather_states::<W>(states, &block.bodies[0]) };
+    let (_, moved) = unsafe { gather_states::<W>(states, &block.bodies[0]) };
     let impulse = WideVector::<W>::load(&block.impulse);
-    let axes = axes(turned_frame(WideRotation::load(&block.frame), moved.angular));
+    let axes = axes(moved.rotation().times(WideRotation::load(&block.frame)));
     let mut along = [W::zero(); DIM];
     for (along, axis) in along.iter_mut().zip(&axes) {
         *along = axis.dot(impulse);
