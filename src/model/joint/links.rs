@@ -31,6 +31,11 @@ impl JointForm {
         Self { locked: joint.locked_axes.bits(), driven, is_pin }
     }
 
+    /// Does it lock a rotation?
+    pub fn locks_rotations(self) -> bool {
+        self.locked & JointAxesMask::ANG_AXES.bits() != 0
+    }
+
     /// Number of rows of locked axes.
     pub fn row_count(self) -> usize {
         self.locked.count_ones() as usize

@@ -62,6 +62,9 @@ pub(super) struct JointBlock {
     /// Is any lane solved exactly, and any in sweeps?
     pub has_exact: bool,
     pub has_swept: bool,
+    /// Is any lane a spring, and does any lock a rotation?
+    pub has_springs: bool,
+    pub locks_rotations: bool,
 }
 
 impl JointBlock {
@@ -92,6 +95,8 @@ impl JointBlock {
             row_count: 0,
             has_exact: false,
             has_swept: false,
+            has_springs: false,
+            locks_rotations: false,
         }
     };
 

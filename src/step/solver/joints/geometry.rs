@@ -56,6 +56,14 @@ impl<W: Wide> Geometry<W> {
         }
     }
 
+    /// The first rows: all, or those of the translations alone.
+    #[inline(always)]
+    pub fn first_rows<const N: usize>(&self) -> [Row<W>; N] {
+        let mut rows = [Row::zero(); N];
+        rows.copy_from_slice(&self.rows()[..N]);
+        rows
+    }
+
     /// The errors of all axes if they were locked.
     #[inline(always)]
     pub fn errors(&self) -> [W; SPATIAL_DIM] {

@@ -89,14 +89,18 @@ impl SolverJoints {
         self.pins.clear();
         let mut rest = self.members.as_slice();
         for &(color, count) in &self.colors {
-            let (members, others) = rest.split_at(count);
+            let (members, later) = rest.split_at(count);
             let is_pin =
                 |member: &&Member| member.form.is_pin && !self.direct.contains(member.slot);
             let slots = |member: &Member| member.slot;
             let seat = |member: &Member| Seat { slot: member.slot, driven: member.form.driven };
             self.pins.add(color, members.iter().filter(is_pin).map(slots));
-            self.layout.add(color, members.iter().filter(|member| !is_pin(member)).map(seat));
-            rest = others;
+            // Blocks that lock no rotation have half of the rows.
+            let turning = members.iter().filter(|member| !member.form.locks_rotations());
+            let turning = turning.filter(|member| !is_pin(member));
+            let others = members.iter().filter(|member| member.form.locks_rotations());
+            self.layout.add(color, turning.chain(others).map(seat));
+            rest = later;
         }
     }
 
@@ -273,6 +277,8 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
     block.yields.0[lane] = if is_spring { yields } else { yields.max(SWEPT_YIELD) };
     block.swept.0[lane] = 1.0;
+    block.has_springs |= is_spring;
+    block.locks_rotations |= joint.data.locked_axes.intersects(JointAxesMask::ANG_AXES);
     for axis in JointAxis::ALL {
         let locked = joint.data.locked_axes.contains(mask_of(axis));
         block.locked[axis as usize].0[lane] = if locked { 1.0 } else { 0.0 };

@@ -46,38 +46,27 @@ impl<W: Wide> Bodies<W> {
     }
 }
 
-/// The locked axes of a block at the moment when it is solved.
-pub(super) struct Locked<W> {
-    pub rows: [Row<W>; SPATIAL_DIM],
-    locked: [W; SPATIAL_DIM],
+/// The locked axes of a block at the moment when it is solved: as many as may be, or the translations alone.
+struct Locked<W, const N: usize> {
+    rows: [Row<W>; N],
+    locked: [W; N],
 }
 
-impl<W: Wide> Locked<W> {
+impl<W: Wide, const N: usize> Locked<W, N> {
     #[inline(always)]
-    pub fn new(block: &JointBlock, geometry: &Geometry<W>) -> Self {
-        let mut locked = [W::zero(); SPATIAL_DIM];
+    fn new(block: &JointBlock, geometry: &Geometry<W>) -> Self {
+        let mut locked = [W::zero(); N];
         for (locked, lane) in locked.iter_mut().zip(&block.locked) {
             *locked = W::load(lane);
         }
-        Self { rows: geometry.rows(), locked }
-    }
-
-    /// `K_ll`, the matrix of the locked axes.
-    #[inline(always)]
-    fn matrix(&self, masses: &Masses<W>) -> Factored<W, SPATIAL_DIM> {
-        Factored::new(masses.coupling(&self.rows, &self.locked))
+        Self { rows: geometry.first_rows(), locked }
     }
 
     /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
     #[inline(always)]
-    fn shares_of(
-        &self,
-        row: &Row<W>,
-        masses: &Masses<W>,
-        matrix: &Factored<W, SPATIAL_DIM>,
-    ) -> [W; SPATIAL_DIM] {
+    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>, matrix: &Factored<W, N>) -> [W; N] {
         let mut coupled = masses.couplings(&self.rows, row);
-        for k in 0..SPATIAL_DIM {
+        for k in 0..N {
             coupled[k] = coupled[k] * self.locked[k];
         }
         matrix.solve(coupled)
@@ -107,7 +96,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    let locked = Locked::new(block, &geometry);
+    let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
     for (k, direction) in geometry.directions.iter().enumerate() {
         let along = ang_dot(*direction, couple) * locked.locked[DIM + k];
@@ -149,11 +138,11 @@ unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRo
 /// # Safety
 /// Nobody may write to the block's rows meanwhile.
 #[inline(always)]
-unsafe fn wrench_of<W: Wide>(
+unsafe fn wrench_of<W: Wide, const N: usize>(
     block: &JointBlock,
     rows: &DisjointMut<AxisRow>,
     geometry: &Geometry<W>,
-    locked: &Locked<W>,
+    locked: &Locked<W, N>,
 ) -> Wrench<W> {
     let mut wrench = locked.wrench(block);
     for index in block.first_row..block.first_row + block.row_count {
@@ -183,13 +172,34 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
+    unsafe {
+        // Without locked rotations the numbers are the same, but for half of the work.
+        match block.locks_rotations {
+            true => visit_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
+            false => visit_rows::<W, AHEAD, DIM>(block, rows, states, pass),
+        }
+    }
+}
+
+/// As [`visit`], for a block whose first `N` axes alone may be locked.
+///
+/// # Safety
+/// As [`visit`].
+#[inline(always)]
+unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
+    block: &mut JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    states: &DisjointMut<BodyState>,
+    pass: &JointPass,
+) {
+    // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
         block.inertias.turn(&bodies.displacements);
     }
     let masses = Masses::load(block);
-    let locked = Locked::new(block, &geometry);
+    let locked = Locked::<W, N>::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
     if AHEAD {
@@ -202,20 +212,11 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
         wrench = turned;
     }
     let before = wrench;
-    if block.row_count > 0 {
-        let joint =
-            JointNow { matrix: locked.matrix(&masses), geometry: &geometry, masses: &masses };
-        for index in block.first_row..block.first_row + block.row_count {
-            // SAFETY: the caller's promise.
-            let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, AHEAD>(row, block, &joint, &locked, &bodies, pass);
-            bodies.velocities = masses.push(&added, bodies.velocities);
-            wrench = wrench.plus(&added);
-        }
-    }
-    if block.has_swept {
-        let added = solve_locked::<W, AHEAD>(block, &geometry, &masses, &locked, &bodies);
-        bodies.velocities = masses.push(&added, bodies.velocities);
+    if block.row_count > 0 || block.has_swept {
+        let coupling = masses.coupling(&locked.rows, &locked.locked);
+        let joint = JointNow { geometry: &geometry, masses: &masses, locked: &locked, coupling };
+        // SAFETY: the caller's promise.
+        let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
     }
 
@@ -261,12 +262,45 @@ pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [Wid
     store_turned(turned, block);
 }
 
-/// What the free axes of a block share at the moment when they are solved.
-struct JointNow<'a, W> {
+/// What the axes of a block share at the moment when they are solved.
+struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
     masses: &'a Masses<W>,
-    /// See [`Locked::matrix`].
-    matrix: Factored<W, SPATIAL_DIM>,
+    locked: &'a Locked<W, N>,
+    /// `K_ll`, the matrix of the locked axes.
+    coupling: [[W; N]; N],
+}
+
+/// Solves free axes, then locked ones; returns what they add.
+///
+/// # Safety
+/// Nobody else may touch the block's rows meanwhile.
+#[inline(always)]
+unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
+    block: &mut JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    joint: &JointNow<'_, W, N>,
+    bodies: &mut Bodies<W>,
+    pass: &JointPass,
+) -> Wrench<W> {
+    let (mut wrench, mut matrix) = (Wrench::zero(), None);
+    if block.row_count > 0 {
+        let factored = Factored::new(joint.coupling);
+        for index in block.first_row..block.first_row + block.row_count {
+            // SAFETY: the caller's promise; the block's rows are in range.
+            let row = unsafe { rows.get_mut(index) };
+            let added = solve_free::<W, AHEAD, N>(row, block, (joint, &factored), bodies, pass);
+            bodies.velocities = joint.masses.push(&added, bodies.velocities);
+            wrench = wrench.plus(&added);
+        }
+        matrix = Some(factored);
+    }
+    if block.has_swept {
+        let added = solve_locked::<W, AHEAD, N>(block, (joint, matrix.as_ref()), bodies);
+        bodies.velocities = joint.masses.push(&added, bodies.velocities);
+        wrench = wrench.plus(&added);
+    }
+    wrench
 }
 
 /// Solves motor and limits of a free axis; returns what they add.
@@ -275,17 +309,16 @@ struct JointNow<'a, W> {
 /// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
 /// the other in sweeps.
 #[inline(always)]
-fn solve_free<W: Wide, const AHEAD: bool>(
+fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     row: &mut AxisRow,
     block: &mut JointBlock,
-    joint: &JointNow<'_, W>,
-    locked: &Locked<W>,
+    (joint, matrix): (&JointNow<'_, W, N>, &Factored<W, N>),
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
-    let shares = locked.shares_of(&along, joint.masses, &joint.matrix);
-    for (locked, share) in locked.rows.iter().zip(shares) {
+    let shares = joint.locked.shares_of(&along, joint.masses, matrix);
+    for (locked, share) in joint.locked.rows.iter().zip(shares) {
         along = along.minus(locked, share);
     }
     let effective = joint.masses.effective(&along);
@@ -305,36 +338,40 @@ fn solve_free<W: Wide, const AHEAD: bool>(
     wrench
 }
 
-/// Solves all locked axes together; returns what they add.
+/// Solves all locked axes together; returns what they add. The `matrix` is that without yield, if it is known.
 #[inline(always)]
-fn solve_locked<W: Wide, const AHEAD: bool>(
+fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
-    geometry: &Geometry<W>,
-    masses: &Masses<W>,
-    Locked { rows, locked }: &Locked<W>,
+    (joint, matrix): (&JointNow<'_, W, N>, Option<&Factored<W, N>>),
     bodies: &Bodies<W>,
 ) -> Wrench<W> {
+    let (Locked { rows, locked }, mut coupling) = (joint.locked, joint.coupling);
     let mut wanted = if AHEAD {
-        rates_with_bias(block, geometry, rows, bodies)
+        rates_with_bias(block, joint.geometry, rows, bodies)
     } else {
         rates_here(block, rows, bodies)
     };
-    let swept = W::load(&block.swept);
-    let mut solved = [W::zero(); SPATIAL_DIM];
-    for k in 0..SPATIAL_DIM {
-        solved[k] = locked[k] * swept;
-        wanted[k] = wanted[k] * solved[k];
+    let (swept, one) = (W::load(&block.swept), W::splat(1.0));
+    for k in 0..N {
+        wanted[k] = wanted[k] * (locked[k] * swept);
     }
-    let mut coupling = masses.coupling(rows, &solved);
-    let yields = yields_of::<W, AHEAD>(block);
-    for k in 0..SPATIAL_DIM {
-        let soft = coupling[k][k] * yields * solved[k];
-        coupling[k][k] = coupling[k][k] + soft;
-        wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
-    }
-    let change = Factored::new(coupling).solve(wanted);
+    let yields_none = !(AHEAD || block.has_springs || block.has_exact);
+    let change = if let (true, Some(matrix)) = (yields_none, matrix) {
+        matrix.solve(wanted)
+    } else {
+        let yields = yields_of::<W, AHEAD>(block);
+        for k in 0..N {
+            for m in 0..k {
+                coupling[k][m] = coupling[k][m] * swept;
+            }
+            let soft = coupling[k][k] * yields * (locked[k] * swept);
+            coupling[k][k] = (coupling[k][k] * swept + (one - swept)) + soft;
+            wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
+        }
+        Factored::new(coupling).solve(wanted)
+    };
     let mut wrench = Wrench::zero();
-    for k in 0..SPATIAL_DIM {
+    for k in 0..N {
         let added = -change[k];
         (W::load(&block.impulses[k]) + added).store(&mut block.impulses[k]);
         wrench.add(&rows[k], added);
@@ -400,15 +437,15 @@ impl<W: Wide> LookAhead<W> {
 /// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
 /// ahead, which would feed the errors that sweeps leave back into them.
 #[inline(always)]
-fn rates_with_bias<W: Wide>(
+fn rates_with_bias<W: Wide, const N: usize>(
     block: &mut JointBlock,
     geometry: &Geometry<W>,
-    rows: &[Row<W>; SPATIAL_DIM],
+    rows: &[Row<W>; N],
     bodies: &Bodies<W>,
-) -> [W; SPATIAL_DIM] {
+) -> [W; N] {
     let (errors, bias_rate) = (geometry.errors(), W::load(&block.bias_rate));
-    let mut rates = [W::zero(); SPATIAL_DIM];
-    for k in 0..SPATIAL_DIM {
+    let mut rates = [W::zero(); N];
+    for k in 0..N {
         let bias = errors[k] * bias_rate;
         bias.store(&mut block.held_bias[k]);
         rates[k] = rows[k].rate(&bodies.velocities) + bias;
@@ -418,14 +455,14 @@ fn rates_with_bias<W: Wide>(
 
 /// The rates of the rows in the relax pass; springs pull as they did in the solve pass.
 #[inline(always)]
-pub(super) fn rates_here<W: Wide>(
+pub(super) fn rates_here<W: Wide, const N: usize>(
     block: &JointBlock,
-    rows: &[Row<W>; SPATIAL_DIM],
+    rows: &[Row<W>; N],
     bodies: &Bodies<W>,
-) -> [W; SPATIAL_DIM] {
+) -> [W; N] {
     let is_spring = W::load(&block.is_spring);
-    let mut rates = [W::zero(); SPATIAL_DIM];
-    for k in 0..SPATIAL_DIM {
+    let mut rates = [W::zero(); N];
+    for k in 0..N {
         rates[k] = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]) * is_spring;
     }
     rates
@@ -462,13 +499,13 @@ fn add_to_totals<W: Wide>(block: &mut JointBlock, geometry: &Geometry<W>, wrench
 
 /// Notes the couple of the angular impulses in the first frame, where it means the same in the next step.
 #[inline(always)]
-pub(super) fn store_couple<W: Wide>(block: &mut JointBlock, rows: &[Row<W>; SPATIAL_DIM]) {
+pub(super) fn store_couple<W: Wide, const N: usize>(block: &mut JointBlock, rows: &[Row<W>; N]) {
     let mut couple = load_ang::<W>(&ANG_ZERO_LANES);
     let mut axes = [WideVector::zero(); DIM];
     for k in 0..DIM {
         axes[k] = rows[k].linear;
     }
-    for k in DIM..SPATIAL_DIM {
+    for k in DIM..N {
         couple = couple + rows[k].angular[1] * W::load(&block.impulses[k]);
     }
     store_ang(angular_to_frame(&axes, couple), &mut block.couple);

@@ -2,7 +2,7 @@
 
 use super::block::{JointBlock, Wrench};
 use crate::base::wide::{Lane, Wide};
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::math::Real;
 use crate::dim::state::WideMotion;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ang_dot, load_ang, mul_inertia,
@@ -80,9 +80,9 @@ impl<W: Wide> Masses<W> {
 
     /// `J M⁻¹ Jᵀ` of several rows with another.
     #[inline(always)]
-    pub fn couplings(&self, rows: &[Row<W>; SPATIAL_DIM], other: &Row<W>) -> [W; SPATIAL_DIM] {
+    pub fn couplings<const N: usize>(&self, rows: &[Row<W>; N], other: &Row<W>) -> [W; N] {
         let response = self.response(other);
-        let mut couplings = [W::zero(); SPATIAL_DIM];
+        let mut couplings = [W::zero(); N];
         for (coupling, row) in couplings.iter_mut().zip(rows) {
             *coupling = dot(row, &response);
         }
@@ -91,13 +91,9 @@ impl<W: Wide> Masses<W> {
 
     /// `J M⁻¹ Jᵀ` of all locked axes; a row that is not locked is alone, with one on the diagonal.
     #[inline(always)]
-    pub fn coupling(
-        &self,
-        rows: &[Row<W>; SPATIAL_DIM],
-        locked: &[W; SPATIAL_DIM],
-    ) -> [[W; SPATIAL_DIM]; SPATIAL_DIM] {
-        let mut k = [[W::zero(); SPATIAL_DIM]; SPATIAL_DIM];
-        for i in 0..SPATIAL_DIM {
+    pub fn coupling<const N: usize>(&self, rows: &[Row<W>; N], locked: &[W; N]) -> [[W; N]; N] {
+        let mut k = [[W::zero(); N]; N];
+        for i in 0..N {
             let response = self.response(&rows[i]);
             for j in 0..=i {
                 k[i][j] = dot(&rows[j], &response) * (locked[i] * locked[j]);
