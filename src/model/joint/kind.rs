@@ -220,6 +220,19 @@ macro_rules! joint_motor_methods {
                 $($name: $type,)? max_force: $crate::dim::math::Real
             );
         }
+        impl $builder {
+            /// The same as [`Self::set_motor`].
+            pub fn motor(
+                self,
+                $($name: $type,)?
+                target_pos: $crate::dim::math::Real,
+                target_vel: $crate::dim::math::Real,
+                stiffness: $crate::dim::math::Real,
+                damping: $crate::dim::math::Real,
+            ) -> Self {
+                self.set_motor($($name,)? target_pos, target_vel, stiffness, damping)
+            }
+        }
     };
 }
 

@@ -16,6 +16,34 @@ pub enum MotorModel {
     ForceBased,
 }
 
+impl MotorModel {
+    /// What a motor with this stiffness and damping does in a step of `dt` seconds: the share of the distance that it covers
+    /// per second, and how much it yields, for motors of [accelerations](Self::AccelerationBased) in units of the inverse of
+    /// the mass that it moves (the second number; the third is 0), for motors of [forces](Self::ForceBased) as it is (the third
+    /// number; the second is 0).
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// let (rate, yields, _) = MotorModel::AccelerationBased.combine_coefficients(0.1, 100.0, 10.0);
+    /// assert_eq!((rate, yields), (5.0, 0.5)); // k / (dt k + c), 1 / (dt (dt k + c))
+    /// ```
+    pub fn combine_coefficients(
+        self,
+        dt: Real,
+        stiffness: Real,
+        damping: Real,
+    ) -> (Real, Real, Real) {
+        let inverse = |value: Real| if value == 0.0 { 0.0 } else { 1.0 / value };
+        let resistance = dt * stiffness + damping;
+        let rate = stiffness * inverse(resistance);
+        let yields = inverse(dt * resistance);
+        match self {
+            Self::AccelerationBased => (rate, yields, 0.0),
+            Self::ForceBased => (rate, 0.0, yields),
+        }
+    }
+}
+
 /// Pulls a free axis of a joint towards a position, or to a velocity:
 ///
 /// ```text

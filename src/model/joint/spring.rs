@@ -28,9 +28,68 @@ impl SpringCoefficients {
         self.natural_frequency * (2.0 * core::f64::consts::PI as Real)
     }
 
+    /// The share of an error that the spring removes per second, in steps of `dt` seconds: `ω / (dt ω + 2 ζ)`.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// // A step that is much longer than the spring's period removes all of the error, and the spring does not yield.
+    /// let stiff = SpringCoefficients::new(1.0e6, 1.0);
+    /// assert!((stiff.erp(1.0 / 60.0) - 1.0).abs() < 1.0e-4);
+    /// assert!(stiff.cfm_coeff(1.0 / 60.0) < 1.0e-6);
+    /// ```
+    pub fn erp_inv_dt(&self, dt: Real) -> Real {
+        let omega = self.angular_frequency();
+        quotient(omega, dt * omega + 2.0 * self.damping_ratio)
+    }
+
+    /// The share of an error that the spring removes in a step of `dt` seconds.
+    pub fn erp(&self, dt: Real) -> Real {
+        dt * self.erp_inv_dt(dt)
+    }
+
+    /// How much the spring yields in a step of `dt` seconds, in units of the inverse of the mass that it moves:
+    /// `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
+    pub fn cfm_coeff(&self, dt: Real) -> Real {
+        let turn = dt * self.angular_frequency();
+        1.0 / (turn * (2.0 * self.damping_ratio + turn))
+    }
+
+    /// What is left of a constraint's mass by that: `1 / (1 + cfm_coeff)`.
+    pub fn cfm_factor(&self, dt: Real) -> Real {
+        1.0 / (1.0 + self.cfm_coeff(dt))
+    }
+
     /// Are both numbers usable?
     pub(super) fn check(&self) -> Result<(), InvalidJoint> {
         check_factor("the natural frequency of a joint", self.natural_frequency)?;
         check_factor("the damping ratio of a joint", self.damping_ratio)
+    }
+}
+
+/// Zero by zero is nothing here: a spring without frequency and damping pulls nothing.
+fn quotient(numerator: Real, denominator: Real) -> Real {
+    if denominator == 0.0 { 0.0 } else { numerator / denominator }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SpringCoefficients;
+    use crate::model::params::Softness;
+
+    /// The same numbers as those of the solver, whatever the spring; and none that is no number.
+    #[test]
+    fn springs_are_those_of_the_solver() {
+        let dt = 1.0 / 240.0;
+        for (frequency, ratio) in [(1.0, 0.0), (30.0, 1.0), (5.0, 10.0), (1.0e4, 0.5)] {
+            let spring = SpringCoefficients::new(frequency, ratio);
+            let softness = Softness::spring(spring.angular_frequency(), ratio, dt);
+            let near = |a: f64, b: f64| (a - b).abs() <= 1.0e-5 * b.abs();
+            assert!(near(spring.erp_inv_dt(dt).into(), softness.bias_rate.into()));
+            assert!(near(spring.cfm_coeff(dt).into(), softness.yields().into()));
+            let factor = f64::from(spring.cfm_factor(dt));
+            assert!(near(factor, 1.0 / (1.0 + f64::from(softness.yields()))));
+        }
+        let slack = SpringCoefficients::new(0.0, 0.0);
+        assert_eq!((slack.erp(dt), slack.cfm_factor(dt)), (0.0, 0.0));
     }
 }
