@@ -173,8 +173,9 @@ pub(crate) fn detect_collisions(
     }
     let mut panic = HeldPanic::default();
     let found = panic.hold(|| Tasks::open(|tasks| find_contacts(tasks, &mut parts, scratch)));
+    // Removals have changed the lists of who is awake even if a hook has panicked since.
+    parts.bodies.renew_places();
     if found.is_some() {
-        parts.bodies.renew_places();
         parts.islands.forget_motion();
         parts.narrow_phase.forget_step_impulses();
     }

@@ -28,6 +28,7 @@ mod way_back;
 
 pub(crate) use way_back::WayBack;
 
+use crate::base::hash::FastHashMap;
 use crate::base::measure::{CALM, FAR};
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
@@ -73,6 +74,8 @@ pub(crate) struct Quarantine {
     taken: Vec<(RigidBodyHandle, QuarantineCause)>,
     /// How often the step has failed.
     failures: usize,
+    /// How many events the attempts have told that failed.
+    told: usize,
 }
 
 impl Quarantine {
@@ -80,6 +83,7 @@ impl Quarantine {
     pub fn open(&mut self) {
         self.taken.clear();
         self.failures = 0;
+        self.told = 0;
     }
 
     /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be taken again.
@@ -107,6 +111,7 @@ impl Quarantine {
                 notes.clear_attempt();
             }
         }
+        self.told = notes.events.len();
         for &(handle, cause) in &self.taken {
             if let Some(body) = world.bodies.get_mut(handle) {
                 body.put_in_quarantine(cause);
@@ -117,7 +122,7 @@ impl Quarantine {
     /// Tells who was taken out. Returns how many.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
-            cancel_out(&mut notes.events);
+            cancel_out(&mut notes.events, self.told);
         }
         for &(handle, cause) in &self.taken {
             let Some(body) = bodies.get(handle) else { continue };
@@ -134,20 +139,21 @@ impl Quarantine {
     }
 }
 
-/// What began to touch in a failed step, and stopped because one of the two was taken out, did neither.
-fn cancel_out(events: &mut Vec<CollisionEvent>) {
-    let colliders = |event: &CollisionEvent| [event.collider1(), event.collider2()];
-    for index in (0..events.len()).rev() {
-        let Some(stopped) = events.get(index).copied().filter(|event| event.stopped()) else {
-            continue;
-        };
-        let is_start =
-            |event: &CollisionEvent| event.started() && colliders(event) == colliders(&stopped);
-        if let Some(start) = events[..index].iter().position(is_start) {
-            events.remove(index);
-            events.remove(start);
+/// What began to touch in a failed attempt, and stopped because one of the two was taken out, did neither. Attempts that failed have told the
+/// first `told` events; what began later, and stopped in the same step all the same (a sensor was passed), did both.
+fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
+    let mut began = FastHashMap::default();
+    let mut is_void = vec![false; events.len()];
+    for (index, event) in events.iter().enumerate() {
+        let pair = (event.collider1(), event.collider2());
+        if event.started() && index < told {
+            began.insert(pair, index);
+        } else if let Some(start) = began.remove(&pair) {
+            (is_void[start], is_void[index]) = (true, true);
         }
     }
+    let mut is_void = is_void.into_iter();
+    events.retain(|_| !is_void.next().unwrap_or_default());
 }
 
 /// Might the step that is about to begin fail?
@@ -219,4 +225,50 @@ fn mass_is_calm(mass: &ColliderMassProps) -> bool {
 fn motor_is_calm(motor: &JointMotor) -> bool {
     let numbers = [motor.stiffness, motor.damping, motor.target_pos, motor.target_vel];
     numbers.into_iter().all(|value| value.abs() <= CALM)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cancel_out;
+    use crate::model::collider::ColliderHandle;
+    use crate::model::event::{CollisionEvent, CollisionEventFlags};
+
+    fn pair(slot: u32) -> (ColliderHandle, ColliderHandle, CollisionEventFlags) {
+        let other = ColliderHandle::from_raw_parts(slot, 0);
+        (ColliderHandle::from_raw_parts(99, 0), other, CollisionEventFlags::empty())
+    }
+
+    fn started(slot: u32) -> CollisionEvent {
+        let (collider1, collider2, flags) = pair(slot);
+        CollisionEvent::Started(collider1, collider2, flags)
+    }
+
+    fn stopped(slot: u32) -> CollisionEvent {
+        let (collider1, collider2, flags) = pair(slot);
+        CollisionEvent::Stopped(collider1, collider2, flags)
+    }
+
+    #[test]
+    fn what_began_and_stopped_in_attempts_did_neither() {
+        let mut events = vec![
+            stopped(1),
+            started(2),
+            started(3),
+            stopped(2),
+            stopped(4),
+            started(4),
+            started(5),
+        ];
+        events.extend([stopped(4), stopped(3), started(1)]);
+        cancel_out(&mut events, 7);
+        assert_eq!(events, [stopped(1), stopped(4), started(5), started(1)]);
+    }
+
+    /// Nobody took back that it began: it was there, and is not any more.
+    #[test]
+    fn what_is_passed_after_all_attempts_is_told() {
+        let mut events = vec![started(1), stopped(1), started(2), stopped(2)];
+        cancel_out(&mut events, 1);
+        assert_eq!(events, [started(2), stopped(2)]);
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::super::listener::listen;
 use super::stage::Stage;
-use crate::dim::vec;
+use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::sync::mpsc::channel;
 
@@ -74,6 +74,25 @@ fn a_failure_out_of_the_blue() {
     for ball in [balls[0], balls[2]] {
         let body = &world.bodies[ball];
         assert!(body.is_enabled() && (body.translation().y - 0.5).abs() < 0.05);
+    }
+}
+
+/// A sensor that is passed within a step begins and ceases to be touched in it, whoever else is taken out in that step.
+#[test]
+fn a_sensor_that_is_passed_is_told_of_all_the_same() {
+    for force in [0.0, 1.0e30] {
+        let mut stage = Stage::new();
+        let gate = cuboid(0.01, 2.0).translation(vec(0.0, 80.0));
+        let gate = gate.sensor(true).active_events(ActiveEvents::COLLISION_EVENTS);
+        stage.world.insert_collider(gate, None);
+        let flyer = RigidBodyBuilder::dynamic().translation(vec(-2.0, 80.0));
+        // Four metres in this step, half of them before the gate.
+        stage.world.insert(flyer.linvel(vec(240.0, 0.0)), ColliderBuilder::ball(0.1));
+        stage.suspect().add_force(Vector::X * force, true);
+        let told = stage.step();
+        assert_eq!(told.quarantines.len(), usize::from(force > 0.0));
+        let passed = told.collisions.iter().filter(|event| event.sensor());
+        assert_eq!(passed.map(|event| event.started()).collect::<Vec<_>>(), [true, false]);
     }
 }
 

@@ -10,9 +10,6 @@
 //! * Overlap `d` is pushed out with up to [`IntegrationParameters::max_corrective_velocity`], which lifts by `d`.
 //!   Overlaps are as deep as one step goes, `v h`.
 //!
-//! Worlds whose joints make multibodies are only looked over for order: blows on chains of ball joints can still bring
-//! in energy.
-//!
 //! Both are shares of `v h / height` of the whole; together with rounding they are allowed [`SLACK`] of the energy
 //! that was there, and the energy of a fall over [`LIFT`] for each body.
 

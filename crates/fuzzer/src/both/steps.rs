@@ -17,6 +17,7 @@ pub fn step(play: &mut Play<'_>) -> usize {
     play.choices.tell(|| format!("step {manner} in mood {}", hooks.mood));
     let count = if manner == 0 { MANY } else { 1 };
     let mut in_order = true;
+    play.bystanders.look(&play.world);
     for _ in 0..count {
         in_order &= comes_to_its_end(|| match manner {
             1 | 2 => play.world.detect_collisions(&hooks, &play.witness),
@@ -36,6 +37,7 @@ pub fn step(play: &mut Play<'_>) -> usize {
         check(&play.world);
     }
     play.witness.check();
+    play.bystanders.look(&play.world);
     play.bystanders.check(&play.world);
     if refused {
         play.calm_down();

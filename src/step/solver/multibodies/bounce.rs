@@ -10,7 +10,9 @@
 //! did is no load for the next substep. But it turns on its way: `J`, `W` and the velocities of a substep's middle are not those
 //! of the time `τ` at which it is hit, and with them a blow would give energy. So it is moved on to that time, `q + τ q̇`, its velocities
 //! are flown back to it, the rows of the blows are made there, and behind the round all goes back the same way at the new
-//! velocities. A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
+//! velocities. Both halves of the flight are taken at the place of the blow, so that without one they cancel out to the last digit:
+//! one corner strikes, another one leans on the ground, rounds go by the dozen, and what each left behind would add up.
+//! A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
 //! back only if all its links move as one: that is farther than tangents are the way of a chain, and on the way forward
 //! links that were not hit would end up in the ground.
 //!
@@ -40,6 +42,8 @@ pub struct Blow {
     borne: Real,
     /// It hits where its velocity is below this.
     limit: Real,
+    /// Its velocity in the substep's middle when the round began.
+    middle: Real,
     /// Does it come fast, and not arrive in this substep?
     waits: bool,
     /// `1 / K` if it hits in this round.
@@ -340,14 +344,20 @@ impl Blow {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
         self.waits = comes && !arrives;
+        self.middle = velocity;
         if comes {
             self.time = (separation / -velocity).max(earliest).min(h);
         }
         comes && arrives
     }
 
-    /// Finds how it is to part.
+    /// Finds how it is to part, at the velocity that it has when it hits.
     fn aim(&mut self, velocity: Real, restitution: Real, pass: &ImpactPass) {
+        if velocity >= self.limit {
+            // It has parted by then, and only turns back on its way to the substep's middle, as it would in each further round.
+            self.mass = 0.0;
+            self.limit = self.middle - pass.threshold * NOTICED;
+        }
         let speed = (-velocity).max(0.0);
         let most = speed * BEND_MAX;
         let bend = self.accelerated * (self.time * pass.inv_substep - 0.5);
@@ -366,9 +376,9 @@ impl Moving {
     /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
     fn move_on(&mut self, time: Real, h: Real) {
         let rates = self.motion.rates.clone();
-        self.motion.fly_back(0.5 * h - time);
         self.displace(&rates, time);
         self.motion.resist(h);
+        self.motion.fly_back(0.5 * h - time);
         self.before_blow.ahead = Some(time);
     }
 

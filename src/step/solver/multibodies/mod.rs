@@ -58,7 +58,7 @@ pub(super) struct Moving {
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
     before_blow: BeforeBlow,
-    /// Do links turn so far in a substep that contacts must be followed?
+    /// Do links turn so far in a step that contacts must be followed from substep to substep?
     turns_far: bool,
     /// The energy that contacts may leave.
     energy: Real,
@@ -240,7 +240,7 @@ impl SolverMultibodies {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
-            moving.measure(h);
+            moving.measure(params.dt);
             for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
                 *pushed *= warmth;
                 *rate += *pushed;
@@ -338,9 +338,9 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    /// Finds out whether links turn far in a substep of `h` seconds, and what energy there is.
-    fn measure(&mut self, h: Real) {
-        self.turns_far = self.motion.turns_far(h);
+    /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and what energy there is.
+    fn measure(&mut self, dt: Real) {
+        self.turns_far = self.motion.turns_far(dt);
         if self.turns_far {
             self.energy = self.motion.energy_before_contacts();
         }
