@@ -135,6 +135,31 @@ mod tests {
         Vector::from_array([0; 3].map(|_| random.within(-size, size)))
     }
 
+    impl Kernel for WideVector<Lane> {
+        type Output = WideVector<Lane>;
+        #[inline(always)]
+        fn run<W: Wide>(mut self) -> WideVector<Lane> {
+            let (w, WideVector { x, y, z }) = quaternion(WideVector::<W>::load(&self));
+            rotation_vector(WideRotation { x, y, z, w }).store(&mut self);
+            self
+        }
+    }
+
+    /// The quaternion of a rotation vector leads back to it, up to half a turn: see [`rotation_vector`] for how near.
+    #[test]
+    fn rotation_vectors_come_back() {
+        for (angle, error) in
+            [(1.0e-4, 0.0), (0.1, 0.0), (1.0, 1.0e-9), (2.0, 2.0e-7), (3.1, 2.0e-5)]
+        {
+            let axis = Vector::new(2.0, -1.0, 2.0) / 3.0;
+            let mut turns = WideVector::ZERO;
+            turns.set_lane(1, axis * angle);
+            let back = Simd::detect().run(turns).lane(1);
+            let off = (back - axis * angle).length();
+            assert!(off <= error + 4.0 * Real::EPSILON * angle, "{off} rad of {angle}");
+        }
+    }
+
     /// Levers and inertias turn as the formulas for one body say, and turns that follow each other are composed: to
     /// third order, so for turns of up to 0.35 and 0.035 rad the error stays below the next term, 2e-5.
     #[test]
