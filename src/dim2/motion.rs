@@ -83,14 +83,15 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
+/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D. Returns the turn of each.
 #[inline(always)]
 pub(crate) fn tumble<W: Wide>(
     _bodies: &mut [FreeMotion],
-    _velocity: &mut WideAngVector<W>,
+    velocity: &mut WideAngVector<W>,
     _before: &mut WideAngVector<W>,
-    _h: Real,
-) {
+    h: Real,
+) -> WideAngVector<W> {
+    *velocity * W::splat(h)
 }
 
 /// The record of each body; no lane beyond them is looked at later.
