@@ -209,6 +209,56 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
     }
 }
 
+/// A ball falls on a pair of balls that are welded into one and lie on the ground, which stops them dead: the whole weighs as
+/// much as the ball, so that the blow drives it into the ground at up to the speed of the fall. What the blow has lost is lost: that
+/// the ground holds the pair is no new blow on the ball, be it a body or half of such a pair, and energy never comes back.
+#[test]
+fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
+    let columns = ["rate", "is a link", "restitution", "gain"];
+    let mut table = Table::new("ball on a pair on the ground", &columns);
+    for rate in RATES {
+        for is_link in [false, true] {
+            for restitution in [0.1, 0.3, 0.5] {
+                let mut world = world(rate);
+                add_ground(&mut world, 0.0);
+                let mut insert = |height: Real, restitution: Real, is_pair: bool| {
+                    let mass = if is_pair { 0.5 } else { 1.0 };
+                    let ball = ColliderBuilder::ball(RADIUS).friction(0.0);
+                    let ball = ball.restitution(restitution).mass(mass);
+                    let body = |x: Real| {
+                        RigidBodyBuilder::dynamic().translation(vec(x, height)).can_sleep(false)
+                    };
+                    let (first, _) = world.insert(body(0.0), ball.clone());
+                    if is_pair {
+                        let (second, _) = world.insert(body(2.0 * RADIUS), ball);
+                        let weld = FixedJointBuilder::new().local_anchor1(vec(2.0 * RADIUS, 0.0));
+                        world.multibody_joints.insert(first, second, weld, true).expect("it fits");
+                    }
+                };
+                insert(RADIUS, 0.0, true);
+                // What two materials make of it is the mean of both.
+                insert(3.0 * RADIUS + 1.0, 2.0 * restitution, is_link);
+                let (mut least, mut gain): (Real, Real) = (energy(&world), 0.0);
+                for _ in 0..steps(&world, 2.0) {
+                    world.step();
+                    least = least.min(energy(&world));
+                    gain = gain.max((energy(&world) - least) / G);
+                }
+                table.row([
+                    rate.to_string(),
+                    is_link.to_string(),
+                    restitution.to_string(),
+                    format!("{gain:+.4}"),
+                ]);
+                // In a substep the blow drives the pair into the ground, and the ball into the pair, by up to its speed times `h`.
+                // Soft contacts lift a mass of 1, and of 2, out again.
+                let tolerance = 3.0 * (2.0 * G).sqrt() * substep(&world);
+                table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
+            }
+        }
+    }
+}
+
 /// A striker of two welded bodies, of mass 1 together, hits a row of balls of mass 1, one of which may be a link as well: the
 /// last one leaves as fast as the striker came.
 #[test]
