@@ -204,6 +204,7 @@ impl Impacts {
             around.links.0.accept_impact(pass.substep, |_| 1.0);
             around.joints.forget_places();
         }
+        around.links.0.end_impact();
         swap_velocities(bodies);
     }
 

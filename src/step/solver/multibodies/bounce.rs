@@ -16,6 +16,10 @@
 //! back only if all its links move as one: that is farther than tangents are the way of a chain, and on the way forward
 //! links that were not hit would end up in the ground.
 //!
+//! Impacts see multibodies, too, without the impulses that the substep starts with. What stopped a link that a blow drove into
+//! the ground would kick it back up in the next substep, against what had struck it: a blow out of nothing, which throws both
+//! apart, drives the link down harder, and is stopped by a larger impulse yet, until all of them fly about.
+//!
 //! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
 
 use super::contacts::{LinkContact, LinkContacts, Point};
@@ -38,7 +42,7 @@ pub struct Blow {
     loaded: Real,
     /// By how much forces and what bears them have changed its velocity in this substep.
     accelerated: Real,
-    /// What the impulses of the last substep on a body do to its velocity.
+    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
     borne: Real,
     /// It hits where its velocity is below this.
     limit: Real,
@@ -119,12 +123,11 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a substep: notes how contacts move, and what forces did to that.
-    ///
-    /// Bodies move without the impulses of the last substep in impacts, multibodies with theirs: what these of the body do to
-    /// a contact is a constant of the substep.
+    /// Begins a substep: notes how contacts move, what forces did to that and what bears it, and takes the last substep's impulses
+    /// away from multibodies. Bodies move without theirs already.
     pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
         self.note_loaded(&mut bodies.before);
+        self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
         let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
             contact.strike.was_struck = false;
@@ -132,6 +135,11 @@ impl SolverMultibodies {
                 blow.begin(numbers.velocity(normal, &actors), pass);
             }
         }
+    }
+
+    /// Ends it: gives the impulses of the last substep back to multibodies.
+    pub fn end_impact(&mut self) {
+        self.moving.iter_mut().for_each(|moving| moving.add_pushed(1.0));
     }
 
     /// Notes how contacts move with the impulses of the last substep.
@@ -330,11 +338,13 @@ impl Point {
 }
 
 impl Blow {
-    /// Begins a substep in which the point moves like this without the last impulses on a body.
+    /// Begins a substep in which the point moves like this without the impulses of the last one.
     fn begin(&mut self, free: Real, pass: &ImpactPass) {
-        self.borne = self.loaded - free;
-        let at_rest = if self.loaded >= -pass.threshold { self.loaded.min(0.0) } else { 0.0 };
-        self.limit = at_rest - pass.threshold * NOTICED;
+        let forced = free - self.last;
+        self.borne = (self.loaded - free).min(-forced).max(0.0);
+        let now = free + self.borne;
+        let is_at_rest = now.max(self.last) >= -pass.threshold;
+        self.limit = if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * NOTICED;
         self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
         self.given = 0.0;
     }

@@ -241,10 +241,8 @@ impl SolverMultibodies {
         for_each(&mut self.moving, tasks, |moving| {
             moving.motion.accelerate(&mut moving.multibody, h, speed_max);
             moving.measure(params.dt);
-            for (rate, pushed) in moving.motion.rates.iter_mut().zip(&mut moving.pushed) {
-                *pushed *= warmth;
-                *rate += *pushed;
-            }
+            moving.pushed.iter_mut().for_each(|pushed| *pushed *= warmth);
+            moving.add_pushed(1.0);
             moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
             moving.motion.note_outside(&moving.root_pushed, 1.0);
         });
@@ -343,6 +341,13 @@ impl Moving {
         self.turns_far = self.motion.turns_far(dt);
         if self.turns_far {
             self.energy = self.motion.energy_before_contacts();
+        }
+    }
+
+    /// Adds this share of what the impulses so far in this substep did to the rates.
+    fn add_pushed(&mut self, share: Real) {
+        for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
+            *rate += pushed * share;
         }
     }
 
