@@ -17,8 +17,7 @@
 //! order in the angle of a substep. Turned by `h (ω + Δω)` instead, as the velocity says, its energy would be anybody's
 //! guess where a blow made it turn by radians about an axis that is not one of its own: `I⁻¹ L` has any energy between those of
 //! `L` about the longest and about the thinnest axis. (A thin bar that hit a wall at 100 m/s got a hundred thousand
-//! times its energy; and rods on hinges that whirl by a quarter of a radian in a substep
-//! flew apart, which as it is turn freely by twice as much.)
+//! times its energy.)
 
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
 use super::spin::free_turn;

@@ -205,7 +205,7 @@ mod tests {
         let mut turning = Turning { inv_moments: zero, momentum: zero, axes, h, times };
         let mut random = Random(7);
         for lane in 0..LANES {
-            let first = random.within(0.4, 0.9);
+            let first = random.within(0.2, 0.9);
             let spin = Vector::from_array([0; 3].map(|_| random.within(-1.0, 1.0)));
             if only.is_none_or(|only| only == lane) {
                 let inv_moments = Vector::new(1.0 / first, 1.0, 1.0 / (first + 0.9));
@@ -230,13 +230,14 @@ mod tests {
         some.into_iter().zip(others).map(angle).fold(0.0, Real::max)
     }
 
-    /// Half the step leaves a quarter of the error, where none is cut in pieces. (256 steps come within a thousandth of it.)
+    /// Half the step leaves a quarter of the error. (Fine steps come near enough to the truth; rounding of `f32` in 256 steps is
+    /// some 3·10⁻⁵ rad.)
     #[test]
     fn bodies_arrive_where_they_would_to_second_order() {
-        let truth = turned(1.0, 256, None);
+        let truth = turned(4.0, 256, None);
         let [coarse, fine] =
-            [6, 12].map(|times| largest_difference(turned(1.0, times, None), truth));
-        assert!(coarse < 0.1 && coarse > 1.0e-4, "{coarse} rad");
+            [8, 16].map(|times| largest_difference(turned(4.0, times, None), truth));
+        assert!(coarse < 0.1 && coarse > 1.0e-3, "{coarse} rad");
         assert!((3.0..5.5).contains(&(coarse / fine)), "{coarse} rad, then {fine} rad");
     }
 

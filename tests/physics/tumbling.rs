@@ -156,7 +156,7 @@ fn rackets_flip_over_when_they_should() {
             let spin = Vector::new(0.1, 1.0, 0.1) * speed;
             let body = RigidBodyBuilder::dynamic().angvel(spin).can_sleep(false);
             let (body, _) = world.insert(body, ColliderBuilder::cuboid(1.0, 0.6, 0.2));
-            let local = *world.bodies[body].mass_properties().local_mprops();
+            let local = world.bodies[body].mass_properties().local_mprops().clone();
             let frame = local.principal_inertia_local_frame.inverse();
             let moments = local.principal_inertia();
             let exact = time_between_flips(moments.recip(), frame * spin * moments);
