@@ -83,15 +83,14 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D. Returns the turn of each.
+/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
 #[inline(always)]
 pub(crate) fn tumble<W: Wide>(
     _bodies: &mut [FreeMotion],
-    velocity: &mut WideAngVector<W>,
+    _velocity: &mut WideAngVector<W>,
     _before: &mut WideAngVector<W>,
-    h: Real,
-) -> WideAngVector<W> {
-    *velocity * W::splat(h)
+    _h: Real,
+) {
 }
 
 /// The record of each body; no lane beyond them is looked at later.

@@ -25,7 +25,6 @@ pub(crate) mod contact;
 pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod motion;
-pub(crate) mod spin;
 pub(crate) mod turn;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

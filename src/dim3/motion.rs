@@ -1,28 +1,25 @@
 //! How bodies move while nothing holds them, in 3D: a record of whole registers, and what integrates it lane by lane.
 //!
 //! # Tumbling
-//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: as it turns, its inertia turns with
-//! it, and `ω = I⁻¹ L` changes. How a body turns that nothing holds stands in `spin.rs`: with `L` constant to rounding
-//! and an energy that is off by a fraction of a per cent and does not drift, however fast it turns.
-//!
-//! Through the solver we take the *mean* velocity of a substep: the rotation vector of the free turn, divided by the
-//! time. A body that nothing holds arrives by it exactly where it goes, and constraints that look ahead along their bodies'
-//! velocities look there.
+//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: as it turns, its
+//! inertia turns with it, and `ω = I⁻¹ L` changes. We take the velocity of the middle of the substep
+//! (from the orientation that the old velocity reaches by then) through the solver and turn the body
+//! by it. So `L` is constant to rounding and the energy error is of second order and bounded.
 //!
 //! An impulse acts where the substep begins: that is where joints take their levers and inertias from. A change `Δω`
-//! of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With that of the
+//! of the middle's velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With that of the
 //! middle, thin limbs that hang from each other gain some per cent of their energy in ten seconds.
 //!
-//! With the new `L` the body turns freely once more, and that is where it goes: by `h Δω` further but for the second
-//! order in the angle of a substep. Turned by `h (ω + Δω)` instead, as the velocity says, its energy would be anybody's
-//! guess where a blow made it turn by radians about an axis that is not one of its own: `I⁻¹ L` has any energy between those of
-//! `L` about the longest and about the thinnest axis. (A thin bar that hit a wall at 100 m/s got a hundred thousand
-//! times its energy.)
+//! Where a body turns by radians within a substep, about an axis that is not one of its own, the middle says nothing of the
+//! way: `ω = I⁻¹ L` may have many times the energy. Such a body keeps its angular velocity for that substep. (A thin bar
+//! that hit a wall at 100 m/s got a hundred thousand times its energy.)
+//!
+//! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates;
+//! explicit Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes.
 
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
-use super::spin::free_turn;
 use super::state::WideMotion;
-use super::turn::rotation_vector;
+use super::turn::turned_frame;
 use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, LANES, Simd, Wide, gather, scatter};
 use parry::mass_properties::MassProperties;
@@ -31,14 +28,16 @@ use parry::mass_properties::MassProperties;
 const ISOTROPY: Real = 1.0e-3;
 /// A body that turns by less than this (rad) in a substep does not tumble.
 const TURN_MIN: Real = 1.0e-4;
-/// Rad: further than this, the shorter way is the other one.
-const HALF_TURN: Real = core::f64::consts::PI as Real;
+/// Tumbling that makes the energy so many times what it was is not followed.
+const JUMP: Real = 1.5;
+/// The same for a body that turns by more than this in a substep (rad): no more than rounding.
+const JUMP_FAR: Real = 1.001;
+const FAR_TURN: Real = 0.5;
 
 /// Numbers that every body needs; as many are for those that tumble alone.
 const PLAIN_LEN: usize = 16;
 const RECORD_LEN: usize = 2 * PLAIN_LEN;
-/// Where what stands, but for the damping at 10 and 11: rotation (of a body that tumbles: that of its principal axes) at
-/// 0, acceleration at 4.
+/// Where what stands, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
 const TUMBLES: usize = 12;
 const INV_MOMENTS: usize = 13;
 const FRAME: usize = 16;
@@ -80,23 +79,17 @@ impl FreeMotion {
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < ISOTROPY * high;
         if !is_round && angvel.length_squared() * h * h >= TURN_MIN * TURN_MIN {
-            let (order, inv_moments) = middle_second(inv_moments);
-            let frame = mass.principal_inertia_local_frame * order;
-            let axes = self.rotation() * frame;
-            self.0[0..4].copy_from_slice(&axes.to_array());
             self.0[TUMBLES] = 1.0;
             self.0[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
-            self.0[FRAME..FRAME + 4].copy_from_slice(&frame.to_array());
+            let frame = mass.principal_inertia_local_frame.to_array();
+            self.0[FRAME..FRAME + 4].copy_from_slice(&frame);
         }
         self
     }
 
     /// Of a body that tumbles: how it is turned now. Of others: how it was when the step began.
     pub fn rotation(&self) -> Rotation {
-        let quaternion = |at: usize| {
-            Rotation::from_xyzw(self.0[at], self.0[at + 1], self.0[at + 2], self.0[at + 3])
-        };
-        if self.tumbles() { quaternion(0) * quaternion(FRAME).conjugate() } else { quaternion(0) }
+        Rotation::from_xyzw(self.0[0], self.0[1], self.0[2], self.0[3])
     }
 
     /// The acceleration by gravity and the user's forces (length/s²).
@@ -117,8 +110,7 @@ impl FreeMotion {
     /// Turns a tumbling body by this rotation vector.
     pub fn turn(&mut self, turn: AngVector) {
         if self.tumbles() {
-            let axes = Rotation::from_xyzw(self.0[0], self.0[1], self.0[2], self.0[3]);
-            let turned = integrate_rotation(axes, turn);
+            let turned = integrate_rotation(self.rotation(), turn);
             self.0[0..4].copy_from_slice(&turned.to_array());
         }
     }
@@ -140,16 +132,16 @@ pub(crate) fn accelerated<W: Wide>(
     let mut angular =
         (angular + angular_acceleration * substep) * (one / (one + substep * own[11]));
     if bodies.iter().any(FreeMotion::tumbles) {
+        let rotation = rotation_of(&own);
         let mut gyroscope = Gyroscope::gather(bodies, &own);
-        let mean = gyroscope.mean_velocity(axes_of(&own), angular, h);
-        angular = WideVector::select(W::zero().lt(own[TUMBLES]), mean, angular);
+        let at_middle = gyroscope.velocity_at_middle(rotation, angular, substep);
+        angular = WideVector::select(W::zero().lt(own[TUMBLES]), at_middle, angular);
         gyroscope.scatter(bodies);
     }
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble, for `h` seconds, and their angular velocities as their inertia turns. Returns the
-/// turn of each.
+/// Turns up to [`LANES`] bodies, if they tumble, by `h` times their angular velocity, and it as their inertia turns.
 ///
 /// What turns the velocity is no impulse: the next substep must not start with it, nor with the rounding of it. Where
 /// there was no impulse, the velocity `before` any becomes the new one to the last bit.
@@ -159,11 +151,11 @@ pub(crate) fn tumble<W: Wide>(
     velocity: &mut WideAngVector<W>,
     before: &mut WideAngVector<W>,
     h: Real,
-) -> WideAngVector<W> {
+) {
     let mut own = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[..PLAIN_LEN]));
     let mut gyroscope = Gyroscope::gather(bodies, &own);
-    let w = *velocity;
-    let (end, turn, at_end) = gyroscope.turn_under(axes_of(&own), w, h);
+    let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
+    let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
     let tumbles = W::zero().lt(own[TUMBLES]);
     *velocity = WideVector::select(tumbles, at_end, w);
     *before = WideVector::select(tumbles, at_end - (w - *before), *before);
@@ -173,7 +165,6 @@ pub(crate) fn tumble<W: Wide>(
     }
     scatter(own, rows_mut(bodies, |record| &mut record[..PLAIN_LEN]));
     gyroscope.scatter(bodies);
-    WideVector::select(tumbles, turn, w * W::splat(h))
 }
 
 /// The angular velocity of one body after it has turned freely for `h` seconds.
@@ -213,16 +204,17 @@ impl Kernel for TurnFreely {
 /// What lets bodies tumble.
 struct Gyroscope<W> {
     inv_moments: WideVector<W>,
-    /// How the principal axes stood at the beginning of the substep, where the solver's impulses act.
+    frame: WideRotation<W>,
+    /// Orientation at the beginning of the substep, where the solver's impulses act.
     start: WideRotation<W>,
     /// The angular momentum. It is carried from substep to substep rather than computed from the
     /// velocity each time: what rounding does to it on average goes in one direction, and 240 steps a
     /// second in `f32` made of it 5 % of the energy in a minute.
     momentum: WideAngVector<W>,
-    /// The angular velocity that goes with it: through the solver the mean one, then that at the end.
+    /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
     /// Not ours, but in the same registers.
-    others: [W; 6],
+    others: [W; 2],
 }
 
 impl<W: Wide> Gyroscope<W> {
@@ -235,101 +227,94 @@ impl<W: Wide> Gyroscope<W> {
                 y: own[INV_MOMENTS + 1],
                 z: own[INV_MOMENTS + 2],
             },
+            frame: WideRotation { x: s[0], y: s[1], z: s[2], w: s[3] },
             start: WideRotation { x: s[4], y: s[5], z: s[6], w: s[7] },
             momentum: WideVector { x: s[8], y: s[9], z: s[10] },
             angvel: WideVector { x: s[11], y: s[12], z: s[13] },
-            others: [s[0], s[1], s[2], s[3], s[14], s[15]],
+            others: [s[14], s[15]],
         }
     }
 
     #[inline(always)]
     fn scatter(self, bodies: &mut [FreeMotion]) {
-        let (s, l, w) = (self.start, self.momentum, self.angvel);
-        let [a, b, c, d, first, second] = self.others;
-        let numbers = [a, b, c, d, s.x, s.y, s.z, s.w, l.x, l.y, l.z, w.x, w.y, w.z, first, second];
+        let (f, s, l, w) = (self.frame, self.start, self.momentum, self.angvel);
+        let [first, second] = self.others;
+        let numbers =
+            [f.x, f.y, f.z, f.w, s.x, s.y, s.z, s.w, l.x, l.y, l.z, w.x, w.y, w.z, first, second];
         scatter(numbers, rows_mut(bodies, |record| &mut record[PLAIN_LEN..]));
     }
 
-    /// Somebody changed the angular velocity while the principal axes stood so.
+    /// Somebody changed the angular velocity at the orientation `rotation`.
     #[inline(always)]
-    fn take_in(&mut self, axes: WideRotation<W>, angvel: WideAngVector<W>) {
-        let moments = self.inv_moments;
-        let change = axes.conjugate().rotate_unscaled(angvel - self.angvel);
+    fn take_in(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
+        let (to_world, moments) = (rotation.times(self.frame), self.inv_moments);
+        let change = to_world.conjugate().rotate_unscaled(angvel - self.angvel);
         let change = WideVector {
             x: change.x / moments.x,
             y: change.y / moments.y,
             z: change.z / moments.z,
         };
-        self.momentum = self.momentum + axes.rotate_unscaled(change);
+        self.momentum = self.momentum + to_world.rotate_unscaled(change);
     }
 
-    /// The principal axes after a free turn of `h` seconds, and its rotation vector. By more than half a turn there are several of
-    /// these; then it is the one that goes with the angular velocity `angvel`.
+    /// The angular velocity at the orientation `rotation`.
     #[inline(always)]
-    fn turn(
-        &self,
-        axes: WideRotation<W>,
-        angvel: WideAngVector<W>,
-        h: Real,
-    ) -> (WideRotation<W>, WideAngVector<W>) {
-        let momentum = axes.conjugate().rotate_unscaled(self.momentum);
-        let by = free_turn(self.inv_moments, momentum, h);
-        let straight = angvel * W::splat(h);
-        let is_near = straight.dot(straight).lt(W::splat(HALF_TURN * HALF_TURN));
-        let is_near = is_near & W::zero().lt(by.w);
-        let vector = axes.rotate_unscaled(rotation_vector(by));
-        (axes.times(by), WideVector::select(is_near, vector, straight))
-    }
-
-    /// The mean angular velocity in a substep of `h` seconds that begins with `angvel`.
-    #[inline(always)]
-    fn mean_velocity(
-        &mut self,
-        axes: WideRotation<W>,
-        angvel: WideAngVector<W>,
-        h: Real,
-    ) -> WideAngVector<W> {
-        self.take_in(axes, angvel);
-        self.start = axes;
-        let (_, turn) = self.turn(axes, angvel, h);
-        self.angvel = turn * W::splat(1.0 / h);
+    fn turn_to(&mut self, rotation: WideRotation<W>) -> WideAngVector<W> {
+        let to_world = rotation.times(self.frame);
+        let momentum = to_world.conjugate().rotate_unscaled(self.momentum);
+        self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
         self.angvel
     }
 
-    /// Turns the principal axes for `h` seconds. The mean velocity has become `angvel`, by what acted at the start. Returns
-    /// how they stand then, the turn, and the angular velocity at its end.
+    /// The angular velocity in the middle of a substep of `h` seconds that begins with `angvel`.
     #[inline(always)]
-    fn turn_under(
+    fn velocity_at_middle(
         &mut self,
-        axes: WideRotation<W>,
+        rotation: WideRotation<W>,
         angvel: WideAngVector<W>,
-        h: Real,
-    ) -> (WideRotation<W>, WideAngVector<W>, WideAngVector<W>) {
-        self.take_in(self.start, angvel);
-        let (end, turn) = self.turn(axes, angvel, h);
-        let end = end.normalized();
-        let momentum = end.conjugate().rotate_unscaled(self.momentum);
-        self.angvel = end.rotate_unscaled(momentum.component_mul(self.inv_moments));
-        (end, turn, self.angvel)
+        h: W,
+    ) -> WideAngVector<W> {
+        self.take_in(rotation, angvel);
+        self.start = rotation;
+        let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
+        self.turn_soundly(middle, angvel, h)
     }
-}
 
-/// Names the principal axes anew, in the same sense, such that the second has the middle moment: how the new ones stand among the old
-/// ones, and their moments (or the inverse of these).
-fn middle_second(moments: Vector) -> (Rotation, Vector) {
-    let Vector { x, y, z } = moments;
-    let is_between = |a: Real, b: Real, c: Real| (a - b) * (b - c) >= 0.0;
-    if is_between(x, y, z) {
-        (Rotation::IDENTITY, moments)
-    } else if is_between(y, z, x) {
-        (Rotation::from_xyzw(0.5, 0.5, 0.5, 0.5), Vector::new(y, z, x))
-    } else {
-        (Rotation::from_xyzw(-0.5, -0.5, -0.5, 0.5), Vector::new(z, x, y))
+    /// The angular velocity at the end of the substep, at the orientation `end`, if it is `angvel` in
+    /// the middle.
+    #[inline(always)]
+    fn velocity_at_end(
+        &mut self,
+        end: WideRotation<W>,
+        angvel: WideAngVector<W>,
+        h: W,
+    ) -> WideAngVector<W> {
+        self.take_in(self.start, angvel);
+        self.turn_soundly(end, angvel, h)
+    }
+
+    /// As [`Self::turn_to`], unless the angular velocity `before` would get much energy by that: then it stays, and the
+    /// momentum is begun anew.
+    #[inline(always)]
+    fn turn_soundly(
+        &mut self,
+        rotation: WideRotation<W>,
+        before: WideAngVector<W>,
+        h: W,
+    ) -> WideAngVector<W> {
+        let turns_far = W::splat(FAR_TURN * FAR_TURN).lt(before.dot(before) * (h * h));
+        let jump = W::select(turns_far, W::splat(JUMP_FAR), W::splat(JUMP));
+        let most = self.momentum.dot(before) * jump;
+        let turned = self.turn_to(rotation);
+        let is_sound = self.momentum.dot(turned).le(most);
+        self.momentum = WideVector::select(is_sound, self.momentum, WideVector::zero());
+        self.angvel = WideVector::select(is_sound, turned, WideVector::zero());
+        WideVector::select(is_sound, turned, before)
     }
 }
 
 #[inline(always)]
-fn axes_of<W: Wide>(own: &[W; PLAIN_LEN]) -> WideRotation<W> {
+fn rotation_of<W: Wide>(own: &[W; PLAIN_LEN]) -> WideRotation<W> {
     WideRotation { x: own[0], y: own[1], z: own[2], w: own[3] }
 }
 

@@ -11,25 +11,10 @@ const SERIES_MAX: Real = 2.0;
 /// A quaternion, not of unit length, that turns by a rotation vector: its real part and its vector. See
 /// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
 #[inline(always)]
-pub(crate) fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
+fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
     let square = turn.dot(turn).min(W::splat(TURN_MAX));
     let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square);
     (cosine, turn * sine)
-}
-
-/// The rotation vector of a unit quaternion, for turns of up to half a turn; what it says of others is of no use.
-///
-/// The tangent of an eighth of the angle is at most 0.41, and the fraction for the arc tangent is off by 6·10⁻⁶ of it there, and
-/// by 4·10⁻¹⁰ at 1 rad (Padé's, of fourth order).
-#[inline(always)]
-pub(crate) fn rotation_vector<W: Wide>(q: WideRotation<W>) -> WideAngVector<W> {
-    let (number, u) = (W::splat, WideVector { x: q.x, y: q.y, z: q.z });
-    let real = q.w + number(1.0);
-    let tangent = u * (number(1.0) / (real + (real * real + u.dot(u)).sqrt()));
-    let square = tangent.dot(tangent);
-    let above = number(840.0) + number(440.0) * square;
-    let below = number(105.0) + square * (number(90.0) + number(9.0) * square);
-    tangent * (above / below)
 }
 
 /// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part.
@@ -47,6 +32,28 @@ pub(crate) fn unit_quaternion(turn: AngVector) -> (Real, Real) {
     let (cosine, sine) = cosine_and_sine::<2>(square.min(TURN_MAX));
     let scale = 1.0 / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
+}
+
+/// A frame of a body after the body has turned.
+#[inline(always)]
+pub(crate) fn turned_frame<W: Wide>(
+    frame: WideRotation<W>,
+    turn: WideAngVector<W>,
+) -> WideRotation<W> {
+    let (q, (real, a)) = (frame, quaternion(turn));
+    let turned = WideRotation {
+        x: q.x * real + (a.x * q.w + a.y * q.z - a.z * q.y),
+        y: q.y * real + (a.y * q.w + a.z * q.x - a.x * q.z),
+        z: q.z * real + (a.z * q.w + a.x * q.y - a.y * q.x),
+        w: q.w * real - (a.x * q.x + a.y * q.y + a.z * q.z),
+    };
+    let scale = W::splat(1.0) / (real * real + a.dot(a)).sqrt();
+    WideRotation {
+        x: turned.x * scale,
+        y: turned.y * scale,
+        z: turned.z * scale,
+        w: turned.w * scale,
+    }
 }
 
 /// The rotation vector of a turn by `turn` and then by the small angle `by`, to third order: the
@@ -122,31 +129,6 @@ mod tests {
 
     fn vector(random: &mut Random, size: f64) -> Vector {
         Vector::from_array([0; 3].map(|_| random.within(-size, size)))
-    }
-
-    impl Kernel for WideVector<Lane> {
-        type Output = WideVector<Lane>;
-        #[inline(always)]
-        fn run<W: Wide>(mut self) -> WideVector<Lane> {
-            let (w, WideVector { x, y, z }) = quaternion(WideVector::<W>::load(&self));
-            rotation_vector(WideRotation { x, y, z, w }).store(&mut self);
-            self
-        }
-    }
-
-    /// The quaternion of a rotation vector leads back to it, up to half a turn: see [`rotation_vector`] for how near.
-    #[test]
-    fn rotation_vectors_come_back() {
-        for (angle, error) in
-            [(1.0e-4, 0.0), (0.1, 0.0), (1.0, 1.0e-9), (2.0, 2.0e-7), (3.1, 2.0e-5)]
-        {
-            let axis = Vector::new(2.0, -1.0, 2.0) / 3.0;
-            let mut turns = WideVector::ZERO;
-            turns.set_lane(1, axis * angle);
-            let back = Simd::detect().run(turns).lane(1);
-            let off = (back - axis * angle).length();
-            assert!(off <= error + 4.0 * Real::EPSILON * angle, "{off} rad of {angle}");
-        }
     }
 
     /// Levers and inertias turn as the formulas for one body say, and turns that follow each other are composed: to

@@ -337,25 +337,6 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
-    /// `yes` in the lanes where the mask says yes, `no` in the others.
-    #[inline(always)]
-    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            x: W::select(mask, yes.x, no.x),
-            y: W::select(mask, yes.y, no.y),
-            z: W::select(mask, yes.z, no.z),
-            w: W::select(mask, yes.w, no.w),
-        }
-    }
-
-    /// The same rotation, as a quaternion of unit length.
-    #[inline(always)]
-    pub fn normalized(self) -> Self {
-        let square = self.x * self.x + self.y * self.y + self.z * self.z + self.w * self.w;
-        let scale = W::splat(1.0) / square.sqrt();
-        Self { x: self.x * scale, y: self.y * scale, z: self.z * scale, w: self.w * scale }
-    }
-
     /// The rotation back.
     #[inline(always)]
     pub fn conjugate(self) -> Self {

@@ -12,11 +12,6 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (*inv_inertia > 0.0).then(|| 1.0 / inv_inertia)
 }
 
-/// How many times the smallest moment of inertia of a body the largest is. In 2D there is one.
-pub(crate) fn thinness(_inv_inertia: &AngularInertia) -> Real {
-    1.0
-}
-
 /// Are the moments of inertia about all axes the same? In 2D there is one.
 pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true

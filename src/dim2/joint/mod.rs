@@ -16,5 +16,5 @@ pub(crate) use frame::{
 };
 #[cfg(test)]
 pub(crate) use inertia::unit_inertia;
-pub(crate) use inertia::{JointedInertias, inertia_about, is_round, thinness};
+pub(crate) use inertia::{JointedInertias, inertia_about, is_round};
 pub(crate) use point::{from_numbers, numbers, point_response};

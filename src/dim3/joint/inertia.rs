@@ -15,19 +15,6 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (sum > 0.0).then(|| 3.0 / sum)
 }
 
-/// How many times the smallest moment of inertia of a body with this inverse the largest is, nearly; 1 if there are axes about
-/// which it cannot turn.
-///
-/// Of a rod with the inverse moments `d₁`, `d₂ = d₃` it is `d₁/d₂ - 1` and a share of 1 that vanishes as the rod gets thin. It is made
-/// of their sum and the sum of their products; the product of all three would be lost in the rounding of `d₁³`.
-pub(crate) fn thinness(inv_inertia: &AngularInertia) -> Real {
-    let m = inv_inertia;
-    let sum = m.m11 + m.m22 + m.m33;
-    let squares = m.m12 * m.m12 + m.m13 * m.m13 + m.m23 * m.m23;
-    let products = m.m11 * m.m22 + m.m22 * m.m33 + m.m33 * m.m11 - squares;
-    if products > 0.0 { (2.0 * sum * (sum / products) - 5.0).max(1.0) } else { 1.0 }
-}
-
 /// Moments that differ by less than this share make no visible difference.
 const ROUNDNESS: Real = 1.0e-3;
 

@@ -97,13 +97,12 @@ impl Kernel for Advance<'_> {
         for Movers { states, before, motions } in self.bodies.chunks() {
             let (mut velocity, moved) = load_states::<W>(states);
             let linear = moved.linear + velocity.linear * h;
-            let mut turn = velocity.angular * h;
+            let angular = turned_further(moved.angular, velocity.angular * h);
             if motions.iter().any(FreeMotion::tumbles) {
                 let (mut old, unmoved) = load_states::<W>(before);
-                turn = tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
+                tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
                 store_states(before, (old, unmoved));
             }
-            let angular = turned_further(moved.angular, turn);
             store_states(states, (velocity, WideDisplacement::new(linear, angular)));
         }
     }

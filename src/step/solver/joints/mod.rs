@@ -78,7 +78,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
-use crate::dim::state::BodyState;
+use crate::dim::state::{BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
@@ -222,14 +222,15 @@ impl SolverJoints {
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
     /// exactly, where the bodies are: in components with a body that is `wanted`. For impacts: the impulses count as borne
-    /// in this step, and the next one does not start with them.
+    /// in this step, and the next one does not start with them. `add_work` is told one body of each joint, and the work of the joint's
+    /// impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         (states, start): (&mut [BodyState], &[BodyState]),
         wanted: impl Fn(u32) -> bool + Sync,
+        mut add_work: impl FnMut(u32, Real),
         pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
+        (simd, tasks): (Simd, Tasks<'_>),
     ) {
         if self.direct.is_empty() {
             return;
@@ -255,6 +256,14 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, end });
         });
+        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
+            for lane in 0..self.layout.block(index).len() {
+                let bodies = block.bodies.map(|bodies| bodies[lane]);
+                let velocities = bodies.map(|body| start[(body & !READ_ONLY) as usize].velocity());
+                let movable = bodies[usize::from(bodies[0] & READ_ONLY != 0)];
+                add_work(movable & !READ_ONLY, memory[index].work(lane, velocities));
+            }
+        }
         for (state, start) in states.iter_mut().zip(start) {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(old_v + v, old_w + w);

@@ -21,13 +21,10 @@
 //! for each of two bodies, is no tautness. `Ω` is that of the component's angular momentum about its centre of mass: light
 //! links that vibrate have little of it.
 //!
-//! One thing that turns as a whole is braked all the same: thin bodies on hinges, where `(h Ω)⁴ I₃/I₁` is more than
-//! [`THIN_TURN`], with their largest and smallest moments of inertia. What holds two rods in a plane is a moment across them. It acts
-//! at the beginning of the substep, and its mean is found as if the axes turned evenly; what is off by that, of second order in `h Ω`,
-//! rolls the rods the faster, the thinner they are, and their roll, in the next substep, tilts them by as much again as that is of
-//! second order. Found by experiment: of rods on hinges that were 5 to 500 times as long as wide, two and three in a row, none gained energy
-//! in ten seconds below 1.1, and each began to between 1.2 and 2. Rods that are eight times as long as wide turn freely at up to 77 rad/s at
-//! 240 substeps per second.
+//! One thing that turns as a whole is braked all the same: thin bodies on hinges, faster than [`TUMBLING_TURN`] (36 rad/s at
+//! 240 substeps per second). Their inertias turn with them, at the beginning of a substep for impulses and in its middle for
+//! free motion, and what a hinge holds between the two grows slowly: at 60 rad/s the axis of two rods would tumble after
+//! four seconds.
 //!
 //! ## When
 //! Whether a component is taut shows in the pulls of its last substep; then it is projected from the beginning. Where
@@ -36,7 +33,7 @@
 
 use super::block::JointBlock;
 use super::direct::Member;
-use crate::dim::joint::{inertia_about, thinness};
+use crate::dim::joint::inertia_about;
 use crate::dim::math::{
     ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
     zero_inertia,
@@ -53,8 +50,8 @@ const TURN: Real = 0.85;
 
 /// Where no joint has more than this, nothing else is asked.
 const LOOSE: Real = 0.01;
-/// The `(h Ω)⁴ I₃/I₁` above which thin bodies on hinges do not turn freely.
-const THIN_TURN: Real = 0.5;
+/// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
+const TUMBLING_TURN: Real = 0.15;
 
 /// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
 fn tumbles(member: &Member, blocks: &[JointBlock]) -> bool {
@@ -122,15 +119,7 @@ impl Tautness {
         let excess = swing - WHOLE * turn * turn;
         excess > TAUT
             || turn > TURN
-            || members.iter().any(|member| self.rolls(member, blocks, turn))
-    }
-
-    /// Does a joint hold a body too thin for its component to turn by so much (rad) in a substep?
-    fn rolls(&self, member: &Member, blocks: &[JointBlock], turn: Real) -> bool {
-        let of = |(_, body): (usize, u32)| thinness(&self.bodies[body as usize].inv_inertia);
-        let square = turn * turn;
-        tumbles(member, blocks)
-            && member.movable().map(of).any(|ratio| ratio * square * square > THIN_TURN)
+            || (turn > TUMBLING_TURN && members.iter().any(|member| tumbles(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.

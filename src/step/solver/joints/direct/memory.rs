@@ -8,7 +8,8 @@ use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
-use crate::dim::math::{DIM, SPATIAL_DIM};
+use crate::dim::math::{AngVector, DIM, Real, SPATIAL_DIM, Vector};
+use crate::dim::spatial::join;
 use crate::dim::state::BodyState;
 use crate::dim::wide::{
     WideSymmetric, WideVector, ZERO_INERTIA, load_ang, select_ang, store_ang, symmetric_lane,
@@ -44,6 +45,19 @@ impl RowMemory {
             changes: [zero; SPATIAL_DIM],
         }
     };
+
+    /// The work of the changes of a lane's impulses on its two bodies at these velocities: `λ J v`.
+    pub fn work(&self, lane: usize, velocities: [(Vector, AngVector); 2]) -> Real {
+        let mut work = 0.0;
+        for (row, change) in self.rows.iter().zip(&self.changes) {
+            for (row, (linvel, angvel)) in row.iter().zip(velocities) {
+                let rates = row.iter().zip(join(linvel, angvel));
+                let rate: Real = rates.map(|(number, velocity)| number.0[lane] * velocity).sum();
+                work += change.0[lane] * rate;
+            }
+        }
+        work
+    }
 
     /// What impulses do to a body of the joint in a lane.
     pub(super) fn inverse_mass(&self, side: usize, lane: usize) -> InverseMass {
