@@ -47,6 +47,31 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
     }
 }
 
+/// Who is put between limits beyond half a turn is there: a hinge reads its first angle, which has as many readings as
+/// there are turns, so that it fits.
+#[test]
+fn what_is_put_between_its_limits_stays_there() {
+    for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
+        for is_multibody in [false, true] {
+            let mut world = weightless(60);
+            let angle = Real::min(limits[1] - 0.1, 3.25).max(limits[0] + 0.1);
+            let post = world.insert_body(RigidBodyBuilder::fixed());
+            let flap = RigidBodyBuilder::dynamic().rotation(about_z(angle)).can_sleep(false);
+            let (flap, _) = world.insert(flap, ColliderBuilder::ball(0.5));
+            let joint = hinge().limits(limits);
+            if is_multibody {
+                world.insert_multibody_joint(post, flap, joint).expect("the joint fits");
+            } else {
+                world.insert_impulse_joint(post, flap, joint);
+            }
+            let start = *world.bodies[flap].rotation();
+            run(&mut world, 0.5);
+            let turned = angle(&(*world.bodies[flap].rotation() * start.inverse())).abs();
+            assert!(turned < 1.0e-3, "{limits:?} at {angle}: {turned} rad, {is_multibody}");
+        }
+    }
+}
+
 #[test]
 fn a_flap_rests_on_its_limit() {
     for rate in RATES {

@@ -30,6 +30,14 @@ fn a_world_says_why_a_joint_cannot_be() {
     let refused = world.try_insert_multibody_joint(c, a, hinge());
     assert_eq!(refused, Err(InvalidJoint::Loop { parent: c, child: a }));
     assert!(world.try_insert_impulse_joint(a, c, hinge()).is_ok(), "impulse joints close loops");
+
+    let spring = SpringJoint::new(vec(0.0, 0.0), vec(0.0, 0.0), 1.0, 100.0);
+    let ropes: [GenericJoint; 2] = [RopeJointBuilder::new(1.0).into(), spring.into()];
+    for rope in ropes {
+        let refused = world.try_insert_multibody_joint(post, a, rope);
+        let axes = JointAxesMask::LIN_AXES;
+        assert_eq!(refused, Err(InvalidJoint::DistanceInMultibody { axes }), "no coordinate");
+    }
 }
 
 #[test]

@@ -41,6 +41,31 @@ fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [Ri
     [first, second]
 }
 
+/// Two links, of which one is up to a hundred times as heavy, turn about each other at 10 rad/s while they go at 5 m/s through
+/// empty space: momentum and energy stay, whoever looks. (There are no contacts, so nobody may ask what these have left.)
+#[test]
+fn what_turns_on_its_way_through_space_goes_on() {
+    for ratio in [1.0, 10.0, 100.0] {
+        let mut world = weightless(60);
+        let center = ratio / (1.0 + ratio);
+        let mut link = |x: Real, mass: Real| {
+            let body = RigidBodyBuilder::dynamic().translation(vec(x, 0.0)).can_sleep(false);
+            let body = body.linvel(vec(5.0, 10.0 * x)).angvel(about_z(10.0));
+            world.insert(body, ColliderBuilder::ball(0.2).mass(mass)).0
+        };
+        let links = [link(-center, 1.0), link(1.0 - center, ratio)];
+        let joint = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
+        world.insert_multibody_joint(links[0], links[1], joint).expect("the joint fits");
+        run(&mut world, 0.05);
+        let (before, energy) = (momentum(&world, &links), kinetic_energy(&world, &links));
+        run(&mut world, 10.0);
+        let missing = (momentum(&world, &links) - before).length() / before.length();
+        assert!(missing < 1.0e-3, "1:{ratio}: {missing} of the momentum is missing");
+        let left = kinetic_energy(&world, &links) / energy;
+        assert!((left - 1.0).abs() < 0.01, "1:{ratio}: {left} of the energy is left");
+    }
+}
+
 /// Chains of thin limbs tumble on their way: their middle falls as anything does, and spin and energy of the tumbling stay. The
 /// momentum is rounded in each substep, to the size of speeds of 50 m/s; the energy is right to second order in the angle of a
 /// substep of the fastest link there was.

@@ -1,6 +1,6 @@
 //! Why a joint, or a value of one, is refused.
 
-use crate::dim::joint_axes::JointAxis;
+use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyHandle;
 
@@ -89,6 +89,13 @@ pub enum InvalidJoint {
     SecondParent {
         /// The body that was to become a child.
         body: RigidBodyHandle,
+    },
+    /// A joint of a multibody is to limit or drive the distance along several axes, as ropes and springs do. That distance is no
+    /// coordinate of the multibody; an impulse joint between its links can.
+    #[error("a multibody has no coordinate for the distance along {axes:?}")]
+    DistanceInMultibody {
+        /// The axes.
+        axes: JointAxesMask,
     },
     /// The joint would close a loop of multibody joints. Impulse joints can.
     #[error("{child:?} is an ancestor of {parent:?}")]

@@ -4,6 +4,9 @@ use super::InvalidJoint;
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::Real;
 
+/// How far (rad) a joint may be outside of its limits by whoever put it there without another turn being meant.
+const LEEWAY: Real = 0.5;
+
 /// How far a free axis of a joint reaches: a range of lengths, or of angles in radians.
 ///
 /// Angles are counted on beyond half a turn where a joint has one free axis of rotation, so a range may
@@ -34,6 +37,25 @@ impl From<[Real; 2]> for JointLimits {
 }
 
 impl JointLimits {
+    /// An angle (in `-π..=π`) that nobody has measured before, with as many turns as bring it between the limits: who is put at
+    /// 3.25 rad between 2.5 and 4 is there, and not at -3.03. Of several readings the one nearest to zero is taken; if there is
+    /// none, the one that is least outside.
+    pub(crate) fn first_reading(&self, angle: Real) -> Real {
+        const TURN: Real = 2.0 * core::f64::consts::PI as Real;
+        let (min, max) = (self.min - LEEWAY, self.max + LEEWAY);
+        let turns = if angle < min {
+            ((min - angle) / TURN).ceil()
+        } else if angle > max {
+            ((max - angle) / TURN).floor()
+        } else {
+            return angle;
+        };
+        let outside = |angle: Real| (self.min - angle).max(angle - self.max);
+        let inside = angle + turns * TURN;
+        let before = inside - TURN.copysign(turns);
+        if outside(inside) <= outside(before) { inside } else { before }
+    }
+
     /// Is there anything between the two ends?
     pub(crate) fn check(&self, axis: JointAxis) -> Result<(), InvalidJoint> {
         let Self { min, max, .. } = *self;

@@ -153,10 +153,13 @@ impl MultibodyJoint {
                 self.coords[axis as usize] = relative.translation[axis as usize];
             }
         }
+        let data = &self.data;
         let mut set = |axis: usize, angle: Real| {
             let old = &mut self.coords[DIM + axis];
             let turn = 2.0 * core::f64::consts::PI as Real;
-            let turns = ((*old - angle) / turn).round();
+            let limits = data.limits(JointAxis::ALL[DIM + axis]).filter(|_| *old == 0.0);
+            let last = limits.map_or(*old, |limits| limits.first_reading(angle));
+            let turns = ((last - angle) / turn).round();
             *old = if is_coordinate(turns) { angle + turn * turns } else { angle };
         };
         match angular_axes(free).as_slice() {

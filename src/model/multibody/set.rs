@@ -4,6 +4,7 @@ use super::{
     Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyLink, MultibodyLinkId,
 };
 use crate::base::arena::Arena;
+use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::joint::{GenericJoint, InvalidJoint};
 use crate::model::seal::Seal;
@@ -163,6 +164,10 @@ impl MultibodyJointSet {
         data: &GenericJoint,
     ) -> Result<(), InvalidJoint> {
         data.validate()?;
+        let axes = data.coupled_axes & !data.locked_axes & JointAxesMask::LIN_AXES;
+        if axes.intersects(data.limit_axes | data.motor_axes) {
+            return Err(InvalidJoint::DistanceInMultibody { axes });
+        }
         if body1 == body2 {
             return Err(InvalidJoint::SameBody { body: body1 });
         }

@@ -83,6 +83,7 @@ impl SolverMultibodies {
         bodies: &SolverBodies,
     ) {
         self.contacts.contacts.clear();
+        self.moving.iter_mut().for_each(|moving| moving.touches = false);
         for position in 0..self.left_out.len() {
             let at = self.left_out[position];
             let slots = narrow_phase.contacts.bodies(at.pair);
@@ -99,6 +100,9 @@ impl SolverMultibodies {
                 self.side(slots[0], dominance <= 0, world, bodies),
                 self.side(slots[1], dominance >= 0, world, bodies),
             ];
+            for place in sides.iter().filter_map(|side| side.place) {
+                self.moving[place.multibody].touches = true;
+            }
             let normal = normal_of(&sides, &pair.placement, manifold);
             let geometry = Geometry::of(&sides, &pair.placement, manifold, normal);
             let contact = self.contact(at, &sides, &geometry, manifold);

@@ -60,6 +60,8 @@ pub(super) struct Moving {
     before_blow: BeforeBlow,
     /// Do links turn so far in a step that contacts must be followed from substep to substep?
     turns_far: bool,
+    /// Has it contacts? What flies freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    touches: bool,
     /// The energy that contacts may leave.
     energy: Real,
     /// The joints and the root's pose when the step began.
@@ -313,7 +315,7 @@ impl SolverMultibodies {
 
     /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
     fn keep_energy(&mut self) {
-        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far);
+        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far && moving.touches);
         fast.for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
