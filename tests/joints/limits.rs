@@ -54,9 +54,9 @@ fn what_is_put_between_its_limits_stays_there() {
     for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
         for is_multibody in [false, true] {
             let mut world = weightless(60);
-            let angle = Real::min(limits[1] - 0.1, 3.25).max(limits[0] + 0.1);
+            let at = Real::min(limits[1] - 0.1, 3.25).max(limits[0] + 0.1);
             let post = world.insert_body(RigidBodyBuilder::fixed());
-            let flap = RigidBodyBuilder::dynamic().rotation(about_z(angle)).can_sleep(false);
+            let flap = RigidBodyBuilder::dynamic().rotation(about_z(at)).can_sleep(false);
             let (flap, _) = world.insert(flap, ColliderBuilder::ball(0.5));
             let joint = hinge().limits(limits);
             if is_multibody {
@@ -67,7 +67,7 @@ fn what_is_put_between_its_limits_stays_there() {
             let start = *world.bodies[flap].rotation();
             run(&mut world, 0.5);
             let turned = angle(&(*world.bodies[flap].rotation() * start.inverse())).abs();
-            assert!(turned < 1.0e-3, "{limits:?} at {angle}: {turned} rad, {is_multibody}");
+            assert!(turned < 1.0e-3, "{limits:?} at {at}: {turned} rad, {is_multibody}");
         }
     }
 }
