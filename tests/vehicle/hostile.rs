@@ -52,6 +52,22 @@ fn is_sound(road: &Road) -> bool {
         && numbers.into_iter().all(Real::is_finite)
 }
 
+/// An infinite brake holds every wheel, also in the air and under a chassis without mass, where no impulse turns it.
+#[test]
+fn an_infinite_brake_under_a_chassis_without_mass() {
+    let mut road = Road::level(60, 1.0);
+    road.run(0.2);
+    let collider = road.chassis().colliders()[0];
+    road.world.colliders[collider].set_mass(0.0);
+    let chassis = road.car.chassis;
+    road.world.bodies[chassis].set_translation(Vector::Y * 50.0, true);
+    road.wheels(|wheel| wheel.brake = Real::INFINITY);
+    road.run(0.2);
+    assert_eq!(road.chassis().mass(), 0.0);
+    assert!(is_sound(&road));
+    assert!(road.car.wheels().iter().all(|wheel| wheel.spin() == 0.0));
+}
+
 /// Every field of one wheel takes every value: the world stays sound, and what is no number is named in the log.
 #[test]
 fn every_number_everywhere() {

@@ -345,8 +345,7 @@ impl Blow {
         let now = free + self.borne;
         let is_at_rest = now.max(self.last) >= -pass.threshold;
         self.limit = if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * NOTICED;
-        // Not `clamp`, which panics where gravity is so large that its square is no number.
-        self.accelerated = self.accelerated.max(-pass.fall).min(pass.fall);
+        self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
         self.given = 0.0;
     }
 

@@ -282,7 +282,7 @@ impl Drive {
             distance: motor.target_pos - q,
             velocity: share(damping) * motor.target_vel,
             yielding: share(1.0 / h),
-            impulse: motor.impulse.max(-impulse_max).min(impulse_max),
+            impulse: motor.impulse.clamp(-impulse_max, impulse_max),
             total: 0.0,
             impulse_max,
         }
@@ -294,7 +294,7 @@ impl Drive {
         impulse_max: Real,
         impulse: Real,
     ) -> Self {
-        let impulse = impulse.max(-impulse_max).min(impulse_max);
+        let impulse = impulse.clamp(-impulse_max, impulse_max);
         let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
         Self {
             owner,
@@ -319,7 +319,7 @@ impl Drive {
         let wanted = self.velocity + self.pull * (self.distance - moved);
         let error = numbers.velocity(&self.row, actors) - wanted + self.yielding * self.impulse;
         let mass = self.row.mass / (1.0 + self.yielding * self.row.mass);
-        let new = (self.impulse - error * mass).max(-self.impulse_max).min(self.impulse_max);
+        let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
         let change = new - self.impulse;
         self.impulse = new;
         numbers.push(&self.row, change, actors);
