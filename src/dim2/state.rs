@@ -153,7 +153,7 @@ pub(crate) struct WideDisplacement<W> {
     /// The angle of the turn.
     pub angular: WideAngVector<W>,
     /// The turn itself. It is worked out once, where the body turns: several joints of the body ask for it, many times.
-    pub turn: WideRotation<W>,
+    turn: WideRotation<W>,
 }
 
 impl<W: Wide> WideDisplacement<W> {
@@ -176,6 +176,9 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
+/// How one body per lane moves, and how far it has moved.
+pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
+
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
@@ -184,7 +187,7 @@ impl<W: Wide> WideDisplacement<W> {
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-) -> (WideMotion<W>, WideDisplacement<W>) {
+) -> WideState<W> {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
         // SAFETY: the caller's promise.
@@ -203,7 +206,7 @@ pub(crate) unsafe fn gather_states<W: Wide>(
 pub(crate) unsafe fn scatter_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-    state: (WideMotion<W>, WideDisplacement<W>),
+    state: WideState<W>,
 ) {
     let mut rows = [const { None }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
@@ -234,7 +237,7 @@ pub(crate) fn gather_velocities<W: Wide>(
 
 /// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
 #[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, WideDisplacement<W>) {
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = &state.0;
@@ -244,10 +247,7 @@ pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, Wide
 
 /// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
 #[inline(always)]
-pub(crate) fn store_states<W: Wide>(
-    states: &mut [BodyState],
-    motions: (WideMotion<W>, WideDisplacement<W>),
-) {
+pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
     let mut rows = [const { None }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = Some(&mut state.0);
@@ -256,7 +256,7 @@ pub(crate) fn store_states<W: Wide>(
 }
 
 #[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> (WideMotion<W>, WideDisplacement<W>) {
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     let velocity = WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] };
     let linear = WideVector { x: s[4], y: s[5] };
     (
@@ -266,7 +266,7 @@ fn motions<W: Wide>(s: [W; STATE_LEN]) -> (WideMotion<W>, WideDisplacement<W>) {
 }
 
 #[inline(always)]
-fn numbers<W: Wide>((v, d): (WideMotion<W>, WideDisplacement<W>)) -> [W; STATE_LEN] {
+fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
     let WideRotation { re, im } = d.turn;
     [v.linear.x, v.linear.y, v.angular, re, d.linear.x, d.linear.y, d.angular, im]
 }

@@ -189,6 +189,9 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
+/// How one body per lane moves, and how far it has moved.
+pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
+
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
@@ -197,7 +200,7 @@ impl<W: Wide> WideDisplacement<W> {
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-) -> (WideMotion<W>, WideDisplacement<W>) {
+) -> WideState<W> {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, &index) in rows.iter_mut().zip(indices) {
         // SAFETY: the caller's promise.
@@ -237,7 +240,7 @@ pub(crate) unsafe fn scatter_velocities<W: Wide>(
 pub(crate) unsafe fn scatter_states<W: Wide>(
     states: &DisjointMut<BodyState>,
     indices: &[u32; LANES],
-    (velocity, _): (WideMotion<W>, WideDisplacement<W>),
+    (velocity, _): WideState<W>,
 ) {
     // SAFETY: the caller's promise.
     unsafe { scatter_velocities(states, indices, velocity) };
@@ -260,7 +263,7 @@ pub(crate) fn gather_velocities<W: Wide>(
 
 /// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
 #[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, WideDisplacement<W>) {
+pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
     let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = &state.0;
@@ -270,10 +273,7 @@ pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> (WideMotion<W>, Wide
 
 /// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
 #[inline(always)]
-pub(crate) fn store_states<W: Wide>(
-    states: &mut [BodyState],
-    motions: (WideMotion<W>, WideDisplacement<W>),
-) {
+pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
     let mut rows = [const { None }; LANES];
     for (row, state) in rows.iter_mut().zip(states) {
         *row = Some(&mut state.0);
@@ -282,7 +282,7 @@ pub(crate) fn store_states<W: Wide>(
 }
 
 #[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> (WideMotion<W>, WideDisplacement<W>) {
+fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     let velocity = motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]);
     let moved = motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]);
     (
@@ -305,7 +305,7 @@ fn motion<W: Wide>(s: [W; MOTION_LEN]) -> WideMotion<W> {
 }
 
 #[inline(always)]
-fn numbers<W: Wide>((v, d): (WideMotion<W>, WideDisplacement<W>)) -> [W; STATE_LEN] {
+fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
     let unused = W::zero();
     [
         v.linear.x,

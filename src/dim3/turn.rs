@@ -8,16 +8,8 @@ use crate::base::wide::Wide;
 /// Where [`turned_further`] gives up (rad).
 const SERIES_MAX: Real = 2.0;
 
-/// A quaternion, not of unit length, that turns by a rotation vector: its real part and its vector. See
+/// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part. See
 /// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
-#[inline(always)]
-fn quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, WideVector<W>) {
-    let square = turn.dot(turn).min(W::splat(TURN_MAX));
-    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square);
-    (cosine, turn * sine)
-}
-
-/// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part.
 #[inline(always)]
 pub(crate) fn wide_unit_quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, W) {
     let square = turn.dot(turn);
@@ -40,20 +32,9 @@ pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
     turn: WideAngVector<W>,
 ) -> WideRotation<W> {
-    let (q, (real, a)) = (frame, quaternion(turn));
-    let turned = WideRotation {
-        x: q.x * real + (a.x * q.w + a.y * q.z - a.z * q.y),
-        y: q.y * real + (a.y * q.w + a.z * q.x - a.x * q.z),
-        z: q.z * real + (a.z * q.w + a.x * q.y - a.y * q.x),
-        w: q.w * real - (a.x * q.x + a.y * q.y + a.z * q.z),
-    };
-    let scale = W::splat(1.0) / (real * real + a.dot(a)).sqrt();
-    WideRotation {
-        x: turned.x * scale,
-        y: turned.y * scale,
-        z: turned.z * scale,
-        w: turned.w * scale,
-    }
+    let (scale, real) = wide_unit_quaternion(turn);
+    let WideVector { x, y, z } = turn * scale;
+    WideRotation { x, y, z, w: real }.times(frame)
 }
 
 /// The rotation vector of a turn by `turn` and then by the small angle `by`, to third order: the

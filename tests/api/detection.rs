@@ -5,7 +5,12 @@ use crate::dim::vec;
 use rapier::prelude::*;
 
 /// Detects collisions with a pipeline of one's own; `take_in` says whether edits are taken in.
-fn detect(world: &mut PhysicsWorld, take_in: bool, events: &dyn EventHandler) {
+pub fn detect(
+    world: &mut PhysicsWorld,
+    take_in: bool,
+    hooks: &dyn PhysicsHooks,
+    events: &dyn EventHandler,
+) {
     let mut pipeline = CollisionPipeline::new();
     pipeline.step(
         &world.integration_parameters,
@@ -16,7 +21,7 @@ fn detect(world: &mut PhysicsWorld, take_in: bool, events: &dyn EventHandler) {
         &mut world.colliders,
         &world.impulse_joints,
         &world.multibody_joints,
-        &(),
+        hooks,
         events,
         take_in,
     );
@@ -32,7 +37,7 @@ fn detection_finds_contacts_and_moves_nothing() {
     let before = *world.bodies[body].position();
     let protocol = Protocol::default();
     for _ in 0..10 {
-        detect(&mut world, true, &protocol);
+        detect(&mut world, true, &(), &protocol);
         let pair = world.contact_pair(ground, collider).expect("they overlap");
         let (_, _, depth) = pair.find_deepest_contact().expect("they overlap");
         assert!((depth - 0.1).abs() < 1.0e-4, "{depth}");
@@ -55,13 +60,13 @@ fn detection_sees_edits_when_it_takes_them_in() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 5.0), telling);
     let protocol = Protocol::default();
-    detect(&mut world, true, &protocol);
+    detect(&mut world, true, &(), &protocol);
     world.bodies[body].set_translation(vec(0.0, 0.4), true);
     let late = world.insert_collider(ColliderBuilder::ball(0.5), None);
-    detect(&mut world, false, &protocol);
+    detect(&mut world, false, &(), &protocol);
     assert!(protocol.collisions().is_empty(), "not looked at yet");
     assert!(world.contact_pair(collider, late).is_none());
-    detect(&mut world, true, &protocol);
+    detect(&mut world, true, &(), &protocol);
     let events = protocol.collisions();
     assert_eq!(events.len(), 2, "{events:?}");
     assert!(world.contact_pair(collider, late).is_some());
@@ -77,13 +82,13 @@ fn detection_survives_removals_that_it_does_not_take_in() {
     steps(&mut world, 5);
     world.remove_body(body);
     for _ in 0..3 {
-        detect(&mut world, false, &protocol);
+        detect(&mut world, false, &(), &protocol);
     }
     let (next, _) = add_box(&mut world, vec(0.0, 0.5), telling);
     assert_eq!(next.into_raw_parts().0, body.into_raw_parts().0, "the slot is used again");
     world.remove_collider(ground);
-    detect(&mut world, false, &protocol);
-    detect(&mut world, true, &protocol);
+    detect(&mut world, false, &(), &protocol);
+    detect(&mut world, true, &(), &protocol);
     assert!(world.colliders.get(collider).is_none());
     steps(&mut world, 30);
     assert!(world.bodies[other].translation().y < world.bodies[next].translation().y + 1.1);

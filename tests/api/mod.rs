@@ -6,7 +6,7 @@
 pub mod stage;
 
 mod contacts;
-mod detection;
+pub mod detection;
 mod edits;
 mod events;
 mod filters;

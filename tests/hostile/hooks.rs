@@ -5,6 +5,7 @@ use super::scene::Scene;
 use super::values::{EDGES, edge_vectors};
 use super::world::check;
 use crate::dim::{cuboid, vec};
+use crate::suite::api::detection::detect;
 use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -139,23 +140,6 @@ fn numbers_of_a_contact_are_taken_or_refused_by_name() {
     }
 }
 
-/// A look at who touches whom that takes in nothing of what the user has done but removals.
-fn detect_without_edits(world: &mut PhysicsWorld, hooks: &dyn PhysicsHooks) {
-    world.collision_pipeline.step(
-        &world.integration_parameters,
-        &mut world.islands,
-        &mut world.broad_phase,
-        &mut world.narrow_phase,
-        &mut world.bodies,
-        &mut world.colliders,
-        &world.impulse_joints,
-        &world.multibody_joints,
-        hooks,
-        &(),
-        false,
-    );
-}
-
 /// Panics in every step that touches something.
 struct Panicking;
 
@@ -219,7 +203,7 @@ fn an_edited_body_knows_its_place_after_a_detection_that_panicked() {
             true
         };
         let hooks = Hooks { filter: Some(&filter), modify: None };
-        let detection = AssertUnwindSafe(|| detect_without_edits(&mut world, &hooks));
+        let detection = AssertUnwindSafe(|| detect(&mut world, false, &hooks, &()));
         assert_eq!(catch_unwind(detection).is_err(), panics);
         for _ in 0..3 {
             world.step();

@@ -4,6 +4,8 @@ use super::InvalidJoint;
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::Real;
 
+const TURN: Real = 2.0 * core::f64::consts::PI as Real;
+
 /// How far (rad) a joint may be outside of its limits by whoever put it there without another turn being meant.
 const LEEWAY: Real = 0.5;
 
@@ -41,7 +43,6 @@ impl JointLimits {
     /// 3.25 rad between 2.5 and 4 is there, and not at -3.03. Of several readings the one nearest to zero is taken; if there is
     /// none, the one that is least outside.
     pub(crate) fn first_reading(&self, angle: Real) -> Real {
-        const TURN: Real = 2.0 * core::f64::consts::PI as Real;
         let (min, max) = (self.min - LEEWAY, self.max + LEEWAY);
         let turns = if angle < min {
             ((min - angle) / TURN).ceil()
@@ -63,4 +64,10 @@ impl JointLimits {
         let ordered = min <= max && min < Real::INFINITY && max > -Real::INFINITY;
         if ordered { Ok(()) } else { Err(InvalidJoint::Limits { axis, min, max }) }
     }
+}
+
+/// The angle plus that number of turns that brings it nearest to the last one.
+pub(crate) fn nearest_turn(angle: Real, last: Real) -> Real {
+    let turns = ((last - angle) / TURN).round();
+    if turns.is_finite() { angle + turns * TURN } else { angle }
 }

@@ -27,6 +27,7 @@ pub use generic::{GenericJoint, JointEnabled};
 pub(crate) use generic::{mask_of, relative_rotation};
 pub use impulse_joint::{ImpulseJoint, ImpulseJointHandle};
 pub use limits::JointLimits;
+pub(crate) use limits::nearest_turn;
 pub(crate) use links::{JointForm, JointLink, JointLinks};
 pub use motor::{JointMotor, MotorModel};
 pub use prismatic::{PrismaticJoint, PrismaticJointBuilder};

@@ -3,6 +3,7 @@
 use super::InvalidJoint;
 use super::motor::check_factor;
 use crate::dim::math::Real;
+use crate::model::params::Softness;
 
 /// How soft the locked axes of a joint are: a spring and a damper by what one sees of them, whatever
 /// the masses.
@@ -38,8 +39,7 @@ impl SpringCoefficients {
     /// assert!(stiff.cfm_coeff(1.0 / 60.0) < 1.0e-6);
     /// ```
     pub fn erp_inv_dt(&self, dt: Real) -> Real {
-        let omega = self.angular_frequency();
-        quotient(omega, dt * omega + 2.0 * self.damping_ratio)
+        self.in_steps_of(dt).bias_rate
     }
 
     /// The share of an error that the spring removes in a step of `dt` seconds.
@@ -50,13 +50,17 @@ impl SpringCoefficients {
     /// How much the spring yields in a step of `dt` seconds, in units of the inverse of the mass that it moves:
     /// `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
     pub fn cfm_coeff(&self, dt: Real) -> Real {
-        let turn = dt * self.angular_frequency();
-        1.0 / (turn * (2.0 * self.damping_ratio + turn))
+        self.in_steps_of(dt).yields()
     }
 
     /// What is left of a constraint's mass by that: `1 / (1 + cfm_coeff)`.
     pub fn cfm_factor(&self, dt: Real) -> Real {
         1.0 / (1.0 + self.cfm_coeff(dt))
+    }
+
+    /// What the solver makes of it.
+    pub(crate) fn in_steps_of(&self, dt: Real) -> Softness {
+        Softness::spring(self.angular_frequency(), self.damping_ratio, dt)
     }
 
     /// Are both numbers usable?
@@ -66,28 +70,23 @@ impl SpringCoefficients {
     }
 }
 
-/// Zero by zero is nothing here: a spring without frequency and damping pulls nothing.
-fn quotient(numerator: Real, denominator: Real) -> Real {
-    if denominator == 0.0 { 0.0 } else { numerator / denominator }
-}
-
 #[cfg(test)]
 mod tests {
     use super::SpringCoefficients;
-    use crate::model::params::Softness;
+    use crate::dim::math::Real;
 
-    /// The same numbers as those of the solver, whatever the spring; and none that is no number.
+    /// With `a = dt ω`: `erp = a / (a + 2 ζ)` and `cfm = 1 / (a (a + 2 ζ))`, whatever the spring; and none that is no number.
     #[test]
-    fn springs_are_those_of_the_solver() {
+    fn springs_are_those_of_the_formulas() {
         let dt = 1.0 / 240.0;
         for (frequency, ratio) in [(1.0, 0.0), (30.0, 1.0), (5.0, 10.0), (1.0e4, 0.5)] {
             let spring = SpringCoefficients::new(frequency, ratio);
-            let softness = Softness::spring(spring.angular_frequency(), ratio, dt);
-            let near = |a: f64, b: f64| (a - b).abs() <= 1.0e-5 * b.abs();
-            assert!(near(spring.erp_inv_dt(dt).into(), softness.bias_rate.into()));
-            assert!(near(spring.cfm_coeff(dt).into(), softness.yields().into()));
-            let factor = f64::from(spring.cfm_factor(dt));
-            assert!(near(factor, 1.0 / (1.0 + f64::from(softness.yields()))));
+            let near = |a: Real, b: Real| (a - b).abs() <= 1.0e-5 * b.abs();
+            let turn = dt * spring.angular_frequency();
+            let stiffness = turn + 2.0 * ratio;
+            assert!(near(spring.erp_inv_dt(dt), turn / stiffness / dt));
+            assert!(near(spring.cfm_coeff(dt), 1.0 / (turn * stiffness)));
+            assert!(near(spring.cfm_factor(dt), 1.0 / (1.0 + 1.0 / (turn * stiffness))));
         }
         let slack = SpringCoefficients::new(0.0, 0.0);
         assert_eq!((slack.erp(dt), slack.cfm_factor(dt)), (0.0, 0.0));

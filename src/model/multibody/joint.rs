@@ -8,7 +8,7 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::{ANG_AXES, angle_about, angles_about, angular, join, rotation_about};
 use crate::model::check::{is_non_negative, refuse};
-use crate::model::joint::{GenericJoint, mask_of};
+use crate::model::joint::{GenericJoint, mask_of, nearest_turn};
 use arrayvec::ArrayVec;
 
 /// A spring along one axis of a joint.
@@ -156,11 +156,12 @@ impl MultibodyJoint {
         let data = &self.data;
         let mut set = |axis: usize, angle: Real| {
             let old = &mut self.coords[DIM + axis];
-            let turn = 2.0 * core::f64::consts::PI as Real;
+            // What is exactly zero has hardly been measured.
             let limits = data.limits(JointAxis::ALL[DIM + axis]).filter(|_| *old == 0.0);
-            let last = limits.map_or(*old, |limits| limits.first_reading(angle));
-            let turns = ((last - angle) / turn).round();
-            *old = if is_coordinate(turns) { angle + turn * turns } else { angle };
+            *old = match limits {
+                Some(limits) => limits.first_reading(angle),
+                None => nearest_turn(angle, *old),
+            };
         };
         match angular_axes(free).as_slice() {
             [] => {}

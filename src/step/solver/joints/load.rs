@@ -17,10 +17,10 @@ use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::island::IslandManager;
 use crate::model::joint::{
-    GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of,
+    GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of, nearest_turn,
     relative_rotation,
 };
-use crate::model::params::{JointPass, Softness};
+use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::multibodies::SolverMultibodies;
 
@@ -267,9 +267,7 @@ fn load_lane(
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {
     let softness = match joint.data.softness {
         None => pass.softness,
-        Some(spring) => {
-            Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
-        }
+        Some(spring) => spring.in_steps_of(pass.substep),
     };
     let is_spring = joint.data.softness.is_some();
     let yields = softness.yields().min(UNLIMITED);
@@ -341,13 +339,6 @@ fn load_rotation(
     set_ang_lane(&mut row.angular, lane, direction);
     row.angle.0[lane] = angle;
     angle
-}
-
-/// The angle plus that number of turns that brings it nearest to the last one.
-fn nearest_turn(angle: Real, last: Real) -> Real {
-    const TURN: Real = 2.0 * core::f64::consts::PI as Real;
-    let turns = ((last - angle) / TURN).round();
-    if turns.is_finite() { angle + turns * TURN } else { angle }
 }
 
 fn load_drive(

@@ -355,8 +355,8 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     for k in 0..N {
         wanted[k] = wanted[k] * (locked[k] * swept);
     }
-    let yields_none = !(AHEAD || block.has_springs || block.has_exact);
-    let change = if let (true, Some(matrix)) = (yields_none, matrix) {
+    let is_rigid = !(AHEAD || block.has_springs || block.has_exact);
+    let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
         let yields = yields_of::<W, AHEAD>(block);

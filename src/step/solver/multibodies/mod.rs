@@ -58,10 +58,11 @@ pub(super) struct Moving {
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
     before_blow: BeforeBlow,
-    /// Do links turn so far in a step that contacts must be followed from substep to substep?
-    turns_far: bool,
-    /// Has it contacts? What flies freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    /// Has it contacts?
     touches: bool,
+    /// Do links turn so far in a step that its contacts must be followed from substep to substep? Not if it has none: what flies
+    /// freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    turns_far: bool,
     /// The energy that contacts may leave.
     energy: Real,
     /// The joints and the root's pose when the step began.
@@ -315,7 +316,7 @@ impl SolverMultibodies {
 
     /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
     fn keep_energy(&mut self) {
-        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far && moving.touches);
+        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far);
         fast.for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
@@ -340,7 +341,7 @@ impl SolverMultibodies {
 impl Moving {
     /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and what energy there is.
     fn measure(&mut self, dt: Real) {
-        self.turns_far = self.motion.turns_far(dt);
+        self.turns_far = self.touches && self.motion.turns_far(dt);
         if self.turns_far {
             self.energy = self.motion.energy_before_contacts();
         }
@@ -359,7 +360,7 @@ impl Moving {
         }
         self.note_travel(h);
         self.motion.advance(&mut self.multibody, h, speed_max);
-        if self.motion.is_wild && !self.turns_far {
+        if self.touches && self.motion.is_wild && !self.turns_far {
             self.turns_far = true;
             self.energy = self.motion.energy_before_contacts();
         }
