@@ -192,8 +192,9 @@ fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, nearby: &mut Near
     let size = bounds.extents().max_element();
     let way = (motion * STEPS_AHEAD).clamp_length_max(size);
     let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
-    let region = bounds.merged(&later).loosened(MARGIN * size);
-    // What is as fast as numbers go is looked up for the moment.
+    let (around, margin) = (bounds.merged(&later), Vector::splat(MARGIN * size));
+    let region = Aabb::new(around.mins - margin, around.maxs + margin);
+    // What is as fast, or as far out, as numbers go is looked up for the moment.
     let is_wide = region.extents().is_finite() && !nearby.is_crowded();
     let region = if is_wide { region } else { *bounds };
     surface.for_each_flat(&region, |id, flat| nearby.add(id, flat));

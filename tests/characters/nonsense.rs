@@ -195,3 +195,27 @@ fn odd_sizes_and_places_do_no_harm() {
         }
     }
 }
+
+/// A shape that is given to `move_shape` never saw the checks of a collider: its sizes may be no numbers, on floors of every kind.
+#[test]
+fn shapes_without_a_size_move_somewhere_or_nowhere() {
+    for (name, floor) in super::floors::level_floors() {
+        let mut world = PhysicsWorld::new();
+        for part in floor {
+            world.insert_collider(part, None);
+        }
+        world.step();
+        let queries = world.query_pipeline();
+        let controller = KinematicCharacterController::default();
+        for value in crate::suite::hostile::values::EDGES {
+            for shape in
+                [SharedShape::ball(value), SharedShape::new(Cuboid::new(Vector::splat(value)))]
+            {
+                let pose = Pose::from_translation(vec(0.3, 0.4));
+                let wish = vec(0.3, -0.1);
+                let movement = controller.move_shape(DT, &queries, &*shape, &pose, wish, |_| ());
+                assert!(movement.translation.is_finite(), "{value} on {name}");
+            }
+        }
+    }
+}
