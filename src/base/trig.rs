@@ -54,16 +54,16 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     (sine as Real, cosine as Real)
 }
 
-/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to 0.66: the rational approximation of Moshier's "Methods and
+/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to 0.66 either way: the rational approximation of Moshier's "Methods and
 /// Programs for Mathematical Functions" (1989), right to the last digit or two of a double.
-const ATAN_P: [f64; 5] = [
+pub const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
     -122.886_668_449_013_61,
     -75.008_557_923_147_05,
     -16.157_537_187_333_652,
     -0.875_060_860_003_190_4,
 ];
-const ATAN_Q: [f64; 6] = [
+pub const ATAN_Q: [f64; 6] = [
     194.550_657_148_261_4,
     485.390_399_635_913_7,
     432.881_060_491_290_27,

@@ -314,7 +314,8 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
 }
 
 /// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
-fn report(parts: &StepParts<'_>, scratch: &StepScratch, dt: Real, panic: &mut HeldPanic) {
+fn report(parts: &StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mut HeldPanic) {
+    scratch.notes.order_events();
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
     events::report((bodies, colliders, narrow_phase), &scratch.notes, dt, *events, panic);
 }

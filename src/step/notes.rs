@@ -2,6 +2,7 @@
 
 use crate::dim::math::{AngVector, Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
+use crate::model::collider::ColliderHandle;
 use crate::model::contact::PairId;
 use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
 use crate::model::multibody::Course;
@@ -74,7 +75,7 @@ pub(crate) struct StepNotes {
     pub contacts: Vec<(PairId, PairChange)>,
     /// The same for pairs with a sensor.
     pub intersections: Vec<(PairId, PairChange)>,
-    /// What began and stopped touching, in the order in which it is to be reported.
+    /// What began and stopped touching, as it was found; see [`Self::order_events`].
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
     pub fast: Vec<FastMotion>,
@@ -104,6 +105,13 @@ impl StepNotes {
         self.courses.clear();
         self.lost.clear();
         self.quarantined.clear();
+    }
+
+    /// Puts what began and stopped touching in the order of the colliders. As it was found it depends on why: who is taken out
+    /// in a step that fails parts later than who was taken out before it. What one pair did stays in order.
+    pub fn order_events(&mut self) {
+        let rank = |handle: ColliderHandle| handle.into_raw_parts();
+        self.events.sort_by_key(|event| (rank(event.collider1()), rank(event.collider2())));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::stage::{bob, post};
 use crate::dim::{about_z, angle, hinge, vec};
-use crate::suite::physics::stage::{RATES, run, steps, weightless, world};
+use crate::suite::physics::stage::{RATES, run, steps, substep, weightless, world};
 use rapier::prelude::*;
 
 /// Half a degree.
@@ -112,6 +112,53 @@ fn equal_limits_are_a_lock() {
     run(&mut world, 2.0);
     let found = angle(world.bodies[wheel].rotation());
     assert!((found - 0.4).abs() < 1.0e-3, "{found}");
+}
+
+/// What circles at the end of a rope is no farther than the rope is long, keeps its speed, and pulls with `m v² / r`: within the
+/// `(h v / r)²` by which a polygon of substeps differs from a circle.
+#[test]
+fn ropes_lead_round_in_circles() {
+    for rate in RATES {
+        for speed in [2.0, 5.0, 10.0] {
+            let mut world = weightless(rate);
+            let post = post(&mut world, Vector::ZERO);
+            let load = bob(1.0, 0.3).translation(vec(1.0, 0.0)).linvel(vec(0.0, speed));
+            let load = world.insert_body(load);
+            let rope = world.insert_impulse_joint(post, load, RopeJointBuilder::new(1.0));
+            let mut longest: Real = 0.0;
+            for _ in 0..steps(&world, 5.0) {
+                world.step();
+                longest = longest.max(world.bodies[load].translation().length());
+            }
+            let what = format!("{speed} m/s at {rate} Hz");
+            assert!(longest < 1.001, "{longest} m, {what}");
+            let kept = world.bodies[load].linvel().length() / speed;
+            assert!((kept - 1.0).abs() < 1.0e-3, "{kept} of the speed, {what}");
+            let pull = world.impulse_joints.get(rope).expect("the rope is there").force().length();
+            let turn = speed * substep(&world);
+            let error = (pull / (speed * speed) - 1.0).abs();
+            assert!(error < turn * turn + 1.0e-3, "{pull} N, {what}");
+        }
+    }
+}
+
+/// A pendulum on a rope swings as high after half a minute as at first: taut throughout, it loses nothing.
+#[test]
+fn ropes_let_pendulums_swing() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let post = post(&mut world, Vector::ZERO);
+        let load = world.insert_body(bob(1.0, 0.1).translation(vec(1.0, 0.0)));
+        world.insert_impulse_joint(post, load, RopeJointBuilder::new(1.0));
+        run(&mut world, 27.0);
+        let mut highest = Real::MIN;
+        for _ in 0..steps(&world, 3.0) {
+            world.step();
+            highest = highest.max(world.bodies[load].translation().y);
+        }
+        // 1 cm below the level of 90° is 0.6° of the amplitude.
+        assert!(highest.abs() < 0.01, "{highest} m at {rate} Hz");
+    }
 }
 
 #[test]

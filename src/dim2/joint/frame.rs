@@ -19,16 +19,23 @@ pub(crate) fn angular_to_world<W: Wide>(
     v
 }
 
-/// The error about the axis if it were locked, and the direction along which the relative angular velocity
-/// changes it.
+/// The second frame as seen from the first.
 #[inline(always)]
-pub(crate) fn locked_rotations<W: Wide>(
+pub(crate) fn frame_between<W: Wide>(
     frame1: WideRotation<W>,
     frame2: WideRotation<W>,
+) -> WideRotation<W> {
+    frame2.since(frame1)
+}
+
+/// The error about the axis if it were locked, and the direction along which the relative angular velocity
+/// changes it. `between` is the second frame as seen from the first.
+#[inline(always)]
+pub(crate) fn locked_rotations<W: Wide>(
+    between: WideRotation<W>,
     _axes: &[WideVector<W>; DIM],
 ) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
     let one = W::splat(1.0);
-    let between = frame2.since(frame1);
     // At half a turn both directions are as good, and the error is large in either.
     let sum = (one + between.re).max(W::splat(1.0e-3));
     ([(between.im + between.im) / sum], [one])

@@ -23,6 +23,38 @@ impl FreeRotations {
     }
 }
 
+/// What the angle of an axis is: see the head of this folder.
+#[derive(Copy, Clone, Debug)]
+pub(super) enum Angle {
+    /// That of the whole rotation.
+    Whole,
+    /// How far the second frame is twisted about this axis.
+    Twist(Vector),
+    /// How far this axis was swung, in any direction.
+    Swing(Vector),
+    /// How far X was swung towards this axis.
+    Tilt(Vector),
+}
+
+impl Angle {
+    /// That of an axis of a joint.
+    pub(super) fn of(axis: JointAxis, rotations: FreeRotations) -> Self {
+        let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
+        let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
+        let alone = JointAxesMask::ANG_AXES - coupled;
+        let is_twist = rotations.is_single() || axis == JointAxis::AngX;
+        match coupled.bits().count_ones() {
+            3 => Self::Whole,
+            2 if coupled.contains(own) => Self::Swing(unit(alone)),
+            2 => Self::Twist(unit(own)),
+            _ if is_twist => Self::Twist(unit(own)),
+            // A turn about Y leads X to -Z, one about Z to Y.
+            _ if axis == JointAxis::AngY => Self::Tilt(-Vector::Z),
+            _ => Self::Tilt(Vector::Y),
+        }
+    }
+}
+
 /// The angle of a free axis of rotation (radians), and the direction, in the first frame, along which the
 /// relative angular velocity changes it. `rotation` is the second frame's, seen from the first.
 pub(crate) fn angle_about(
@@ -30,15 +62,11 @@ pub(crate) fn angle_about(
     rotations: FreeRotations,
     rotation: &Rotation,
 ) -> (Real, AngVector) {
-    let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
-    let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
-    let alone = JointAxesMask::ANG_AXES - coupled;
-    match coupled.bits().count_ones() {
-        3 => whole_angle(rotation),
-        2 if coupled.contains(own) => swing_of(unit(alone), rotation),
-        2 => twist_about(unit(own), rotation),
-        _ if rotations.is_single() || axis == JointAxis::AngX => twist_about(unit(own), rotation),
-        _ => swing_about(axis, rotation),
+    match Angle::of(axis, rotations) {
+        Angle::Whole => whole_angle(rotation),
+        Angle::Twist(e) => twist_about(e, rotation),
+        Angle::Swing(e) => swing_of(e, rotation),
+        Angle::Tilt(g) => tilt_towards(g, rotation),
     }
 }
 
@@ -74,19 +102,15 @@ fn swing_of(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (atan2(sin, cos), if sin > 0.0 { across / sin } else { e.any_orthonormal_vector() })
 }
 
-/// How far X was swung about another axis of the first frame.
-fn swing_about(axis: JointAxis, rotation: &Rotation) -> (Real, AngVector) {
+/// How far X was swung towards `g`.
+fn tilt_towards(g: Vector, rotation: &Rotation) -> (Real, AngVector) {
     let f = *rotation * Vector::X;
-    let (sin, cos, sin_row) = match axis {
-        JointAxis::AngY => (-f.z, f.x, Vector::Z.cross(f)),
-        _ => (f.y, f.x, f.cross(Vector::Y)),
-    };
-    let cos_row = f.cross(Vector::X);
+    let (sin, cos) = (f.dot(g), f.x);
     let length_squared = sin * sin + cos * cos;
     if length_squared < 1.0e-6 {
-        return (0.0, if axis == JointAxis::AngY { Vector::Y } else { Vector::Z });
+        return (0.0, Vector::X.cross(g));
     }
-    (atan2(sin, cos), (sin_row * cos - cos_row * sin) / length_squared)
+    (atan2(sin, cos), (f.cross(g) * cos - f.cross(Vector::X) * sin) / length_squared)
 }
 
 /// The angular part of a joint's impulses.

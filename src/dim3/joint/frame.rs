@@ -28,19 +28,29 @@ pub(crate) fn angular_to_world<W: Wide>(
     axes[0] * v.x + axes[1] * v.y + axes[2] * v.z
 }
 
-/// The error about each axis if it were locked, and the direction (world space) along which the relative angular
-/// velocity changes it.
+/// The second frame as seen from the first: `p* q`.
 #[inline(always)]
-pub(crate) fn locked_rotations<W: Wide>(
+pub(crate) fn frame_between<W: Wide>(
     frame1: WideRotation<W>,
     frame2: WideRotation<W>,
+) -> WideRotation<W> {
+    let (p, q) = (frame1, frame2);
+    WideRotation {
+        x: p.w * q.x - p.x * q.w - (p.y * q.z - p.z * q.y),
+        y: p.w * q.y - p.y * q.w - (p.z * q.x - p.x * q.z),
+        z: p.w * q.z - p.z * q.w - (p.x * q.y - p.y * q.x),
+        w: p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z,
+    }
+}
+
+/// The error about each axis if it were locked, and the direction (world space) along which the relative angular
+/// velocity changes it. `between` is the second frame as seen from the first, which has these `axes`.
+#[inline(always)]
+pub(crate) fn locked_rotations<W: Wide>(
+    between: WideRotation<W>,
     axes: &[WideVector<W>; DIM],
 ) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
-    let (p, q, two) = (frame1, frame2, W::splat(2.0));
-    let w = p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z;
-    let x = p.w * q.x - p.x * q.w - (p.y * q.z - p.z * q.y);
-    let y = p.w * q.y - p.y * q.w - (p.z * q.x - p.x * q.z);
-    let z = p.w * q.z - p.z * q.w - (p.x * q.y - p.y * q.x);
+    let (WideRotation { x, y, z, w }, two) = (between, W::splat(2.0));
     let rows = [
         axes[0] * w + axes[1] * z - axes[2] * y,
         axes[1] * w + axes[2] * x - axes[0] * z,

@@ -1,7 +1,7 @@
 //! What a step tells the user: pairs that begin or stop to touch, strong contact forces, joints that break, and bodies that
 //! it took out because their numbers had become impossible.
 //!
-//! Events are sent at the end of a step, on the thread that called it, in the order of the pairs. Which
+//! Events are sent at the end of a step, on the thread that called it: those of pairs that begin or stop to touch in the order of the colliders. Which
 //! pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents) of their
 //! colliders.
 

@@ -2,7 +2,7 @@
 //!
 //! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
 //! Writes:  nothing but what the user's handler does
-//! Runs:    serial, in the order of the notes and of the awake pairs
+//! Runs:    serial, in the order of the colliders; forces in that of the awake pairs
 //! Never:   changes the world
 
 use crate::base::held::HeldPanic;

@@ -246,7 +246,7 @@ fn solve_group(
             multibodies.solve(states, &pass, params);
         }
         states.integrate_positions(h, (simd, tasks));
-        multibodies.integrate_positions(h, params.max_linear_velocity(), tasks);
+        multibodies.integrate_positions(states, h, params.max_linear_velocity(), tasks);
         multibodies.follow_contacts(place, states);
         for _ in 0..params.num_additional_friction_iterations {
             joints.relax(states, &early_joint_pass, simd, tasks);

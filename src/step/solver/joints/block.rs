@@ -1,7 +1,7 @@
 //! The memory of joint constraints.
 
 use crate::base::wide::{LANES, Lane};
-use crate::dim::joint::JointedInertias;
+use crate::dim::joint::{AngleGauge, JointedInertias};
 use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::{
@@ -125,13 +125,12 @@ impl JointBlock {
 /// One free axis of each lane's joint, with its motor and its limits.
 ///
 /// An axis of translation has a direction in the first frame, or (`coupled`) is the distance within some of
-/// the frame's axes. An axis of rotation has an angular direction, and an angle when the step began.
+/// the frame's axes. An axis of rotation has an angle.
 #[derive(Clone, Debug)]
 pub(super) struct AxisRow {
     pub linear: WideVector<Lane>,
     pub coupled: [Lane; DIM],
-    pub angular: WideAngVector<Lane>,
-    pub angle: Lane,
+    pub gauge: AngleGauge,
     pub motor: MotorRow,
     pub min: Lane,
     pub max: Lane,
@@ -163,8 +162,7 @@ impl AxisRow {
         Self {
             linear: WideVector::ZERO,
             coupled: [zero; DIM],
-            angular: ANG_ZERO_LANES,
-            angle: zero,
+            gauge: AngleGauge::NONE,
             motor: MotorRow {
                 stiffness: zero,
                 damping: zero,

@@ -22,7 +22,9 @@
 //!
 //! ## Limits
 //! A limit is a contact along the axis: it pushes only, and from afar it lets the axis come as near as it gets
-//! in one substep.
+//! in one substep. That is asked of the axis by the end of the substep: with what bending adds (`ahead.rs`), and with what the
+//! locked axes, which are solved after it, will do about their own bending. So a rope leads round in a circle of its length, and
+//! a pendulum on it keeps its energy, as one on a locked joint does.
 //!
 //! Limits that press on each other, as those of a telescope do, are solved in sweeps. One between bodies of the mass `m` that
 //! holds a load `M` answers to the load's velocity as if it were as light: by `m (v + β C)` in each of the two visits of a

@@ -4,12 +4,12 @@ use super::block::{AxisRow, JointBlock};
 use super::rows::Row;
 use crate::base::wide::Wide;
 use crate::dim::joint::{
-    angular_to_frame, angular_to_world, axes, components, from_components, linear_to_world,
-    locked_rotations,
+    angular_to_frame, angular_to_world, axes, components, frame_between, from_components,
+    linear_to_world, locked_rotations,
 };
 use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
 use crate::dim::state::WideDisplacement;
-use crate::dim::wide::{WideAngVector, WideRotation, WideVector, ang_dot, load_ang, torque};
+use crate::dim::wide::{WideAngVector, WideRotation, WideVector, torque};
 
 /// Frames and levers of a block's joints after the bodies have moved.
 pub(super) struct Geometry<W> {
@@ -22,8 +22,10 @@ pub(super) struct Geometry<W> {
     /// Errors about the axes if they were locked, and the directions that change them.
     pub errors: [W; ANG_DIM],
     pub directions: [WideAngVector<W>; ANG_DIM],
+    /// The second frame as seen from the first.
+    between: WideRotation<W>,
     /// By how much the second body has turned more than the first since the step began.
-    pub turn: WideAngVector<W>,
+    turn: WideAngVector<W>,
 }
 
 impl<W: Wide> Geometry<W> {
@@ -41,7 +43,8 @@ impl<W: Wide> Geometry<W> {
         let frame1 = turn1.times(WideRotation::load(&block.frames[0]));
         let frame2 = turn2.times(WideRotation::load(&block.frames[1]));
         let axes = axes(frame1);
-        let (errors, directions) = locked_rotations(frame1, frame2, &axes);
+        let between = frame_between(frame1, frame2);
+        let (errors, directions) = locked_rotations(between, &axes);
         let mut along = [W::zero(); DIM];
         for (along, axis) in along.iter_mut().zip(&axes) {
             *along = axis.dot(separation);
@@ -52,6 +55,7 @@ impl<W: Wide> Geometry<W> {
             separation: along,
             errors,
             directions,
+            between,
             turn: d2.angular - d1.angular,
         }
     }
@@ -122,9 +126,10 @@ impl<W: Wide> Geometry<W> {
     pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
-        let about = angular_to_world(&self.axes, load_ang::<W>(&row.angular));
+        let (about, angle) = row.gauge.measure(self.between, self.turn);
+        let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
-        (along, distance + W::load(&row.angle) + ang_dot(about, self.turn))
+        (along, distance + angle)
     }
 
     /// The direction of an axis of translation, and how far the joint is along it.

@@ -330,14 +330,13 @@ fn load_rotation(
     last: Option<Real>,
 ) -> Real {
     let rotations = FreeRotations::new(!joint.locked_axes, joint.coupled_axes);
-    let (angle, direction) = angle_about(axis, rotations, between);
+    let (angle, _) = angle_about(axis, rotations, between);
     let angle = match last {
         _ if !rotations.is_single() => angle,
         Some(last) => nearest_turn(angle, last),
         None => joint.limits(axis).map_or(angle, |limits| limits.first_reading(angle)),
     };
-    set_ang_lane(&mut row.angular, lane, direction);
-    row.angle.0[lane] = angle;
+    row.gauge.set_lane(lane, axis, rotations, angle);
     angle
 }
 

@@ -28,7 +28,8 @@
 //! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
 //! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
 //! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
-//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this
+//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Limits look ahead, too, with a bound on what they
+//! foresee: see `drive.rs`. Those that pull so hard that this
 //! would not be stable are treated otherwise: see `taut.rs`.
 //!
 //! ## Inertias turn
@@ -60,6 +61,7 @@
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
+mod ahead;
 mod block;
 mod direct;
 mod drive;

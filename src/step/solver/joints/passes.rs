@@ -1,5 +1,6 @@
 //! The passes over a block of joints.
 
+use super::ahead::LookAhead;
 use super::block::{AxisRow, JointBlock, Wrench};
 use super::drive::{FreeAxis, solve_limits, solve_motor};
 use super::geometry::Geometry;
@@ -9,7 +10,6 @@ use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
-use crate::dim::turn::turned_further;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
@@ -214,7 +214,15 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_swept {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let joint = JointNow { geometry: &geometry, masses: &masses, locked: &locked, coupling };
+        let ahead = if AHEAD && block.row_count > 0 {
+            let ahead = LookAhead::new(block, &bodies, pass);
+            let bends = ahead.locked_bends(block, &geometry, &locked.rows, pass);
+            Some((ahead, bends))
+        } else {
+            None
+        };
+        let (masses, locked, ahead) = (&masses, &locked, ahead.as_ref());
+        let joint = JointNow { geometry: &geometry, ahead, masses, locked, coupling };
         // SAFETY: the caller's promise.
         let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
@@ -265,6 +273,8 @@ pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [Wid
 /// What the axes of a block share at the moment when they are solved.
 struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
+    /// Where the joints would be by the end of the substep, if that is asked, and by how much the locked axes would bend.
+    ahead: Option<&'a (LookAhead<W>, [W; N])>,
     masses: &'a Masses<W>,
     locked: &'a Locked<W, N>,
     /// `K_ll`, the matrix of the locked axes.
@@ -318,6 +328,10 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
+    let bend = joint.ahead.map_or(W::zero(), |(ahead, bends)| {
+        let bend = ahead.bend(row, joint.geometry, (&along, position), pass);
+        bends.iter().zip(&shares).fold(bend, |bend, (&locked, &share)| bend - locked * share)
+    });
     for (locked, share) in joint.locked.rows.iter().zip(shares) {
         along = along.minus(locked, share);
     }
@@ -328,7 +342,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
-    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + effective * driven, pass);
+    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + bend + effective * driven, pass);
     let added = driven + limited;
     for (impulse, share) in block.impulses.iter_mut().zip(shares) {
         (W::load(impulse) - share * added).store(impulse);
@@ -379,61 +393,6 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// Where the joints of a block are now, and where their bodies' velocities would lead them by the end of the
-/// substep.
-pub(super) struct LookAhead<W> {
-    pub now: Geometry<W>,
-    pub then: Geometry<W>,
-    velocities: [WideMotion<W>; 2],
-}
-
-impl<W: Wide> LookAhead<W> {
-    /// With these velocities.
-    #[inline(always)]
-    pub fn new(
-        block: &JointBlock,
-        bodies: &Bodies<W>,
-        velocities: [WideMotion<W>; 2],
-        pass: &JointPass,
-    ) -> Self {
-        let h = W::splat(pass.substep);
-        let places = [
-            advanced(&bodies.displacements[0], &velocities[0], h),
-            advanced(&bodies.displacements[1], &velocities[1], h),
-        ];
-        let now = Geometry::new(block, &bodies.displacements);
-        Self { now, then: Geometry::new(block, &places), velocities }
-    }
-
-    /// The rates of the rows (those of now, or of then) by the end of the substep, with the bias of the errors:
-    /// see the module's head.
-    #[inline(always)]
-    pub fn rates(
-        &self,
-        block: &mut JointBlock,
-        rows: &[Row<W>; SPATIAL_DIM],
-        bodies: &Bodies<W>,
-        pass: &JointPass,
-    ) -> [W; SPATIAL_DIM] {
-        let taut = W::zero().lt(W::load(&block.is_taut));
-        let (now, mut then) = (self.now.errors(), self.then.errors());
-        let seen_from_now = self.then.errors_seen_from(&self.now, block);
-        for (then, seen) in then.iter_mut().zip(seen_from_now) {
-            *then = W::select(taut, *then, seen);
-        }
-        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
-        let mut rates = [W::zero(); SPATIAL_DIM];
-        for k in 0..SPATIAL_DIM {
-            let bias = now[k] * bias_rate;
-            bias.store(&mut block.held_bias[k]);
-            // All that the substep would change, and what has changed since that was foreseen.
-            let foreseen = (then[k] - now[k]) * inv_h - rows[k].rate(&self.velocities);
-            rates[k] = foreseen + rows[k].rate(&bodies.velocities) + bias;
-        }
-        rates
-    }
-}
-
 /// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
 /// ahead, which would feed the errors that sweeps leave back into them.
 #[inline(always)]
@@ -473,18 +432,6 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
 pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
     let yields = W::load(&block.yields);
     if AHEAD { yields } else { yields * W::load(&block.is_spring) }
-}
-
-#[inline(always)]
-fn advanced<W: Wide>(
-    displacement: &WideDisplacement<W>,
-    velocity: &WideMotion<W>,
-    h: W,
-) -> WideDisplacement<W> {
-    WideDisplacement::new(
-        displacement.linear + velocity.linear * h,
-        turned_further(displacement.angular, velocity.angular * h),
-    )
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.

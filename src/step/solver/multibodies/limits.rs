@@ -9,7 +9,9 @@
 //! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
 //! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
 //!
-//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient.
+//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient. That turns with the
+//! ball, and what goes round in a cone would leave it along a tangent: rows of such angles that are [`NEAR`] a limit are made
+//! anew in each substep.
 
 use super::rows::{Actors, Numbers, Part, Row};
 use super::{Moving, SoftPass};
@@ -35,6 +37,10 @@ pub enum Owner {
         wrench: SpatialVector,
     },
 }
+
+/// From how far (rad) a limit of a ball's angle is followed. Nothing turns by more in a substep that is to be held within half
+/// a degree.
+const NEAR: Real = 0.25;
 
 /// Both limits of an axis. They share a row: the one pushes along it, the other against it.
 #[derive(Copy, Clone, Debug)]
@@ -148,10 +154,35 @@ impl JointRows {
         self.drives.push(Drive::motor((owner, axis), row, q, motor, h));
     }
 
+    /// Makes the rows of balls near their limits anew, where the links are now.
+    pub fn follow_balls(&mut self, numbers: &mut Numbers, actors: &mut Actors<'_>) {
+        for limit in &mut self.limits {
+            let Owner::Link { multibody, link } = limit.owner else { continue };
+            let link = &actors.multibodies[multibody].multibody.links[link];
+            if !link.joint.is_ball() || (limit.axis as usize) < DIM {
+                continue;
+            }
+            let Some((q, gradient)) = limited_angle(&link.joint, limit.axis) else { continue };
+            let Some(limits) = link.joint.data.limits(limit.axis) else { continue };
+            let room = [q - limits.min, limits.max - q];
+            if limit.impulses == [0.0; 2] && room[0].min(room[1]) > NEAR {
+                continue;
+            }
+            let link = link.clone();
+            numbers.push_early(&limit.row, -limit.impulse(), actors);
+            limit.row.rewrite(numbers, |numbers| {
+                row_of(numbers, actors.multibodies, multibody, &link, &gradient)
+            });
+            numbers.push_early(&limit.row, limit.impulse(), actors);
+            let moved = numbers.displacement(&limit.row, actors);
+            limit.room = [room[0] - moved, room[1] + moved];
+        }
+    }
+
     /// Starts the step with the last one's impulses.
     pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
         for limit in &self.limits {
-            numbers.push_early(&limit.row, limit.impulses[0] - limit.impulses[1], actors);
+            numbers.push_early(&limit.row, limit.impulse(), actors);
         }
         for drive in &self.drives {
             numbers.push_early(&drive.row, drive.impulse, actors);
@@ -190,16 +221,13 @@ impl JointRows {
 
     /// All rows, and the impulses that they have given in this substep.
     pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
-        let limits =
-            self.limits.iter().map(|limit| (&limit.row, limit.impulses[0] - limit.impulses[1]));
+        let limits = self.limits.iter().map(|limit| (&limit.row, limit.impulse()));
         limits.chain(self.drives.iter().map(|drive| (&drive.row, drive.impulse)))
     }
 
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
-        self.limits
-            .iter_mut()
-            .for_each(|limit| limit.total += limit.impulses[0] - limit.impulses[1]);
+        self.limits.iter_mut().for_each(|limit| limit.total += limit.impulse());
         self.drives.iter_mut().for_each(|drive| drive.total += drive.impulse);
     }
 
@@ -217,9 +245,9 @@ impl JointRows {
 
     /// Writes the impulses to the joints.
     pub fn store(&self, multibodies: &mut [Moving], joints: &mut ImpulseJointSet) {
-        for Limit { owner, axis, impulses, .. } in &self.limits {
-            if let Some(data) = owner.data(multibodies, joints) {
-                data.limits[*axis as usize].impulse = finite(impulses[0] - impulses[1]);
+        for limit in &self.limits {
+            if let Some(data) = limit.owner.data(multibodies, joints) {
+                data.limits[limit.axis as usize].impulse = finite(limit.impulse());
             }
         }
         for Drive { owner, axis, is_friction, impulse, .. } in &self.drives {
@@ -254,6 +282,13 @@ impl Owner {
             }
             Self::Loop { joint, .. } => Some(&mut joints.get_unnoted_mut(joint)?.data),
         }
+    }
+}
+
+impl Limit {
+    /// Along the row.
+    fn impulse(&self) -> Real {
+        self.impulses[0] - self.impulses[1]
     }
 }
 

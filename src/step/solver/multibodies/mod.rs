@@ -258,8 +258,16 @@ impl SolverMultibodies {
     }
 
     /// Moves all links by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, speed_max: Real, tasks: Tasks<'_>) {
+    pub fn integrate_positions(
+        &mut self,
+        bodies: &mut SolverBodies,
+        h: Real,
+        speed_max: Real,
+        tasks: Tasks<'_>,
+    ) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
+        let mut actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
+        self.joints.follow_balls(&mut self.numbers, &mut actors);
     }
 
     /// Solves all constraints once, with bias.

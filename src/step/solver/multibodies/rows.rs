@@ -33,6 +33,26 @@ pub struct Row {
     pub mass: Real,
 }
 
+impl Row {
+    /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
+    pub fn rewrite(&mut self, numbers: &mut Numbers, make: impl FnOnce(&mut Numbers) -> Self) {
+        let Some(start) = self.parts.iter().find_map(Part::start) else { return };
+        numbers.rewrite_from(start);
+        *self = make(numbers);
+        numbers.append();
+    }
+}
+
+impl Part {
+    /// Where its numbers begin, if it has any.
+    fn start(&self) -> Option<usize> {
+        match self {
+            Self::Links { start, .. } => Some(*start),
+            Self::Nothing | Self::Body { .. } => None,
+        }
+    }
+}
+
 /// The numbers of all rows.
 #[derive(Debug, Default)]
 pub struct Numbers {

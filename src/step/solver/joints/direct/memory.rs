@@ -1,8 +1,9 @@
 //! The rows of a block of joints, between the lanes that make them and the factorisation that reads them.
 
+use super::super::ahead::LookAhead;
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, LookAhead, note_turned, rates_here, store_couple, yields_of};
+use super::super::passes::{Bodies, note_turned, rates_here, store_couple, yields_of};
 use super::super::rows::{Masses, Row};
 use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
@@ -108,15 +109,17 @@ fn rows_ahead<W: Wide>(
     pass: &JointPass,
 ) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
     let taut = W::zero().lt(W::load(&block.is_taut));
-    let ahead = LookAhead::new(block, bodies, bodies.velocities, pass);
-    let (mut rows, then) = (ahead.now.rows(), ahead.then.rows());
+    let now = Geometry::new(block, &bodies.displacements);
+    let ahead = LookAhead::new(block, bodies, pass);
+    let (mut rows, then) = (now.rows(), ahead.then.rows());
     for (row, then) in rows.iter_mut().zip(&then) {
         row.linear = WideVector::select(taut, then.linear, row.linear);
         for side in 0..2 {
             row.angular[side] = select_ang(taut, then.angular[side], row.angular[side]);
         }
     }
-    (rows, ahead.rates(block, &rows, bodies, pass))
+    let rates = ahead.rates(block, &now, pass);
+    (rows, rates)
 }
 
 #[inline(always)]

@@ -1,0 +1,289 @@
+//! The angles of free axes while the bodies move, lane by lane.
+//!
+//! Each kind of angle is how far a point `(cos, sin)` has gone round:
+//!
+//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e` that follows
+//!   `v`,
+//! * a *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a `g` that follows
+//!   `f`.
+//!
+//! What is added to the angle of the step's beginning is how far the point has gone since: of two points with the
+//! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their
+//! digits.
+
+use super::angle::{Angle, FreeRotations};
+use crate::base::trig::{ATAN_P, ATAN_Q, sin_cos};
+use crate::base::wide::{Lane, Wide};
+use crate::dim3::joint_axes::JointAxis;
+use crate::dim3::math::{Real, Vector};
+use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
+
+/// Below this, numbers that should have a direction have none.
+const NOTHING: Real = 1.0e-12;
+/// The steepest slope of which [`atan`] is right.
+const SLOPE_MAX: Real = 0.66;
+
+/// Measures one angle of each lane's joint.
+#[derive(Clone, Debug)]
+pub(crate) struct AngleGauge {
+    /// `e` and `g`, where they do not follow.
+    from: WideVector<Lane>,
+    towards: WideVector<Lane>,
+    /// One for twists, and one for tilts: both zero in lanes that have no angle.
+    twists: Lane,
+    tilts: Lane,
+    /// One where an axis follows the rotation.
+    follows: Lane,
+    /// The angle when the step began, and its point.
+    angle: Lane,
+    cos: Lane,
+    sin: Lane,
+    /// Is there any twist, and any tilt?
+    has_twists: bool,
+    has_tilts: bool,
+}
+
+impl AngleGauge {
+    /// No angle in any lane.
+    pub const NONE: Self = Self {
+        from: WideVector::ZERO,
+        towards: WideVector::ZERO,
+        twists: Lane::ZERO,
+        tilts: Lane::ZERO,
+        follows: Lane::ZERO,
+        angle: Lane::ZERO,
+        cos: Lane::splat(1.0),
+        sin: Lane::ZERO,
+        has_twists: false,
+        has_tilts: false,
+    };
+
+    /// Measures the angle of an axis, of this size when the step begins.
+    pub fn set_lane(
+        &mut self,
+        lane: usize,
+        axis: JointAxis,
+        rotations: FreeRotations,
+        angle: Real,
+    ) {
+        let (from, towards, follows) = match Angle::of(axis, rotations) {
+            Angle::Whole => (Vector::X, None, true),
+            Angle::Twist(e) => (e, None, false),
+            Angle::Swing(e) => (e, Some(e.any_orthonormal_vector()), true),
+            Angle::Tilt(g) => (Vector::X, Some(g), false),
+        };
+        self.from.set_lane(lane, from);
+        self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
+        self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
+        let (kind, share) = match towards {
+            None => (&mut self.twists, 0.5),
+            Some(_) => (&mut self.tilts, 1.0),
+        };
+        kind.0[lane] = 1.0;
+        (self.has_twists, self.has_tilts) =
+            (self.has_twists || towards.is_none(), self.has_tilts || towards.is_some());
+        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * share);
+        self.angle.0[lane] = angle;
+    }
+
+    /// The direction, in the first frame, along which the relative angular velocity changes the angle, and the angle.
+    /// `between` is the second frame as seen from the first.
+    #[inline(always)]
+    pub fn measure<W: Wide>(
+        &self,
+        between: WideRotation<W>,
+        _turn: WideAngVector<W>,
+    ) -> (WideAngVector<W>, W) {
+        let (mut direction, mut angle) = (WideVector::zero(), W::load(&self.angle));
+        if self.has_twists {
+            let (of_twist, turned) = self.twist(between);
+            let twists = W::load(&self.twists);
+            direction = direction + of_twist * twists;
+            angle = angle + (turned + turned) * twists;
+        }
+        if self.has_tilts {
+            let (of_tilt, turned) = self.tilt(between);
+            let tilts = W::load(&self.tilts);
+            direction = direction + of_tilt * tilts;
+            angle = angle + turned * tilts;
+        }
+        (direction, angle)
+    }
+
+    /// The direction of a twist, and how far its half angle has gone.
+    #[inline(always)]
+    fn twist<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let v = WideVector { x: between.x, y: between.y, z: between.z };
+        let follows = zero.lt(W::load(&self.follows));
+        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is meant.
+        let length = v.dot(v).sqrt();
+        let sign = W::select(between.w.lt(zero), -one, one);
+        let has_axis = W::splat(NOTHING).lt(length);
+        let unit = v * (sign / W::select(has_axis, length, one));
+        let from = WideVector::load(&self.from);
+        let e = WideVector::select(follows & has_axis, unit, from);
+        let (cos, sin) = (W::select(follows, between.w * sign, between.w), v.dot(e));
+        let f = between.rotate(e);
+        let sum = one + e.dot(f);
+        let fair = W::splat(1.0e-3).lt(sum);
+        let shared = (e + f) * (one / W::select(fair, sum, one));
+        let sin = W::select(follows, length, sin);
+        (WideVector::select(fair, shared, e), self.turned(cos, sin, true))
+    }
+
+    /// The direction of a tilt, and how far it has gone.
+    #[inline(always)]
+    fn tilt<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let (e, aside) = (WideVector::load(&self.from), WideVector::load(&self.towards));
+        let follows = zero.lt(W::load(&self.follows));
+        let f = between.rotate(e);
+        let cos = f.dot(e);
+        let across = f - e * cos;
+        let length = across.dot(across).sqrt();
+        let is_swung = W::splat(NOTHING).lt(length);
+        let unit = across * (one / W::select(is_swung, length, one));
+        let g = WideVector::select(follows & is_swung, unit, aside);
+        let sin = f.dot(g);
+        let length_squared = sin * sin + cos * cos;
+        let has_direction = W::splat(1.0e-6).lt(length_squared);
+        let gradient = cross(f, g) * cos - cross(f, e) * sin;
+        let gradient = gradient * (one / W::select(has_direction, length_squared, one));
+        let direction = WideVector::select(has_direction, gradient, cross(e, g));
+        let turned = self.turned(cos, sin, false);
+        (direction, W::select(has_direction, turned, zero))
+    }
+
+    /// How far the point has gone round since the step began: no more than 2.3 rad. A point and its opposite are the same
+    /// for twists, of which it shows half.
+    #[inline(always)]
+    fn turned<W: Wide>(&self, cos: W, sin: W, is_twist: bool) -> W {
+        let (old_cos, old_sin) = (W::load(&self.cos), W::load(&self.sin));
+        let (x, y) = (cos * old_cos + sin * old_sin, sin * old_cos - cos * old_sin);
+        let sign = W::select(x.lt(W::zero()), -W::splat(1.0), W::splat(1.0));
+        let (x, y) = if is_twist { (x * sign, y * sign) } else { (x, y) };
+        // Tangents of half of the angle, and of half of that.
+        let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(NOTHING));
+        let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
+        let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
+        atan(quarter) * W::splat(4.0)
+    }
+}
+
+/// The angle of a slope of up to [`SLOPE_MAX`] either way.
+#[inline(always)]
+fn atan<W: Wide>(slope: W) -> W {
+    let z = slope * slope;
+    let (mut p, mut q) = (W::zero(), W::zero());
+    for &term in ATAN_P.iter().rev() {
+        p = p * z + W::splat(term as Real);
+    }
+    for &term in ATAN_Q.iter().rev() {
+        q = q * z + W::splat(term as Real);
+    }
+    slope + slope * (z * p / q)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::Random;
+    use crate::base::wide::{Kernel, LANES, Simd};
+    use crate::dim3::joint::angle_about;
+    use crate::dim3::joint_axes::JointAxesMask;
+    use crate::dim3::math::{DIM, Rotation, integrate_rotation};
+
+    /// A gauge, and what it reads.
+    struct Reading {
+        gauge: AngleGauge,
+        between: WideRotation<Lane>,
+        direction: WideVector<Lane>,
+        angle: Lane,
+    }
+
+    impl Kernel for &mut Reading {
+        type Output = ();
+        #[inline(always)]
+        fn run<W: Wide>(self) {
+            let between = WideRotation::<W>::load(&self.between);
+            let (direction, angle) = self.gauge.measure(between, WideVector::zero());
+            direction.store(&mut self.direction);
+            angle.store(&mut self.angle);
+        }
+    }
+
+    fn vector(random: &mut Random, size: f64) -> Vector {
+        Vector::from_array([0; DIM].map(|_| random.within(-size, size)))
+    }
+
+    /// Kinds of all sorts in one gauge read what is measured from scratch, however far a step has turned the bodies: within half
+    /// a turn there is one such angle. Single precision has 1e-7 of each number, a quotient of small ones less.
+    #[test]
+    fn lanes_measure_what_is_measured_one_by_one() {
+        let mut random = Random(11);
+        let all = JointAxesMask::ANG_AXES;
+        let kinds = [
+            (JointAxis::AngX, JointAxesMask::empty(), JointAxesMask::ANG_X),
+            (JointAxis::AngZ, JointAxesMask::empty(), JointAxesMask::ANG_Z),
+            (JointAxis::AngX, JointAxesMask::empty(), all),
+            (JointAxis::AngY, JointAxesMask::empty(), all),
+            (JointAxis::AngZ, JointAxesMask::empty(), all),
+            (JointAxis::AngY, JointAxesMask::ANG_Y | JointAxesMask::ANG_Z, all),
+            (JointAxis::AngX, all, all),
+        ];
+        for round in 0..300 {
+            let mut reading = Reading {
+                gauge: AngleGauge::NONE,
+                between: WideRotation::IDENTITY,
+                direction: WideVector::ZERO,
+                angle: Lane::ZERO,
+            };
+            let mut expected = [(0.0, Vector::ZERO); LANES];
+            for (lane, expected) in expected.iter_mut().enumerate() {
+                let (axis, coupled, free) = kinds[(round + lane) % kinds.len()];
+                let rotations = FreeRotations::new(free, coupled);
+                let start = match rotations.is_single() {
+                    true => Rotation::from_axis_angle(axis_of(axis), random.within(-2.0, 2.0)),
+                    false => integrate_rotation(Rotation::IDENTITY, vector(&mut random, 0.8)),
+                };
+                let (angle, _) = angle_about(axis, rotations, &start);
+                reading.gauge.set_lane(lane, axis, rotations, angle);
+                let by = match rotations.is_single() {
+                    true => axis_of(axis) * random.within(-1.0, 1.0),
+                    false => vector(&mut random, 0.5),
+                };
+                let end = integrate_rotation(start, by);
+                // A quaternion and its negative are the same rotation.
+                let end = if random.below(2) == 0 { end } else { -end };
+                reading.between.set_lane(lane, &end);
+                *expected = angle_about(axis, rotations, &end);
+            }
+            Simd::detect().run(&mut reading);
+            for (lane, (angle, direction)) in expected.into_iter().enumerate() {
+                let found = reading.angle.0[lane];
+                assert!((found - angle).abs() < 1.0e-5, "lane {lane}: {found}, not {angle}");
+                let off = (reading.direction.lane(lane) - direction).length();
+                assert!(off < 1.0e-4 * (1.0 + direction.length()), "lane {lane}: {direction}");
+            }
+        }
+    }
+
+    fn axis_of(axis: JointAxis) -> Vector {
+        if axis == JointAxis::AngX { Vector::X } else { Vector::Z }
+    }
+
+    /// Turns are counted on from those that were counted before.
+    #[test]
+    fn turns_stay_counted() {
+        let mut gauge = AngleGauge::NONE;
+        let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
+        gauge.set_lane(0, JointAxis::AngX, rotations, 40.0);
+        let mut between = WideRotation::IDENTITY;
+        between.set_lane(0, &Rotation::from_axis_angle(Vector::X, 40.5));
+        let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+        let mut reading = Reading { gauge, between, direction, angle };
+        Simd::detect().run(&mut reading);
+        assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
+    }
+}

@@ -1,0 +1,123 @@
+//! Where joints would be by the end of the substep: see the head of this folder.
+
+use super::block::{AxisRow, JointBlock};
+use super::geometry::Geometry;
+use super::passes::Bodies;
+use super::rows::Row;
+use crate::base::wide::Wide;
+use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::state::{WideDisplacement, WideMotion};
+use crate::dim::turn::turned_further;
+use crate::dim::wide::{ang_dot, cross};
+use crate::model::params::JointPass;
+
+/// How much of its speed a free axis may bend in a substep. A circle bends by half of the angle that is gone: so this is half a
+/// radian, up to which one step towards the end of the way leads there.
+const BEND_MAX: Real = 0.25;
+
+/// Where the joints of a block would be by the end of the substep.
+pub(super) struct LookAhead<W> {
+    pub then: Geometry<W>,
+    /// With these velocities.
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> LookAhead<W> {
+    /// With the velocities that the bodies have.
+    #[inline(always)]
+    pub fn new(block: &JointBlock, bodies: &Bodies<W>, pass: &JointPass) -> Self {
+        let (velocities, h) = (bodies.velocities, W::splat(pass.substep));
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        Self { then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of the errors.
+    #[inline(always)]
+    pub fn rates(
+        &self,
+        block: &mut JointBlock,
+        now: &Geometry<W>,
+        pass: &JointPass,
+    ) -> [W; SPATIAL_DIM] {
+        let taut = W::zero().lt(W::load(&block.is_taut));
+        let (errors, mut then) = (now.errors(), self.then.errors());
+        let seen_from_now = self.then.errors_seen_from(now, block);
+        for (then, seen) in then.iter_mut().zip(seen_from_now) {
+            *then = W::select(taut, *then, seen);
+        }
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); SPATIAL_DIM];
+        for k in 0..SPATIAL_DIM {
+            let bias = errors[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            rates[k] = (then[k] - errors[k]) * inv_h + bias;
+        }
+        rates
+    }
+
+    /// What bending adds to the rates of locked axes over the substep, from where the joints are `now`: of those that are
+    /// solved exactly. Who comes before them in the substep must reckon with what they will do about it.
+    #[inline(always)]
+    pub fn locked_bends<const N: usize>(
+        &self,
+        block: &JointBlock,
+        now: &Geometry<W>,
+        rows: &[Row<W>; N],
+        pass: &JointPass,
+    ) -> [W; N] {
+        let mut bends = [W::zero(); N];
+        if !block.has_exact {
+            return bends;
+        }
+        let exact = W::splat(1.0) - W::load(&block.swept);
+        let (errors, then) = (now.errors(), self.then.errors_seen_from(now, block));
+        for k in 0..N {
+            let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
+            let straight = rows[k].rate(&self.velocities);
+            bends[k] = (changes - straight) * (exact * W::load(&block.locked[k]));
+        }
+        bends
+    }
+
+    /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
+    /// a cone, leaves along a tangent. No more than [`BEND_MAX`].
+    #[inline(always)]
+    pub fn bend(
+        &self,
+        row: &AxisRow,
+        now: &Geometry<W>,
+        (along, position): (&Row<W>, W),
+        pass: &JointPass,
+    ) -> W {
+        let (_, then) = self.then.free_row(row);
+        let bend = (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
+        let bound = W::splat(BEND_MAX) * self.speed(now, along);
+        bend.min(bound).max(-bound)
+    }
+
+    /// How fast the joint moves in the way that an axis does, along or about whatever direction.
+    #[inline(always)]
+    fn speed(&self, now: &Geometry<W>, along: &Row<W>) -> W {
+        let [m1, m2] = &self.velocities;
+        let turn = m2.angular - m1.angular;
+        let at = [cross(m1.angular, now.levers[0]), cross(m2.angular, now.levers[1])];
+        let way = (m2.linear - m1.linear) + (at[1] - at[0]);
+        let is_translation = W::splat(0.5).lt(along.linear.dot(along.linear));
+        W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
+    }
+}
+
+#[inline(always)]
+fn advanced<W: Wide>(
+    displacement: &WideDisplacement<W>,
+    velocity: &WideMotion<W>,
+    h: W,
+) -> WideDisplacement<W> {
+    WideDisplacement::new(
+        displacement.linear + velocity.linear * h,
+        turned_further(displacement.angular, velocity.angular * h),
+    )
+}
