@@ -45,7 +45,8 @@ fn what_goes_round_in_a_cone_neither_leaves_it_nor_slows_down() {
     for rate in RATES {
         for speed in [2.0, 4.0, 8.0] {
             for is_multibody in [false, true] {
-                let (cone, start, spin) = (0.7, Vector::Z * 0.69, Vector::X * speed);
+                let (cone, spin) = (0.7, Vector::X * speed);
+                let start = Vector::Z * cone;
                 let mut world = weightless(rate);
                 let post = post(&mut world, Vector::ZERO);
                 let rod = bob(1.0, 0.3).rotation(start).angvel(spin);
@@ -65,9 +66,9 @@ fn what_goes_round_in_a_cone_neither_leaves_it_nor_slows_down() {
                 }
                 let what = format!("{speed} rad/s at {rate} Hz, {is_multibody}");
                 assert!(widest - cone < ROOM, "{widest}, {what}");
-                // It meets the cone at 0.01 rad from it, where a part of its motion points outwards and is lost.
+                // In half a turn at 30 Hz there are 47 substeps, each a chord of the circle.
                 let kept = world.bodies[rod].kinetic_energy() / before;
-                assert!((0.97..1.01).contains(&kept), "{kept} of the energy, {what}");
+                assert!((kept - 1.0).abs() < 0.02, "{kept} of the energy, {what}");
             }
         }
     }

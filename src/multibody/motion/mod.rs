@@ -14,7 +14,9 @@
 //!
 //! The two halves of the flight are each other's mirror image, so that the whole is reversible and of second order, and its
 //! energy does not drift: the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, chapter
-//! VI) in velocities. An explicit step `q̇ - h M⁻¹ C q̇` instead, which is what one visit of forward dynamics gives, makes a tumbling chain gain
+//! VI) in velocities. So that limits and contacts which press all the time do not break the mirror, the first half is taken with half of the
+//! impulses of the last substep: so much, once they have found themselves, is what they add before the links are moved, and the rest comes
+//! after it. (Without them, what goes round in a cone at 8 rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇` instead, which is what one visit of forward dynamics gives, makes a tumbling chain gain
 //! energy until it explodes. A body of its own is moved the same way (`dim3/gyro.rs`), so chains and bodies fall alike.
 //!
 //! `M̃ = M + h D + θ h² K`: dampers `D` are taken at the end of the substep, and springs of stiffness `K` where they are after the
@@ -194,8 +196,14 @@ impl Motion {
     }
 
     /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle. No link gets faster than
-    /// `speed_max`.
-    pub fn accelerate(&mut self, multibody: &mut Multibody, h: Real, speed_max: Real) {
+    /// `speed_max`. Meanwhile they have half of what the last substep's impulses did to the rates.
+    pub fn accelerate(
+        &mut self,
+        multibody: &mut Multibody,
+        h: Real,
+        speed_max: Real,
+        pushed: &[Real],
+    ) {
         self.keep_momentum(self.kinematics.links[0].center);
         let mut change = core::mem::take(&mut self.change);
         self.kick(multibody, h, &mut change);
@@ -203,6 +211,7 @@ impl Motion {
         multibody.lists.accelerations.clone_from(&change);
         self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
+        add_all(&mut self.rates, pushed, 0.5);
         let before = self.rates.clone();
         self.is_wild = !self.fly_half(&before, 0.5 * h, &mut change);
         if self.is_wild {
@@ -210,6 +219,7 @@ impl Motion {
             change.fill(0.0);
             self.limit_whip(h);
         }
+        add_all(&mut self.rates, pushed, -0.5);
         self.flown.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
         total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });

@@ -13,7 +13,7 @@ use crate::model::params::JointPass;
 
 /// How much of its speed a free axis may bend in a substep. A circle bends by half of the angle that is gone: so this is half a
 /// radian, up to which one step towards the end of the way leads there.
-const BEND_MAX: Real = 0.25;
+pub(in crate::step::solver) const BEND_MAX: Real = 0.25;
 
 /// Where the joints of a block would be by the end of the substep.
 pub(super) struct LookAhead<W> {

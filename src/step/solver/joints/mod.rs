@@ -73,6 +73,8 @@ mod rows;
 mod store;
 mod taut;
 
+pub(super) use ahead::BEND_MAX;
+
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
 use super::layout::Layout;

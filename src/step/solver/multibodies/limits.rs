@@ -11,18 +11,19 @@
 //!
 //! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient. That turns with the
 //! ball, and what goes round in a cone would leave it along a tangent: rows of such angles that are [`NEAR`] a limit are made
-//! anew in each substep.
+//! anew in each substep, and reckon with how the way will bend, as those of impulse joints do (`joints/ahead.rs`).
 
 use super::rows::{Actors, Numbers, Part, Row};
 use super::{Moving, SoftPass};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
-use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::math::{ANG_DIM, DIM, Real, SpatialVector};
 use crate::dim::spatial::{ang_components, angular, linear};
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
+use crate::step::solver::joints::BEND_MAX;
 
 /// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -53,6 +54,8 @@ struct Limit {
     impulses: [Real; 2],
     /// Sum of the impulses of the substeps, those of the upper end negative.
     total: Real,
+    /// Is it a ball's, and near? Then its row is made anew in each substep.
+    is_followed: bool,
 }
 
 /// A motor with a largest force, or friction.
@@ -114,6 +117,10 @@ impl JointRows {
             {
                 let row = row_of(numbers, multibodies, multibody, link, &gradient);
                 self.add_limits((owner, axis), row, q, limits);
+                if let Some(limit) = self.limits.last_mut().filter(|_| is_curved(&link.joint, axis))
+                {
+                    limit.is_followed = limit.is_near();
+                }
             }
             let unit = unit(axis);
             if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
@@ -139,7 +146,15 @@ impl JointRows {
     ) {
         let room = [q - limits.min, limits.max - q];
         let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
-        self.limits.push(Limit { owner, axis, row, room, impulses, total: 0.0 });
+        self.limits.push(Limit {
+            owner,
+            axis,
+            row,
+            room,
+            impulses,
+            total: 0.0,
+            is_followed: false,
+        });
     }
 
     /// Adds the motor of an axis whose coordinate is `q`, for substeps of `h` seconds.
@@ -159,23 +174,24 @@ impl JointRows {
         for limit in &mut self.limits {
             let Owner::Link { multibody, link } = limit.owner else { continue };
             let link = &actors.multibodies[multibody].multibody.links[link];
-            if !link.joint.is_ball() || (limit.axis as usize) < DIM {
+            if !is_curved(&link.joint, limit.axis) {
                 continue;
             }
             let Some((q, gradient)) = limited_angle(&link.joint, limit.axis) else { continue };
             let Some(limits) = link.joint.data.limits(limit.axis) else { continue };
-            let room = [q - limits.min, limits.max - q];
-            if limit.impulses == [0.0; 2] && room[0].min(room[1]) > NEAR {
-                continue;
+            limit.room = [q - limits.min, limits.max - q];
+            limit.is_followed = limit.is_near();
+            if limit.is_followed {
+                let link = link.clone();
+                numbers.push_early(&limit.row, -limit.impulse(), actors);
+                limit.row.rewrite(numbers, |numbers| {
+                    row_of(numbers, actors.multibodies, multibody, &link, &gradient)
+                });
+                numbers.push_early(&limit.row, limit.impulse(), actors);
             }
-            let link = link.clone();
-            numbers.push_early(&limit.row, -limit.impulse(), actors);
-            limit.row.rewrite(numbers, |numbers| {
-                row_of(numbers, actors.multibodies, multibody, &link, &gradient)
-            });
-            numbers.push_early(&limit.row, limit.impulse(), actors);
+            // What the row takes for the way so far is none any more.
             let moved = numbers.displacement(&limit.row, actors);
-            limit.room = [room[0] - moved, room[1] + moved];
+            limit.room = [limit.room[0] - moved, limit.room[1] + moved];
         }
     }
 
@@ -208,9 +224,10 @@ impl JointRows {
         }
         for limit in &mut self.limits {
             let moved = numbers.displacement(&limit.row, actors);
+            let bend = if bias { limit.bend(actors, pass.inv_substep) } else { 0.0 };
             for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-                let (velocity, room) =
-                    (numbers.velocity(&limit.row, actors) * sign, limit.room[side] + moved * sign);
+                let velocity = (numbers.velocity(&limit.row, actors) + bend) * sign;
+                let room = limit.room[side] + moved * sign;
                 let old = limit.impulses[side];
                 let new = pass.solve(velocity, room, limit.row.mass, old, bias);
                 limit.impulses[side] = new;
@@ -289,6 +306,31 @@ impl Limit {
     /// Along the row.
     fn impulse(&self) -> Real {
         self.impulses[0] - self.impulses[1]
+    }
+
+    /// Is the angle near one of its ends, or pressed against it?
+    fn is_near(&self) -> bool {
+        self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < NEAR
+    }
+
+    /// What bending adds to the rate of a ball's angle over the substep.
+    fn bend(&self, actors: &Actors<'_>, inv_substep: Real) -> Real {
+        let Owner::Link { multibody, link } = self.owner else { return 0.0 };
+        if !self.is_followed || inv_substep <= 0.0 {
+            return 0.0;
+        }
+        let moving = &actors.multibodies[multibody];
+        let link = &moving.multibody.links[link];
+        let rates = &moving.motion.rates[link.dofs()];
+        let mut then = link.joint.clone();
+        then.integrate(1.0 / inv_substep, rates);
+        let angles = [&link.joint, &then].map(|joint| limited_angle(joint, self.axis));
+        let [Some((now, gradient)), Some((then, _))] = angles else { return 0.0 };
+        let turn = &rates[rates.len() - ANG_DIM..];
+        let straight = (0..ANG_DIM).map(|k| gradient[DIM + k] * turn[k]).sum::<Real>();
+        let bound = BEND_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
+        let bend = (then - now) * inv_substep - straight;
+        bend.min(bound).max(-bound)
     }
 }
 
@@ -378,6 +420,11 @@ fn limited_angle(
     let mut all = [0.0; JointAxis::ALL.len()];
     all[DIM..].copy_from_slice(&ang_components(gradient));
     Some((angle, all))
+}
+
+/// Does the row of an axis turn with the link?
+fn is_curved(joint: &MultibodyJoint, axis: JointAxis) -> bool {
+    joint.is_ball() && axis as usize >= DIM
 }
 
 fn unit(axis: JointAxis) -> [Real; JointAxis::ALL.len()] {

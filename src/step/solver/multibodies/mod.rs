@@ -242,9 +242,9 @@ impl SolverMultibodies {
     ) {
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
-            moving.motion.accelerate(&mut moving.multibody, h, speed_max);
-            moving.measure(params.dt);
             moving.pushed.iter_mut().for_each(|pushed| *pushed *= warmth);
+            moving.motion.accelerate(&mut moving.multibody, h, speed_max, &moving.pushed);
+            moving.measure(params.dt);
             moving.add_pushed(1.0);
             moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
             moving.motion.note_outside(&moving.root_pushed, 1.0);
