@@ -83,29 +83,37 @@ impl<W: Wide> LookAhead<W> {
     }
 
     /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
-    /// a cone, leaves along a tangent. No more than [`BEND_MAX`].
+    /// a cone, leaves along a tangent. No more than [`BEND_MAX`]. Angles of joints that are swept are left out: most of these are
+    /// the limbs of ragdolls, which no one sees bend.
     #[inline(always)]
     pub fn bend(
         &self,
-        row: &AxisRow,
+        (block, row): (&JointBlock, &AxisRow),
         now: &Geometry<W>,
         (along, position): (&Row<W>, W),
         pass: &JointPass,
     ) -> W {
         let (_, then) = self.then.free_row(row);
         let bend = (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
-        let bound = W::splat(BEND_MAX) * self.speed(now, along);
-        bend.min(bound).max(-bound)
+        let is_translation = Self::is_translation(along);
+        let bound = W::splat(BEND_MAX) * self.speed(now, is_translation);
+        let exact = W::load(&block.swept).lt(W::splat(0.5));
+        let zero = W::zero();
+        W::select(is_translation | exact, bend.min(bound).max(-bound), zero)
+    }
+
+    #[inline(always)]
+    fn is_translation(along: &Row<W>) -> W::Mask {
+        W::splat(0.5).lt(along.linear.dot(along.linear))
     }
 
     /// How fast the joint moves in the way that an axis does, along or about whatever direction.
     #[inline(always)]
-    fn speed(&self, now: &Geometry<W>, along: &Row<W>) -> W {
+    fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
         let [m1, m2] = &self.velocities;
         let turn = m2.angular - m1.angular;
         let at = [cross(m1.angular, now.levers[0]), cross(m2.angular, now.levers[1])];
         let way = (m2.linear - m1.linear) + (at[1] - at[0]);
-        let is_translation = W::splat(0.5).lt(along.linear.dot(along.linear));
         W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
     }
 }

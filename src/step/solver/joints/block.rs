@@ -65,6 +65,8 @@ pub(super) struct JointBlock {
     /// Is any lane a spring, and does any lock a rotation?
     pub has_springs: bool,
     pub locks_rotations: bool,
+    /// Is any free axis a translation?
+    pub has_distances: bool,
 }
 
 impl JointBlock {
@@ -97,6 +99,7 @@ impl JointBlock {
             has_swept: false,
             has_springs: false,
             locks_rotations: false,
+            has_distances: false,
         }
     };
 
@@ -107,6 +110,11 @@ impl JointBlock {
         if self.is_spring.0[lane] == 0.0 {
             self.yields.0[lane] = yields;
         }
+    }
+
+    /// Does any lane reckon with how its free axes bend?
+    pub fn looks_ahead(&self) -> bool {
+        self.row_count > 0 && (self.has_exact || self.has_distances)
     }
 
     /// Scales the impulses with which the next substep starts.

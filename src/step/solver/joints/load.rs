@@ -275,6 +275,7 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
     block.yields.0[lane] = if is_spring { yields } else { yields.max(SWEPT_YIELD) };
     block.swept.0[lane] = 1.0;
+    block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;
     block.locks_rotations |= joint.data.locked_axes.intersects(JointAxesMask::ANG_AXES);
     for axis in JointAxis::ALL {

@@ -214,7 +214,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_swept {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let ahead = if AHEAD && block.row_count > 0 {
+        let ahead = if AHEAD && block.looks_ahead() {
             let ahead = LookAhead::new(block, &bodies, pass);
             let bends = ahead.locked_bends(block, &geometry, &locked.rows, pass);
             Some((ahead, bends))
@@ -329,7 +329,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
     let bend = joint.ahead.map_or(W::zero(), |(ahead, bends)| {
-        let bend = ahead.bend(row, joint.geometry, (&along, position), pass);
+        let bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
         bends.iter().zip(&shares).fold(bend, |bend, (&locked, &share)| bend - locked * share)
     });
     for (locked, share) in joint.locked.rows.iter().zip(shares) {
