@@ -10,6 +10,8 @@ pub mod floors;
 mod space;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
+#[path = "joints/boards.rs"]
+mod boards;
 #[path = "joints/limbs.rs"]
 mod limbs;
 #[path = "joints/top.rs"]

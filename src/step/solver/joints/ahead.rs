@@ -72,7 +72,7 @@ impl<W: Wide> LookAhead<W> {
         if !block.has_exact {
             return bends;
         }
-        let exact = W::splat(1.0) - W::load(&block.swept);
+        let exact = Self::bent(block);
         let (errors, then) = (now.errors(), self.then.errors_seen_from(now, block));
         for k in 0..N {
             let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
@@ -97,9 +97,17 @@ impl<W: Wide> LookAhead<W> {
         let bend = (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
         let is_translation = Self::is_translation(along);
         let bound = W::splat(BEND_MAX) * self.speed(now, is_translation);
-        let exact = W::load(&block.swept).lt(W::splat(0.5));
-        let zero = W::zero();
-        W::select(is_translation | exact, bend.min(bound).max(-bound), zero)
+        let bent = W::zero().lt(Self::bent(block));
+        let loose = W::load(&block.is_taut).lt(W::splat(0.5));
+        let bent = bent | (is_translation & loose);
+        W::select(bent, bend.min(bound).max(-bound), W::zero())
+    }
+
+    /// One where locked axes bend: those that are solved exactly do, but taut ones are led back from where they fly.
+    #[inline(always)]
+    fn bent(block: &JointBlock) -> W {
+        let one = W::splat(1.0);
+        (one - W::load(&block.swept)) * (one - W::load(&block.is_taut))
     }
 
     #[inline(always)]

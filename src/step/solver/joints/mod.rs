@@ -90,7 +90,7 @@ use direct::{Direct, Member, Question, RowMemory};
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
-use taut::{Moving, Tautness};
+use taut::{Moving, Tautness, are_thrown};
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -205,6 +205,11 @@ impl SolverJoints {
             return;
         }
         self.direct.begin();
+        if AHEAD {
+            let Self { memory, direct, tautness, blocks, .. } = self;
+            let ask = answers(tautness, blocks, bodies, pass);
+            direct.find_thrown(memory, ask);
+        }
         self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
         while AHEAD && self.go_on(bodies, pass) {
             self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
@@ -214,14 +219,7 @@ impl SolverJoints {
     /// Is another round of the exact solution wanted?
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, tautness, .. } = self;
-        let moving = moving(bodies);
-        direct.go_on(memory, pass.inv_substep, |members, question| match question {
-            Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
-            Question::Tauten => {
-                note_taut(members, blocks, true);
-                true
-            }
-        })
+        direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
@@ -305,6 +303,23 @@ impl SolverJoints {
 
 fn moving(bodies: &SolverBodies) -> Moving<'_> {
     Moving { poses: &bodies.poses, states: &bodies.states, before: &bodies.before }
+}
+
+/// What the exact solution asks about the members of a component.
+fn answers(
+    tautness: &mut Tautness,
+    blocks: &mut [JointBlock],
+    bodies: &SolverBodies,
+    pass: &JointPass,
+) -> impl FnMut(&[Member], Question) -> bool {
+    let moving = moving(bodies);
+    move |members, question| match question {
+        Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
+        Question::IsThrown => {
+            note_taut(members, blocks, true);
+            are_thrown(members, moving, pass.substep)
+        }
+    }
 }
 
 /// Notes whether the joints of a component are taut.

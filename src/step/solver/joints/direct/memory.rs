@@ -26,6 +26,10 @@ pub(in super::super) struct RowMemory {
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub yields: Lane,
+    /// One where the solve pass takes the rows from where the bodies would go, zero where they are.
+    pub are_there: Lane,
+    /// One where the solve pass looks ahead.
+    pub look_ahead: Lane,
     /// Of its bodies as they stand now.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
@@ -41,6 +45,8 @@ impl RowMemory {
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             yields: zero,
+            are_there: zero,
+            look_ahead: zero,
             inv_mass: [WideVector::ZERO; 2],
             inv_inertia: [ZERO_INERTIA; 2],
             changes: [zero; SPATIAL_DIM],
@@ -81,7 +87,7 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, block) };
     let (rows, rates) = if AHEAD {
-        rows_ahead(block, &bodies, pass)
+        rows_ahead(block, memory, &bodies, pass)
     } else {
         let rows = Geometry::new(block, &bodies.displacements).rows();
         (rows, rates_here(block, &rows, &bodies))
@@ -101,24 +107,30 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
 }
 
 /// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
-/// where they are.
+/// where they are. Those that are thrown (`../taut.rs`) do not look ahead.
 #[inline(always)]
 fn rows_ahead<W: Wide>(
     block: &mut JointBlock,
+    memory: &RowMemory,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
-    let taut = W::zero().lt(W::load(&block.is_taut));
+    let are_there = W::zero().lt(W::load(&memory.are_there));
+    let look_ahead = W::zero().lt(W::load(&memory.look_ahead));
     let now = Geometry::new(block, &bodies.displacements);
     let ahead = LookAhead::new(block, bodies, pass);
     let (mut rows, then) = (now.rows(), ahead.then.rows());
     for (row, then) in rows.iter_mut().zip(&then) {
-        row.linear = WideVector::select(taut, then.linear, row.linear);
+        row.linear = WideVector::select(are_there, then.linear, row.linear);
         for side in 0..2 {
-            row.angular[side] = select_ang(taut, then.angular[side], row.angular[side]);
+            row.angular[side] = select_ang(are_there, then.angular[side], row.angular[side]);
         }
     }
-    let rates = ahead.rates(block, &now, pass);
+    let mut rates = ahead.rates(block, &now, pass);
+    for (k, rate) in rates.iter_mut().enumerate() {
+        let here = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]);
+        *rate = W::select(look_ahead, *rate, here);
+    }
     (rows, rates)
 }
 

@@ -21,7 +21,8 @@
 //! (`factor.rs`).
 //!
 //! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
-//! one too. All rounds end when there is nothing left to do: each component by itself, whatever others need.
+//! one too; those that are thrown are solved once, where their bodies are. All rounds end when there is nothing left to do:
+//! each component by itself, whatever others need.
 //!
 //! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
 //! of even masses. A ragdoll bears no load for long.
@@ -63,13 +64,40 @@ pub(super) struct Direct {
     courses: Vec<Course>,
 }
 
+/// How a component is solved in a substep: see `../taut.rs`.
+#[derive(Copy, Clone, Debug, PartialEq)]
+enum Manner {
+    /// Looking ahead, along the rows where the bodies are.
+    Ahead,
+    /// Taut: projected from where the bodies would go freely, along the rows there.
+    There,
+    /// Taut, and thrown too far for that: projected where the bodies are.
+    Here,
+}
+
 /// How the solution of a component goes.
 #[derive(Copy, Clone, Debug)]
 struct Course {
-    taut: bool,
+    manner: Manner,
     /// How many rounds of this visit it has had in this way.
     rounds: usize,
     next: Next,
+}
+
+impl Course {
+    /// It is taut.
+    fn hold(&mut self, is_thrown: bool) {
+        self.manner = if is_thrown { Manner::Here } else { Manner::There };
+    }
+
+    /// What follows a round of a taut component.
+    fn next_if_taut(&self) -> Next {
+        if self.manner == Manner::There && self.rounds < TAUT_ROUNDS {
+            Next::Solve
+        } else {
+            Next::Nothing
+        }
+    }
 }
 
 /// What is asked about the members of a component.
@@ -77,8 +105,8 @@ struct Course {
 pub(super) enum Question {
     /// Do the pulls that were found make it taut?
     IsTaut,
-    /// It is from now on, isn't it?
-    Tauten,
+    /// It is, and has no impulses: are its bodies thrown so far that they must be held where they are?
+    IsThrown,
 }
 
 /// What happens to a component in the next round.
@@ -126,7 +154,8 @@ impl Direct {
                 // Taut joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            self.courses.push(Course { taut, rounds: 0, next: Next::Solve });
+            let manner = if taut { Manner::There } else { Manner::Ahead };
+            self.courses.push(Course { manner, rounds: 0, next: Next::Solve });
         }
     }
 
@@ -137,11 +166,26 @@ impl Direct {
         }
     }
 
+    /// Begins to look ahead: finds out which of the taut components are thrown, as `ask` knows.
+    pub fn find_thrown(
+        &mut self,
+        rows: &mut [RowMemory],
+        mut ask: impl FnMut(&[Member], Question) -> bool,
+    ) {
+        for (index, course) in self.courses.iter_mut().enumerate() {
+            let members = self.pattern.component(index).members;
+            if course.manner == Manner::There {
+                course.hold(ask(members, Question::IsThrown));
+            }
+            note_manner(members, rows, course.manner);
+        }
+    }
+
     /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `ask` knows, by its
     /// members.
     pub fn go_on(
         &mut self,
-        rows: &[RowMemory],
+        rows: &mut [RowMemory],
         inv_h: Real,
         mut ask: impl FnMut(&[Member], Question) -> bool,
     ) -> bool {
@@ -153,17 +197,12 @@ impl Direct {
                 Next::Nothing => Next::Nothing,
                 Next::TakeBack => {
                     factor.forget();
-                    course.taut = ask(component.members, Question::Tauten);
                     course.rounds = 0;
+                    course.hold(ask(component.members, Question::IsThrown));
+                    note_manner(component.members, rows, course.manner);
                     Next::Solve
                 }
-                Next::Solve if course.taut => {
-                    if course.rounds < TAUT_ROUNDS {
-                        Next::Solve
-                    } else {
-                        Next::Nothing
-                    }
-                }
+                Next::Solve if course.manner != Manner::Ahead => course.next_if_taut(),
                 Next::Solve if course.rounds == 1 => Next::Solve,
                 Next::Solve if course.rounds == 2 && ask(component.members, Question::IsTaut) => {
                     Next::TakeBack
@@ -213,13 +252,13 @@ impl Direct {
                         factor.take_back(component, read, &states);
                         continue;
                     }
-                    let again = course.rounds > 0;
-                    if again && course.taut && factor.has_converged(component, read) {
+                    let (again, is_there) = (course.rounds > 0, course.manner == Manner::There);
+                    if again && is_there && factor.has_converged(component, read) {
                         continue;
                     }
                     factor.solve(component, again, read, &states, simd);
-                    // Taut joints took their rows from where the bodies are not yet.
-                    if course.taut {
+                    // The rows were those of where the bodies are not yet.
+                    if is_there {
                         factor.forget();
                     }
                 }
@@ -228,5 +267,14 @@ impl Direct {
         for index in (0..count).filter(is_wanted) {
             self.factors[index].write_changes(pattern.component(index), rows);
         }
+    }
+}
+
+/// Notes from where the rows of a component are taken.
+fn note_manner(members: &[Member], rows: &mut [RowMemory], manner: Manner) {
+    for member in members {
+        let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
+        memory.are_there.0[lane] = if manner == Manner::There { 1.0 } else { 0.0 };
+        memory.look_ahead.0[lane] = if manner == Manner::Here { 0.0 } else { 1.0 };
     }
 }
