@@ -5,7 +5,7 @@ mod watch;
 use fuzzer::findings::{Finding, minimised, search};
 use fuzzer::{CRATES, Run, Tally, random_bytes};
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 use watch::Watch;
@@ -129,11 +129,16 @@ fn run(options: &Options) -> Result<bool, String> {
 fn report(name: &str, seed: u64, bytes: &[u8], finding: &Finding) -> Result<(), String> {
     let file = format!("finding-{name}-{seed}.bin");
     std::fs::write(&file, bytes).map_err(|error| format!("{file}: {error}"))?;
-    println!("\r\x1b[K{name}, seed {seed}, {} bytes in {file}:\n    {finding}", bytes.len());
+    println!("{}{name}, seed {seed}, {} bytes in {file}:\n    {finding}", wipe(), bytes.len());
     Ok(())
 }
 
-/// A bar, and how fast it grows.
+/// What makes room for a line where the bar stands, if there is one.
+fn wipe() -> &'static str {
+    if std::io::stdout().is_terminal() { "\r\x1b[K" } else { "" }
+}
+
+/// A bar, and how fast it grows. Where nobody watches there is none.
 struct Progress {
     start: Instant,
     shown: Instant,
@@ -153,7 +158,7 @@ impl Progress {
     }
 
     fn show(&mut self, findings: usize) {
-        if self.shown.elapsed() < TICK {
+        if self.shown.elapsed() < TICK || !std::io::stdout().is_terminal() {
             return;
         }
         self.shown = Instant::now();
@@ -164,7 +169,7 @@ impl Progress {
     }
 
     fn finish(&self, findings: usize) {
-        println!("\r\x1b[K{}", self.line(findings));
+        println!("{}{}", wipe(), self.line(findings));
     }
 
     fn line(&self, findings: usize) -> String {

@@ -48,7 +48,7 @@ impl Watch {
         };
         let file = format!("finding-{}.bin", current.name);
         let written = std::fs::write(&file, &current.bytes);
-        println!("\r\x1b[K{} does not come to an end: {file} {written:?}", current.name);
+        println!("{}{} does not come to an end: {file} {written:?}", crate::wipe(), current.name);
         std::process::exit(1);
     }
 }
