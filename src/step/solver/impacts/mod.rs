@@ -25,7 +25,7 @@
 //! whatever the couplings between the contacts are. A solution of 2 has `Ċ_i' = -e_i c_i` wherever `λ_i > 0`: every term
 //! is negative, for any mixture of `e_i ≤ 1`. Sweeps leave errors, so we look: where the sum over an island is above zero, its
 //! round goes only the share `s = a / (a + ΔT)` of its way, with `a = -Σ λ_i c_i`, which is where the energy is back at
-//! what it was. Impacts never add energy.
+//! what it was. (Where `a` is below zero the round adds energy from the beginning, and goes no way.) Impacts never add energy.
 //!
 //! ## Joints
 //! Joints transmit blows. Locked axes that are solved exactly take part: after each sweep over `S` the velocities are
@@ -34,6 +34,12 @@
 //! turns a body by a radian the joint's axes turn away from the velocities that it left. Then the work is anything, and
 //! it counts in the sum above, and in `-a`: without it two cubes on a hinge that fell into a heap at 250 rad/s had 10¹⁶ times
 //! their velocity after as many rounds as there may be.
+//!
+//! All that holds for one mass matrix `M`. The changes that joints allow are the nearest ones in its metric, that of the kinetic
+//! energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988), and in this one they still part what
+//! hit. Contacts know the inertias with which the step began. Had joints those of the moment, then the contact of a thin board
+//! that has turned by a radian would approach as before or faster, however hard it is pushed: rounds added up to a
+//! quarter of the energy, and no account knew. So in impacts joints take the inertias that contacts have.
 //!
 //! ## What bears loads
 //! A substep starts with the impulses of the last one, and they need not fit any more: what stopped a blow then would be
@@ -45,8 +51,11 @@
 //!
 //! ## When
 //! A blow falls at a time `τ = C / |c|` within the substep, or before it if a fast body was noticed too late. The
-//! bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv` (`accept_impact`). And the
-//! velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
+//! bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv` (`accept_impact`). That must not
+//! tear joints, which would turn gaps into speed: bodies that joints hold exactly have one `τ`, and those
+//! of swept joints stay (`SolverJoints::share_delays`).
+//!
+//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
 //! velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
 //!
 //! ```text
@@ -123,10 +132,15 @@ struct Account {
 }
 
 impl Account {
-    /// How much of a round an island goes.
+    /// How much of a round an island goes: no further than where its energy is what it was.
     fn share(&self) -> Real {
-        let share = self.stopped / (self.stopped - self.surplus);
-        if self.surplus > 0.0 { share.max(0.0) } else { 1.0 }
+        if self.surplus <= 0.0 {
+            1.0
+        } else if self.stopped >= 0.0 {
+            0.0
+        } else {
+            self.stopped / (self.stopped - self.surplus)
+        }
     }
 }
 
@@ -247,6 +261,7 @@ impl Impacts {
         pass: &ImpactPass,
     ) {
         self.begin_round(bodies, around.links.0);
+        around.joints.forget_places();
         self.memory.works.clear();
         self.memory.works.resize(self.memory.accounts.len(), 0.0);
         for _ in 0..ROUND_VISITS {
@@ -276,6 +291,7 @@ impl Impacts {
             account.stopped += contact.strike.stopped;
             account.surplus += contact.strike.surplus;
         }
+        around.joints.share_delays(&mut self.memory.delays);
         let Memory { start, delays, accounts, works, .. } = &mut self.memory;
         for (account, work) in accounts.iter_mut().zip(works) {
             account.stopped += *work;

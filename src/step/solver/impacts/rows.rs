@@ -152,13 +152,16 @@ impl ImpactBlock {
         for (k, row) in self.rows.iter_mut().enumerate() {
             let velocity = velocities[k] + W::load(&row.borne);
             let separation = separations[k];
-            let comes = velocity.lt(W::load(&row.limit)) & zero.lt(restitution);
+            let mass = W::load(&block.points[k].mass);
+            // Points that the manifold has not got have no mass.
+            let can_be_hit = zero.lt(restitution) & zero.lt(mass);
+            let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
             let end = separation + velocity * h;
             let hits = comes & end.lt(zero);
             let waits = comes & zero.le(end);
             W::select(waits, W::splat(FAR), W::load(&row.separation)).store(&mut row.shown);
             self.struck |= W::bits(hits);
-            let mass = W::select(hits, W::load(&block.points[k].mass), zero);
+            let mass = W::select(hits, mass, zero);
             let speed = W::select(hits, -velocity, W::splat(1.0));
             let time = (separation / speed).max(W::splat(-pass.step)).min(h);
             let most = speed * W::splat(BEND_MAX);

@@ -223,9 +223,9 @@ impl SolverJoints {
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
-    /// exactly, where the bodies are: in components with a body that is `wanted`. For impacts: the impulses count as borne
-    /// in this step, and the next one does not start with them. `add_work` is told one body of each joint, and the work of the joint's
-    /// impulses at the velocities of the `start`.
+    /// exactly, where the bodies are, with the inertias of the step's beginning: in components with a body that is `wanted`.
+    /// For impacts: the impulses count as borne in this step, and the next one does not start with them. `add_work` is told one
+    /// body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         (states, start): (&mut [BodyState], &[BodyState]),
@@ -249,11 +249,15 @@ impl SolverJoints {
             let states = shared;
             simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
         });
+        // Those that contacts have.
+        for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
+            memory.inv_inertia = *block.inertias.at_start();
+        }
         let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
         self.direct.solve(&mut self.memory, shared, wanted, simd, tasks);
-        let memory = &self.memory;
+        let (blocks, memory) = (DisjointMut::new(&mut self.blocks), &self.memory);
         let end = End::Count;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, end });
@@ -269,6 +273,17 @@ impl SolverJoints {
         for (state, start) in states.iter_mut().zip(start) {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(old_v + v, old_w + w);
+        }
+    }
+
+    /// Bodies that an impact has hit are put where they would be had they moved on since then. Joints must not be torn by that.
+    /// So bodies that they hold exactly get the sum of all their `delays` (those are sums over blows): they were hit as one. Those that
+    /// are held in sweeps get none, as the blow has moved them apart.
+    pub fn share_delays(&self, delays: &mut [BodyState]) {
+        self.direct.share(delays);
+        let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
+        for member in swept.filter(|member| member.form.locked != 0) {
+            member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());
         }
     }
 

@@ -181,6 +181,20 @@ impl Direct {
         }
     }
 
+    /// Gives each body of a component the sum of what is counted for all of them.
+    pub fn share(&self, counts: &mut [BodyState]) {
+        for index in 0..self.pattern.component_count() {
+            let members = self.pattern.component(index).members;
+            let bodies = || members.iter().flat_map(Member::movable).map(|(_, body)| body as usize);
+            let (mut sum, mut angular_sum) = BodyState::default().velocity();
+            for body in bodies() {
+                let (linear, angular) = core::mem::take(&mut counts[body]).velocity();
+                (sum, angular_sum) = (sum + linear, angular_sum + angular);
+            }
+            bodies().for_each(|body| counts[body].set_velocity(sum, angular_sum));
+        }
+    }
+
     /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `ask` knows, by its
     /// members.
     pub fn go_on(
