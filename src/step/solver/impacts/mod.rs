@@ -134,12 +134,11 @@ struct Account {
 impl Account {
     /// How much of a round an island goes: no further than where its energy is what it was.
     fn share(&self) -> Real {
-        if self.surplus <= 0.0 {
-            1.0
-        } else if self.stopped >= 0.0 {
-            0.0
-        } else {
-            self.stopped / (self.stopped - self.surplus)
+        let share = self.stopped / (self.stopped - self.surplus);
+        match self.surplus > 0.0 {
+            true if self.stopped < 0.0 => share.max(0.0),
+            true => 0.0,
+            false => 1.0,
         }
     }
 }
