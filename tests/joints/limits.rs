@@ -1,7 +1,7 @@
 //! Limits hold, anywhere on the circle and beyond it.
 
 use super::stage::{bob, post};
-use crate::dim::{about_z, angle, hinge, vec};
+use crate::dim::{about_z, angle, hinge, vec, z_of};
 use crate::suite::physics::stage::{RATES, run, steps, substep, weightless, world};
 use rapier::prelude::*;
 
@@ -68,6 +68,99 @@ fn what_is_put_between_its_limits_stays_there() {
             run(&mut world, 0.5);
             let turned = angle(&(*world.bodies[flap].rotation() * start.inverse())).abs();
             assert!(turned < 1.0e-3, "{limits:?} at {at}: {turned} rad, {is_multibody}");
+        }
+    }
+}
+
+/// Two wheels on one hinge.
+struct Wheels {
+    world: PhysicsWorld,
+    wheels: [RigidBodyHandle; 2],
+    /// By how much the second one has turned against the first, with all turns.
+    turned: Real,
+}
+
+impl Wheels {
+    /// Joined like this, they turn against each other at this speed: the first one, which nothing stops, at that `carried`.
+    fn new(rate: u32, joint: impl Into<GenericJoint>, [speed, carried]: [Real; 2]) -> Self {
+        let mut world = weightless(rate);
+        let carrier = RigidBodyBuilder::kinematic_velocity_based().angvel(about_z(carried));
+        let wheel = bob(1.0, 0.5).angvel(about_z(carried + speed));
+        let wheels = [carrier, wheel].map(|wheel| world.insert_body(wheel));
+        world.insert_impulse_joint(wheels[0], wheels[1], joint);
+        Self { world, wheels, turned: 0.0 }
+    }
+
+    fn speed(&self) -> Real {
+        let [first, second] = self.wheels.map(|wheel| z_of(self.world.bodies[wheel].angvel()));
+        second - first
+    }
+
+    /// Steps, and counts turns: how the wheels stand says by how much they have turned but for whole turns, and the speeds that
+    /// they had how many these are.
+    fn step(&mut self) {
+        let before = self.speed();
+        self.world.step();
+        let about = 0.5 * (before + self.speed()) * self.world.integration_parameters.dt;
+        let [first, second] = self.wheels.map(|wheel| *self.world.bodies[wheel].rotation());
+        let ahead = angle(&(first.inverse() * second)) - (self.turned + about);
+        self.turned += about + (ahead / TURN - (ahead / TURN).round()) * TURN;
+    }
+}
+
+/// Wheels run into a limit many turns away, in the step in which their speed brings them there, and stay: also if they turn by more
+/// than half of one in each step, or several.
+#[test]
+fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
+    for (rate, speed) in [30, 60].into_iter().flat_map(|rate| {
+        [50.0, 100.0, 150.0, 200.0, 250.0, 300.0, 350.0, 400.0].map(|speed: Real| (rate, speed))
+    }) {
+        for limit in [10.0, 34.5, 57.0, 99.0] {
+            for (sign, carried) in [(1.0, 0.0), (-1.0, 0.0), (1.0, -40.0), (1.0, 20.0)] {
+                let joint = hinge().limits([-limit, limit]);
+                let mut wheels = Wheels::new(rate, joint, [sign * speed, carried]);
+                let what = format!("{speed} on {carried} rad/s, limit {limit}, at {rate} Hz");
+                let each = speed / rate as Real;
+                // How far turns are from what speeds say is in `base/turning.rs`: a thousandth at 13 rad in a step. And a limit
+                // slows down what would reach it in the substep that follows.
+                let free = (limit / (1.002 * each) - 0.3) as usize;
+                for k in 1..=free {
+                    wheels.step();
+                    let (turned, expected) = (sign * wheels.turned, k as Real * each);
+                    assert!((turned - expected).abs() < 2.0e-3 * expected, "{turned}, {what}");
+                    assert!((wheels.speed() - sign * speed).abs() < 1.0e-3 * speed, "{k}, {what}");
+                }
+                // The next step, or if that was near, the one after it, leads to the limit: how they stand says whether to its end.
+                run(&mut wheels.world, 2.0 / rate as Real);
+                assert!(wheels.speed().abs() < 1.0e-2, "{} rad/s, {what}", wheels.speed());
+                run(&mut wheels.world, 0.5);
+                wheels.step();
+                let off = (wheels.turned - sign * limit) / TURN;
+                let off = (off - off.round()) * TURN;
+                assert!(off.abs() < ROOM, "{off} rad, {what}");
+            }
+        }
+    }
+}
+
+/// A motor brings wheels to a place that is many turns away, and not to one that looks like it, however fast it turns them there.
+#[test]
+fn motors_reach_targets_many_turns_away() {
+    for rate in [30, 60] {
+        for target in [30.0, -100.0, 200.5] {
+            for carried in [0.0, 20.0] {
+                // Without overshoot: the largest speed is 5/e times the way, 368 rad/s for the longest.
+                let joint = hinge().motor_position(target, 25.0, 10.0);
+                let mut wheels = Wheels::new(rate, joint, [0.0, carried]);
+                let mut fastest: Real = 0.0;
+                for _ in 0..steps(&wheels.world, 5.0) {
+                    wheels.step();
+                    fastest = fastest.max(wheels.speed().abs());
+                }
+                let off = wheels.turned - target;
+                let what = format!("{target} rad at {rate} Hz on {carried}, {fastest} rad/s");
+                assert!(off.abs() < 0.01 && fastest > 1.5 * target.abs(), "{off} rad off, {what}");
+            }
         }
     }
 }

@@ -39,6 +39,7 @@ impl AngleGauge {
         turn: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
         let turns = W::load(&self.turns);
-        (turns, W::load(&self.angle) + turns * turn)
+        let turn = W::select(W::zero().lt(turns), turn, W::zero());
+        (turns, W::load(&self.angle) + turn)
     }
 }

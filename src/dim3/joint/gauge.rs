@@ -10,6 +10,11 @@
 //! What is added to the angle of the step's beginning is how far the point has gone since: of two points with the
 //! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their
 //! digits.
+//!
+//! That is known but for whole turns: a wheel that turns by 5 rad in a step stands where one does that turned back by 1.3. By how
+//! much the bodies have turned since the step began is known otherwise, too, as the sum of what they turned in each substep. Where
+//! one rotation alone is free, and its turns are counted, this says which of these readings is meant: it needs to be right to half
+//! a turn only, so it does no harm that the axis itself may have turned meanwhile.
 
 use super::angle::{Angle, FreeRotations};
 use crate::base::trig::{ATAN_P, ATAN_Q, sin_cos};
@@ -20,6 +25,9 @@ use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
 /// Below this, numbers that should have a direction have none.
 const NOTHING: Real = 1.0e-12;
+const TURN: Real = 2.0 * core::f64::consts::PI as Real;
+/// More turns in a step than this are none that anyone can count: bodies that turn that far are nowhere.
+const TURNS_MAX: Real = 1.0e6;
 /// The steepest slope of which [`atan`] is right.
 const SLOPE_MAX: Real = 0.66;
 
@@ -34,6 +42,8 @@ pub(crate) struct AngleGauge {
     tilts: Lane,
     /// One where an axis follows the rotation.
     follows: Lane,
+    /// One where turns are counted.
+    counts: Lane,
     /// The angle when the step began, and its point.
     angle: Lane,
     cos: Lane,
@@ -51,6 +61,7 @@ impl AngleGauge {
         twists: Lane::ZERO,
         tilts: Lane::ZERO,
         follows: Lane::ZERO,
+        counts: Lane::ZERO,
         angle: Lane::ZERO,
         cos: Lane::splat(1.0),
         sin: Lane::ZERO,
@@ -75,6 +86,7 @@ impl AngleGauge {
         self.from.set_lane(lane, from);
         self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
         self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
+        self.counts.0[lane] = if rotations.is_single() { 1.0 } else { 0.0 };
         let (kind, share) = match towards {
             None => (&mut self.twists, 0.5),
             Some(_) => (&mut self.tilts, 1.0),
@@ -87,27 +99,38 @@ impl AngleGauge {
     }
 
     /// The direction, in the first frame, along which the relative angular velocity changes the angle, and the angle.
-    /// `between` is the second frame as seen from the first.
+    /// `between` is the second frame as seen from the first, and `turn` about by how much it has turned since the step began, in
+    /// the first frame, with all turns.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,
         between: WideRotation<W>,
-        _turn: WideAngVector<W>,
+        turn: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
-        let (mut direction, mut angle) = (WideVector::zero(), W::load(&self.angle));
+        let zero = W::zero();
+        let (mut direction, mut turned) = (WideVector::zero(), zero);
         if self.has_twists {
-            let (of_twist, turned) = self.twist(between);
-            let twists = W::load(&self.twists);
-            direction = direction + of_twist * twists;
-            angle = angle + (turned + turned) * twists;
+            let (of_twist, half) = self.twist(between);
+            let is_twist = zero.lt(W::load(&self.twists));
+            direction = WideVector::select(is_twist, of_twist, direction);
+            turned = W::select(is_twist, self.with_turns(half + half, turn), turned);
         }
         if self.has_tilts {
-            let (of_tilt, turned) = self.tilt(between);
-            let tilts = W::load(&self.tilts);
-            direction = direction + of_tilt * tilts;
-            angle = angle + turned * tilts;
+            let (of_tilt, by) = self.tilt(between);
+            let is_tilt = zero.lt(W::load(&self.tilts));
+            direction = WideVector::select(is_tilt, of_tilt, direction);
+            turned = W::select(is_tilt, by, turned);
         }
-        (direction, angle)
+        (direction, W::load(&self.angle) + turned)
+    }
+
+    /// How far a twist has gone, of which this is known but for whole turns.
+    #[inline(always)]
+    fn with_turns<W: Wide>(&self, turned: W, turn: WideAngVector<W>) -> W {
+        let about = turn.dot(WideVector::load(&self.from));
+        let turns = nearest_whole((about - turned) * W::splat(1.0 / TURN));
+        let counts = W::zero().lt(W::load(&self.counts)) & turns.abs().lt(W::splat(TURNS_MAX));
+        W::select(counts, turned + turns * W::splat(TURN), turned)
     }
 
     /// The direction of a twist, and how far its half angle has gone.
@@ -171,6 +194,14 @@ impl AngleGauge {
     }
 }
 
+/// The whole number that is nearest: what is left of a number when one is added and taken away again that is so large that it has no
+/// digits behind the point. (Numbers larger than that themselves become some whole number.)
+#[inline(always)]
+fn nearest_whole<W: Wide>(number: W) -> W {
+    let large = W::splat(1.5 / Real::EPSILON);
+    (number + large) - large
+}
+
 /// The angle of a slope of up to [`SLOPE_MAX`] either way.
 #[inline(always)]
 fn atan<W: Wide>(slope: W) -> W {
@@ -198,6 +229,7 @@ mod tests {
     struct Reading {
         gauge: AngleGauge,
         between: WideRotation<Lane>,
+        turn: WideVector<Lane>,
         direction: WideVector<Lane>,
         angle: Lane,
     }
@@ -207,7 +239,8 @@ mod tests {
         #[inline(always)]
         fn run<W: Wide>(self) {
             let between = WideRotation::<W>::load(&self.between);
-            let (direction, angle) = self.gauge.measure(between, WideVector::zero());
+            let turn = WideVector::load(&self.turn);
+            let (direction, angle) = self.gauge.measure(between, turn);
             direction.store(&mut self.direction);
             angle.store(&mut self.angle);
         }
@@ -236,6 +269,7 @@ mod tests {
             let mut reading = Reading {
                 gauge: AngleGauge::NONE,
                 between: WideRotation::IDENTITY,
+                turn: WideVector::ZERO,
                 direction: WideVector::ZERO,
                 angle: Lane::ZERO,
             };
@@ -257,6 +291,7 @@ mod tests {
                 // A quaternion and its negative are the same rotation.
                 let end = if random.below(2) == 0 { end } else { -end };
                 reading.between.set_lane(lane, &end);
+                reading.turn.set_lane(lane, by);
                 *expected = angle_about(axis, rotations, &end);
             }
             Simd::detect().run(&mut reading);
@@ -282,8 +317,51 @@ mod tests {
         let mut between = WideRotation::IDENTITY;
         between.set_lane(0, &Rotation::from_axis_angle(Vector::X, 40.5));
         let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
-        let mut reading = Reading { gauge, between, direction, angle };
+        let mut reading = Reading { gauge, between, turn: direction, direction, angle };
         Simd::detect().run(&mut reading);
         assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
+    }
+
+    /// Those of one step, too, however many: about how far the bodies have turned says how many, to half a turn, and where they
+    /// stand says the rest. Nothing of that tells on joints that have several free rotations, which have no turns.
+    #[test]
+    fn turns_of_one_step_are_counted() {
+        let mut random = Random(12);
+        for (free, counts) in [(JointAxesMask::ANG_Z, true), (JointAxesMask::ANG_AXES, false)] {
+            let rotations = FreeRotations::new(free, JointAxesMask::empty());
+            let axis = if counts { JointAxis::AngZ } else { JointAxis::AngX };
+            for by in [-40.0, -7.0, -3.2, -3.0, 3.1, 3.2, 5.0, 13.3, 100.0] {
+                let start = random.within(-1.0, 1.0);
+                let mut gauge = AngleGauge::NONE;
+                gauge.set_lane(2, axis, rotations, start);
+                let (mut between, mut turn) = (WideRotation::IDENTITY, WideVector::ZERO);
+                between.set_lane(2, &Rotation::from_axis_angle(axis_of(axis), start + by));
+                turn.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
+                let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+                let mut reading = Reading { gauge, between, turn, direction, angle };
+                Simd::detect().run(&mut reading);
+                let once = Real::sin(by).atan2(Real::cos(by));
+                let expected = start + if counts { by } else { once };
+                let found = reading.angle.0[2];
+                assert!((found - expected).abs() < 2.0e-5, "{found}, not {expected}");
+            }
+        }
+    }
+
+    /// Where bodies turn at no rate that is a number, nobody knows how many turns these were, and other lanes are none the wiser.
+    #[test]
+    fn what_is_no_number_counts_no_turns() {
+        for no_number in [Real::NAN, Real::INFINITY, -Real::MAX] {
+            let mut gauge = AngleGauge::NONE;
+            let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
+            gauge.set_lane(0, JointAxis::AngX, rotations, 0.5);
+            let mut turn = WideVector::ZERO;
+            turn.set_lane(0, Vector::X * no_number);
+            let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+            let between = WideRotation::IDENTITY;
+            let mut reading = Reading { gauge, between, turn, direction, angle };
+            Simd::detect().run(&mut reading);
+            assert!(reading.angle.0.iter().all(|angle| angle.abs() < 1.0e-5), "{no_number}");
+        }
     }
 }

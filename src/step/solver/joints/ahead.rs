@@ -72,12 +72,13 @@ impl<W: Wide> LookAhead<W> {
         if !block.has_exact {
             return bends;
         }
-        let exact = Self::bent(block);
+        let (exact, zero) = (Self::bent(block), W::zero());
         let (errors, then) = (now.errors(), self.then.errors_seen_from(now, block));
         for k in 0..N {
             let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
             let straight = rows[k].rate(&self.velocities);
-            bends[k] = (changes - straight) * (exact * W::load(&block.locked[k]));
+            let bent = zero.lt(exact * W::load(&block.locked[k]));
+            bends[k] = W::select(bent, changes - straight, zero);
         }
         bends
     }

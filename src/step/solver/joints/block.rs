@@ -139,6 +139,8 @@ pub(super) struct AxisRow {
     pub linear: WideVector<Lane>,
     pub coupled: [Lane; DIM],
     pub gauge: AngleGauge,
+    /// Where the joint is along or about the axis, at the last visit where the bodies are.
+    pub position: Lane,
     pub motor: MotorRow,
     pub min: Lane,
     pub max: Lane,
@@ -171,6 +173,7 @@ impl AxisRow {
             linear: WideVector::ZERO,
             coupled: [zero; DIM],
             gauge: AngleGauge::NONE,
+            position: zero,
             motor: MotorRow {
                 stiffness: zero,
                 damping: zero,

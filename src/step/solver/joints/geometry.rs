@@ -85,7 +85,7 @@ impl<W: Wide> Geometry<W> {
     pub fn errors_seen_from(&self, earlier: &Self, block: &JointBlock) -> [W; SPATIAL_DIM] {
         let mut errors = self.errors();
         for (error, locked) in errors.iter_mut().zip(&block.locked) {
-            *error = *error * W::load(locked);
+            *error = W::select(W::zero().lt(W::load(locked)), *error, W::zero());
         }
         let (linear, angular) = from_components(errors);
         let (linear, mut middle) = (linear_to_world(&self.axes, linear), earlier.axes);
@@ -126,7 +126,8 @@ impl<W: Wide> Geometry<W> {
     pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
-        let (about, angle) = row.gauge.measure(self.between, self.turn);
+        let turn = angular_to_frame(&self.axes, self.turn);
+        let (about, angle) = row.gauge.measure(self.between, turn);
         let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
         (along, distance + angle)

@@ -332,6 +332,9 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
         let bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
         bends.iter().zip(&shares).fold(bend, |bend, (&locked, &share)| bend - locked * share)
     });
+    if !AHEAD {
+        position.store(&mut row.position);
+    }
     for (locked, share) in joint.locked.rows.iter().zip(shares) {
         along = along.minus(locked, share);
     }

@@ -85,6 +85,10 @@ fn store_lane(
         let k = axis as usize;
         joint.data.limits[k].impulse = row.lower.0[lane] - row.upper.0[lane];
         joint.data.motors[k].impulse = row.motor.impulse.0[lane];
+        let (angles, angle) = (joint.angles.as_mut(), row.position.0[lane]);
+        if let (Some(angles), Some(k), true) = (angles, k.checked_sub(DIM), angle.is_finite()) {
+            angles[k] = angle;
+        }
     }
     joint.force = block.total_impulse.lane(lane) * inv_dt;
     joint.torque = ang_lane(&block.total_moment, lane) * inv_dt;
