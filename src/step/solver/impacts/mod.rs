@@ -35,6 +35,10 @@
 //! it counts in the sum above, and in `-a`: without it two cubes on a hinge that fell into a heap at 250 rad/s had 10¹⁶ times
 //! their velocity after as many rounds as there may be.
 //!
+//! What a round's impulses are, of contacts and of joints, is known when its share is: `s λ` and `s μ` are what bodies got, what
+//! friction acts under, and what is told of contacts and joints and breaks these. An island whose round goes no way is where it was,
+//! and would go no way again: its impact ends.
+//!
 //! All that holds for one mass matrix `M`. The changes that joints allow are the nearest ones in its metric, that of the kinetic
 //! energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988), and in this one they still part what
 //! hit. Contacts know the inertias with which the step began. Had joints those of the moment, then the contact of a thin board
@@ -261,6 +265,7 @@ impl Impacts {
     ) {
         self.begin_round(bodies, around.links.0);
         around.joints.forget_places();
+        around.joints.begin_blows();
         self.memory.works.clear();
         self.memory.works.resize(self.memory.accounts.len(), 0.0);
         for _ in 0..ROUND_VISITS {
@@ -291,13 +296,33 @@ impl Impacts {
             account.surplus += contact.strike.surplus;
         }
         around.joints.share_delays(&mut self.memory.delays);
+        self.settle_round(bodies, around, pass);
+    }
+
+    /// Lets each island go the share of the round that its energy allows.
+    fn settle_round(
+        &mut self,
+        bodies: &mut SolverBodies,
+        around: &mut Around<'_>,
+        pass: &ImpactPass,
+    ) {
         let Memory { start, delays, accounts, works, .. } = &mut self.memory;
         for (account, work) in accounts.iter_mut().zip(works) {
             account.stopped += *work;
             account.surplus += *work;
+            if account.share() == 0.0 {
+                account.visits = 0;
+            }
         }
         let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
+        for block in &mut self.blocks {
+            let (struck, islands) = (block.struck, block.islands);
+            lanes(struck).for_each(|lane| block.settle(lane, share(islands[lane])));
+        }
+        let islands = &bodies.islands;
+        around.joints.settle_blows(|body| share(islands[body as usize]));
         bodies.accept_impact(start, delays, share);
+        around.links.0.settle_round(share);
         around.links.0.accept_impact(pass.substep, share);
     }
 

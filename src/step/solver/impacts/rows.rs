@@ -42,7 +42,7 @@ struct ImpactRow {
     target: Lane,
     /// When it hits, from the beginning of the substep (s).
     time: Lane,
-    /// Impulses of this round, and of the whole impact.
+    /// Impulses of this round, and of the whole impact: of each round the share that it went.
     impulse: Lane,
     given: Lane,
 }
@@ -219,14 +219,13 @@ impl ImpactBlock {
         let allowed = W::load(&self.restitution).max(W::splat(1.0));
         let (mut stopped, mut surplus) = (W::zero(), W::zero());
         let (mut weight, mut moment) = (W::zero(), W::zero());
-        for (k, row) in self.rows.iter_mut().enumerate() {
+        for (k, row) in self.rows.iter().enumerate() {
             let (impulse, approach) = (W::load(&row.impulse), W::load(&row.approach));
             stopped = stopped + impulse * approach;
             let velocity = velocities[k] + W::load(&row.borne);
             surplus = surplus + impulse * (velocity + allowed * approach) * half;
             weight = weight + impulse;
             moment = moment + impulse * W::load(&row.time);
-            (W::load(&row.given) + impulse).store(&mut row.given);
         }
         stopped.store(&mut self.stopped);
         surplus.store(&mut self.surplus);
@@ -239,6 +238,11 @@ impl ImpactBlock {
                 scatter_states(delays, indices, (motion, displacement));
             }
         }
+    }
+
+    /// Counts the impulses of a round in a lane: the share that its island went.
+    pub fn settle(&mut self, lane: usize, share: Real) {
+        self.rows.iter_mut().for_each(|row| row.given.0[lane] += share * row.impulse.0[lane]);
     }
 
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.

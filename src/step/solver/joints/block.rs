@@ -112,6 +112,12 @@ impl JointBlock {
         }
     }
 
+    /// A body of the joint in a lane that can move, by its index: if both can, the first one.
+    pub fn movable(&self, lane: usize) -> u32 {
+        let [first, second] = self.bodies.map(|bodies| bodies[lane]);
+        if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
+    }
+
     /// Does any lane reckon with how its free axes bend?
     pub fn looks_ahead(&self) -> bool {
         self.row_count > 0 && (self.has_exact || self.has_distances)

@@ -86,7 +86,7 @@ use crate::dim::state::{BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, Member, Question, RowMemory};
+use direct::{Blow, Direct, Member, Question, RowMemory};
 pub(super) use load::Sources;
 use pins::Pins;
 pub(super) use store::break_if_overloaded;
@@ -104,6 +104,8 @@ pub(super) struct SolverJoints {
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
     memory: Vec<RowMemory>,
+    /// By block, while a round of an impact lasts.
+    blows: Vec<Blow>,
     /// Those that only hold two points together, and are not.
     pins: Pins,
     /// All joints in the order of their colours, and how many of them each colour has.
@@ -224,8 +226,8 @@ impl SolverJoints {
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
     /// exactly, where the bodies are, with the inertias of the step's beginning: in components with a body that is `wanted`.
-    /// For impacts: the impulses count as borne in this step, and the next one does not start with them. `add_work` is told one
-    /// body of each joint, and the work of the joint's impulses at the velocities of the `start`.
+    /// For impacts: what the impulses are is kept apart until [`Self::settle_blows`], and the next step does not start with them.
+    /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         (states, start): (&mut [BodyState], &[BodyState]),
@@ -257,22 +259,41 @@ impl SolverJoints {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
         self.direct.solve(&mut self.memory, shared, wanted, simd, tasks);
-        let (blocks, memory) = (DisjointMut::new(&mut self.blocks), &self.memory);
-        let end = End::Count;
+        let (blocks, memory) = (&self.blocks, &self.memory);
+        let blows = DisjointMut::new(&mut self.blows);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Finish { range, blocks, memory, end });
+            simd.run(Count { range, blocks, memory, blows });
         });
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for lane in 0..self.layout.block(index).len() {
-                let bodies = block.bodies.map(|bodies| bodies[lane]);
-                let velocities = bodies.map(|body| start[(body & !READ_ONLY) as usize].velocity());
-                let movable = bodies[usize::from(bodies[0] & READ_ONLY != 0)];
-                add_work(movable & !READ_ONLY, memory[index].work(lane, velocities));
+                let bodies = block.bodies.map(|bodies| bodies[lane] & !READ_ONLY);
+                let velocities = bodies.map(|body| start[body as usize].velocity());
+                add_work(block.movable(lane), memory[index].work(lane, velocities));
             }
         }
         for (state, start) in states.iter_mut().zip(start) {
             let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
             state.set_velocity(old_v + v, old_w + w);
+        }
+    }
+
+    /// Begins a round of an impact, in which joints have given nothing yet.
+    pub fn begin_blows(&mut self) {
+        self.blows.clear();
+        if !self.direct.is_empty() {
+            self.blows.resize(self.blocks.len(), Blow::NONE);
+        }
+    }
+
+    /// Ends it: what joints gave counts as borne in this step, or as much of it as the bodies got: a `share` for the island of each
+    /// body.
+    pub fn settle_blows(&mut self, share: impl Fn(u32) -> Real) {
+        for (index, (block, blow)) in self.blocks.iter_mut().zip(&self.blows).enumerate() {
+            if block.has_exact {
+                for lane in 0..self.layout.block(index).len() {
+                    blow.settle(block, lane, share(block.movable(lane)));
+                }
+            }
         }
     }
 
@@ -309,9 +330,9 @@ impl SolverJoints {
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
-        let end = End::Finish { is_last: !AHEAD && pass.is_last_visit };
+        let is_last = !AHEAD && pass.is_last_visit;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Finish { range, blocks, memory, end });
+            simd.run(Finish { range, blocks, memory, is_last });
         });
     }
 }
@@ -432,21 +453,12 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
     }
 }
 
-/// What becomes of the changes that an exact solution found.
-#[derive(Copy, Clone)]
-enum End {
-    /// See [`direct::finish`].
-    Finish { is_last: bool },
-    /// See [`direct::count`].
-    Count,
-}
-
-/// Ends an exact solution.
+/// See [`direct::finish`].
 struct Finish<'a> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
     memory: &'a [RowMemory],
-    end: End,
+    is_last: bool,
 }
 
 impl Kernel for Finish<'_> {
@@ -457,12 +469,30 @@ impl Kernel for Finish<'_> {
         for index in self.range {
             // SAFETY: each block belongs to one task.
             let block = unsafe { self.blocks.get_mut(index) };
-            let memory = &self.memory[index];
-            match self.end {
-                _ if !block.has_exact => {}
-                End::Finish { is_last } => direct::finish::<W>(block, memory, is_last),
-                End::Count => direct::count::<W>(block, memory),
+            if block.has_exact {
+                direct::finish::<W>(block, &self.memory[index], self.is_last);
             }
+        }
+    }
+}
+
+/// See [`direct::count`].
+struct Count<'a> {
+    range: Range<usize>,
+    blocks: &'a [JointBlock],
+    memory: &'a [RowMemory],
+    blows: DisjointMut<'a, Blow>,
+}
+
+impl Kernel for Count<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range.filter(|&index| self.blocks[index].has_exact) {
+            // SAFETY: the blow of each block belongs to one task.
+            let blow = unsafe { self.blows.get_mut(index) };
+            direct::count::<W>(blow, &self.memory[index]);
         }
     }
 }

@@ -56,7 +56,7 @@ pub struct Blow {
     target: Real,
     /// When it hits, from the beginning of the substep (s).
     time: Real,
-    /// Impulses of this round, and of the whole impact.
+    /// Impulses of this round, and of the whole impact: of each round the share that it went.
     impulse: Real,
     given: Real,
 }
@@ -250,9 +250,19 @@ impl SolverMultibodies {
                 let velocity = numbers.velocity(normal, &actors) + blow.borne;
                 contact.strike.stopped += blow.impulse * blow.approach;
                 contact.strike.surplus += blow.impulse * (velocity + allowed * blow.approach) * 0.5;
-                blow.given += blow.impulse;
                 numbers.note_blow(normal, [blow.impulse, blow.time], delays);
             }
+        }
+    }
+
+    /// Counts the impulses of a round: the share that each island went.
+    pub fn settle_round(&mut self, share: impl Fn(u32) -> Real) {
+        for contact in self.struck() {
+            let share = share(contact.strike.island);
+            contact
+                .points
+                .iter_mut()
+                .for_each(|point| point.blow.given += share * point.blow.impulse);
         }
     }
 

@@ -337,6 +337,7 @@ unsafe fn bounce<W: Wide>(
         let mut delays = vec![BodyState::default(); states.len()];
         impact.end(&rows, block, &DisjointMut::new(&mut delays));
         rows.scatter(states);
+        (0..LANES).for_each(|lane| impact.settle(lane, 1.0));
         impact.put_aside(block);
         impact.rub::<W>(block, coulomb, states);
     }

@@ -13,7 +13,8 @@ use crate::dim::math::{AngVector, DIM, Real, SPATIAL_DIM, Vector};
 use crate::dim::spatial::join;
 use crate::dim::state::BodyState;
 use crate::dim::wide::{
-    WideSymmetric, WideVector, ZERO_INERTIA, load_ang, select_ang, store_ang, symmetric_lane,
+    ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane, load_ang,
+    select_ang, set_ang_lane, store_ang, symmetric_lane,
 };
 use crate::model::params::JointPass;
 
@@ -70,6 +71,27 @@ impl RowMemory {
     pub(super) fn inverse_mass(&self, side: usize, lane: usize) -> InverseMass {
         let inv_inertia = symmetric_lane(&self.inv_inertia[side], lane);
         InverseMass::new(self.inv_mass[side].lane(lane), &inv_inertia)
+    }
+}
+
+/// What the joints of a block have given in the blows of a round: impulses, and their moments about the second anchors.
+#[derive(Clone, Debug)]
+pub(in super::super) struct Blow {
+    impulse: WideVector<Lane>,
+    moment: WideAngVector<Lane>,
+}
+
+impl Blow {
+    pub const NONE: Self = Self { impulse: WideVector::ZERO, moment: ANG_ZERO_LANES };
+
+    /// Counts this share of what a lane has given into its impulses of the step, and nowhere else: what an impact did is no load
+    /// that the next substep could start with.
+    pub fn settle(&self, block: &mut JointBlock, lane: usize, share: Real) {
+        let impulse = block.total_impulse.lane(lane) + self.impulse.lane(lane) * share;
+        block.total_impulse.set_lane(lane, impulse);
+        let given = ang_lane(&self.moment, lane) * share;
+        let moment = ang_lane(&block.total_moment, lane) + given;
+        set_ang_lane(&mut block.total_moment, lane, moment);
     }
 }
 
@@ -165,18 +187,19 @@ pub(in super::super) fn finish<W: Wide>(
     Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
     note_turned(block, Masses::load(block).turned(&added));
     if is_last_of_substep {
-        add_to_totals(block, memory, &rows, &added);
+        let totals = (&mut block.total_impulse, &mut block.total_moment);
+        add_to_totals(totals, memory, &rows, &added);
         store_couple(block, &rows);
     }
 }
 
-/// Counts the changes of the impulses into those of the step, and nowhere else: what an impact did is no load that the
-/// next substep could start with.
+/// Counts the changes of the impulses into those of a blow. Each visit of a round changes velocities that the last one has left as
+/// the joints allow: so what the joints give in a round is the sum over its visits.
 #[inline(always)]
-pub(in super::super) fn count<W: Wide>(block: &mut JointBlock, memory: &RowMemory) {
+pub(in super::super) fn count<W: Wide>(blow: &mut Blow, memory: &RowMemory) {
     let rows = rows_of::<W>(memory);
     let added = added(memory, &rows);
-    add_to_totals(block, memory, &rows, &added);
+    add_to_totals((&mut blow.impulse, &mut blow.moment), memory, &rows, &added);
 }
 
 #[inline(always)]
@@ -200,16 +223,15 @@ fn added<W: Wide>(memory: &RowMemory, rows: &[Row<W>; SPATIAL_DIM]) -> Wrench<W>
 
 #[inline(always)]
 fn add_to_totals<W: Wide>(
-    block: &mut JointBlock,
+    (total_impulse, total_moment): (&mut WideVector<Lane>, &mut WideAngVector<Lane>),
     memory: &RowMemory,
     rows: &[Row<W>; SPATIAL_DIM],
     added: &Wrench<W>,
 ) {
-    let mut moment = load_ang::<W>(&block.total_moment);
+    let mut moment = load_ang::<W>(total_moment);
     for k in DIM..SPATIAL_DIM {
         moment = moment + rows[k].angular[1] * W::load(&memory.changes[k]);
     }
-    store_ang(moment, &mut block.total_moment);
-    let total = WideVector::load(&block.total_impulse) + added.linear;
-    total.store(&mut block.total_impulse);
+    store_ang(moment, total_moment);
+    (WideVector::load(total_impulse) + added.linear).store(total_impulse);
 }

@@ -37,7 +37,7 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{RowMemory, count, finish, write_rows};
+pub(super) use memory::{Blow, RowMemory, count, finish, write_rows};
 pub(super) use pattern::Member;
 
 use crate::base::disjoint::DisjointMut;
