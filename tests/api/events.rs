@@ -150,6 +150,59 @@ fn events_of_one_step_come_in_order() {
     assert_eq!(events, expected);
 }
 
+/// A number below `count` for each below it, all of them once: multiples of a number without a common divisor.
+fn shuffled(count: usize, by: usize) -> impl Iterator<Item = usize> {
+    (0..count).map(move |k| k * by % count)
+}
+
+/// Boxes on pads, of which each fourth is put down, taken away, removed or made a sensor at once; which of them came to its pad
+/// first is another matter than who was there first. Returns what happens then.
+fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
+    const COUNT: usize = 240;
+    let mut world = PhysicsWorld::new();
+    let at = |k: usize, height: Real| vec(3.0 * k as Real, height);
+    let mut boxes = vec![None; COUNT];
+    for k in shuffled(COUNT, 77) {
+        let pad = cuboid(1.0, 0.5).translation(at(k, -0.5));
+        let flier = RigidBodyBuilder::dynamic().translation(at(k, 9.0)).gravity_scale(0.0);
+        // Some boxes are older than their pads.
+        let late = (k % 3 != 0).then(|| world.insert_collider(pad.clone(), None));
+        boxes[k] = Some(world.insert(flier, telling(cuboid(0.5, 0.5))));
+        late.unwrap_or_else(|| world.insert_collider(pad, None));
+    }
+    let boxes: Vec<_> = boxes.into_iter().flatten().collect();
+    for k in arrivals.filter(|k| k % 4 != 0) {
+        world.bodies[boxes[k].0].set_translation(at(k, 0.499), true);
+        world.step();
+    }
+    for (k, &(body, collider)) in boxes.iter().enumerate() {
+        match k % 4 {
+            0 => world.bodies[body].set_translation(at(k, 0.499), true),
+            1 => world.bodies[body].set_translation(at(k, 20.0), true),
+            2 => drop(world.remove_body(body)),
+            _ => world.colliders[collider].set_sensor(true),
+        }
+    }
+    Protocol::default().of_steps(&mut world, 1)
+}
+
+/// Hundreds that begin and end at once, for all kinds of reasons, are told in the order of the colliders: whatever happened before. What
+/// happens to one pair is told in the order in which it happens.
+#[test]
+fn events_of_one_step_come_in_the_order_of_colliders() {
+    let events = upheaval(0..240);
+    assert_eq!(events.len(), 300, "60 begin, 120 end, and 60 end and begin");
+    let pair = |event: &CollisionEvent| {
+        [event.collider1(), event.collider2()].map(ColliderHandle::into_raw_parts)
+    };
+    assert!(events.is_sorted_by_key(pair));
+    for two in events.windows(2).filter(|two| pair(&two[0]) == pair(&two[1])) {
+        assert!(two[0].stopped() && two[1].started() && two[1].sensor(), "{two:?}");
+    }
+    assert_eq!(upheaval((0..240).rev()), events);
+    assert_eq!(upheaval(shuffled(240, 131)), events);
+}
+
 /// Checks what a handler is given.
 struct Judge {
     ball: ColliderHandle,
