@@ -1,7 +1,7 @@
 //! Mass properties of what is made of parts, in 2D.
 
 use crate::base::measure::is_point;
-use crate::dim::math::{AngVector, Real, Rotation, Vector};
+use crate::dim::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use parry::mass_properties::MassProperties;
 
 /// The mass properties of a body without mass.
@@ -34,6 +34,16 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
         part.principal_inertia() + part.mass() * (com - part.local_com).length_squared()
     };
     MassProperties::new(com, mass, parts.iter().map(inertia_about_com).sum())
+}
+
+/// The inverse inertia of a body that turns in a step: in the plane it stays what it is.
+pub(crate) fn inv_inertia_on_the_way(
+    _mass: &MassProperties,
+    _rotation: Rotation,
+    _turn: AngVector,
+    _blow: Real,
+) -> Option<AngularInertia> {
+    None
 }
 
 /// The angular momentum about the centre of mass (mass·length²/s) of a body with the angular

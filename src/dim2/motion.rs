@@ -93,6 +93,16 @@ pub(crate) fn tumble<W: Wide>(
 ) {
 }
 
+/// The angular velocity of one body in a while, which may lie in the past, if nothing acts on it: the same.
+pub(crate) fn angvel_at(
+    _mass: &MassProperties,
+    _turned: (Rotation, Rotation),
+    angvel: AngVector,
+    _h: Real,
+) -> AngVector {
+    angvel
+}
+
 /// The record of each body; no lane beyond them is looked at later.
 #[inline(always)]
 fn rows(bodies: &[FreeMotion]) -> [&[Real; RECORD_LEN]; LANES] {

@@ -137,6 +137,11 @@ impl BodyPose {
     pub fn inv_mass(&self) -> Vector {
         Vector::new(self.0[4], self.0[5])
     }
+
+    /// The inverse inertia that contacts know.
+    pub fn inv_inertia(&self) -> AngularInertia {
+        self.0[6]
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

@@ -25,6 +25,7 @@ pub(crate) mod contact;
 pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod motion;
+mod top;
 pub(crate) mod turn;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

@@ -139,6 +139,12 @@ impl BodyPose {
     pub fn inv_mass(&self) -> Vector {
         Vector::new(self.0[7], self.0[8], self.0[9])
     }
+
+    /// The inverse inertia that contacts know, in world space.
+    pub fn inv_inertia(&self) -> AngularInertia {
+        let [m11, m12, m13, m22, m23, m33] = [10, 11, 12, 13, 14, 15].map(|k| self.0[k]);
+        AngularInertia { m11, m12, m13, m22, m23, m33 }
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

@@ -40,12 +40,6 @@ impl JointedInertias {
         symmetric_lane(&self.0[side], lane)
     }
 
-    /// Those of all lanes when the step began, in memory: what they always are.
-    #[inline(always)]
-    pub fn at_start(&self) -> &[WideSymmetric<Lane>; 2] {
-        &self.0
-    }
-
     /// Those of all lanes, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {

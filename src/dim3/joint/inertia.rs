@@ -70,12 +70,6 @@ impl JointedInertias {
         symmetric_lane(&self.now[side], lane)
     }
 
-    /// Those of all lanes as they stood when the step began, in memory.
-    #[inline(always)]
-    pub fn at_start(&self) -> &[WideSymmetric<Lane>; 2] {
-        &self.start
-    }
-
     /// Those of all lanes as they stand now, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {

@@ -1,9 +1,12 @@
 //! Where a body is, how fast it moves, and where that leads.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
+use crate::dim::axes::LockedAxes;
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, mul_inertia, rotation_to_angle,
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia,
+    rotation_to_angle,
 };
+use crate::dim::motion::angvel_at;
 use crate::model::check::{checked_pose, checked_rotation, refuse};
 
 impl RigidBody {
@@ -15,6 +18,16 @@ impl RigidBody {
     /// The origin of the body's frame in world space.
     pub fn translation(&self) -> Vector {
         self.pose.translation
+    }
+
+    /// The angular velocity that the body will have in `h` seconds, which may lie in the past, turned to `there`, if nothing acts on it.
+    pub(crate) fn angvel_at(&self, there: Rotation, h: Real) -> AngVector {
+        let is_free = !self.mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
+        if !self.gyroscopic_forces_enabled || !is_free {
+            return self.angvel;
+        }
+        let angvel = angvel_at(&self.mprops.local, (self.pose.rotation, there), self.angvel, h);
+        if ang_is_finite(angvel) { angvel } else { self.angvel }
     }
 
     /// How the body's frame is turned in world space.

@@ -138,7 +138,9 @@ pub(crate) fn stop(
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         counters.num_substeps += 1;
         if motion.link.is_none() {
-            body.pose = sweep_of(motion, motion.start, share).at(share);
+            let there = sweep_of(motion, motion.start, share).at(share);
+            body.angvel = body.angvel_at(there.rotation, (share - 1.0) * dt);
+            body.pose = there;
             body.linvel = motion.velocity_before(1.0 - share, body.linvel);
             body.update_world_mass_properties();
         }

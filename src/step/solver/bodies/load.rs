@@ -5,7 +5,9 @@ use super::{SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
-use crate::dim::math::{Real, Rotation, Vector};
+use crate::dim::axes::LockedAxes;
+use crate::dim::mass::inv_inertia_on_the_way;
+use crate::dim::math::{AngularInertia, Real, Rotation, Vector};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
@@ -143,12 +145,25 @@ impl Place<'_> {
             FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
-        let (inv_mass, inv_inertia) = (mprops.inv_mass, &mprops.inv_inertia);
-        *self.pose = BodyPose::new(body.pose.rotation, mprops.world_com, inv_mass, inv_inertia);
+        let felt = felt_inertia(body, around.params.dt);
+        let inv_inertia = felt.as_ref().unwrap_or(&mprops.inv_inertia);
+        let center = mprops.world_com;
+        *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
         *self.state = BodyState::new(body.linvel, body.angvel);
         *self.before = *self.state;
         *self.island = body.link.island;
     }
+}
+
+/// The inverse inertia that contacts know, if it is not that of the body as it stands. They may be blows, unless
+/// something holds the body already.
+fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
+    let mprops = &body.mprops;
+    if !body.is_dynamic() || mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED) {
+        return None;
+    }
+    let blow = if body.held { 0.0 } else { body.linvel.length() * dt / body.extent };
+    inv_inertia_on_the_way(&mprops.local, body.pose.rotation, body.angvel * dt, blow)
 }
 
 /// The places of all bodies, to be filled by several threads.

@@ -278,7 +278,7 @@ impl Impacts {
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
             let add_work = |body: u32, work: Real| works[islands[body as usize] as usize] += work;
-            let states = (&mut bodies.states[..], &start[..]);
+            let states = (&bodies.poses[..], &mut bodies.states[..], &start[..]);
             let Around { joints, joint_pass, simd, tasks, .. } = around;
             joints.project(states, is_moving, add_work, joint_pass, (*simd, *tasks));
         }

@@ -82,7 +82,7 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::Real;
-use crate::dim::state::{BodyState, READ_ONLY};
+use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
@@ -225,12 +225,12 @@ impl SolverJoints {
     }
 
     /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
-    /// exactly, where the bodies are, with the inertias of the step's beginning: in components with a body that is `wanted`.
+    /// exactly, where the bodies are, with the inertias that contacts know: in components with a body that is `wanted`.
     /// For impacts: what the impulses are is kept apart until [`Self::settle_blows`], and the next step does not start with them.
     /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
-        (states, start): (&mut [BodyState], &[BodyState]),
+        (poses, states, start): (&[BodyPose], &mut [BodyState], &[BodyState]),
         wanted: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
         pass: &JointPass,
@@ -251,9 +251,8 @@ impl SolverJoints {
             let states = shared;
             simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
         });
-        // Those that contacts have.
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
-            memory.inv_inertia = *block.inertias.at_start();
+            memory.take_inertias(block, poses);
         }
         let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))

@@ -11,10 +11,10 @@ use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
 use crate::dim::math::{AngVector, DIM, Real, SPATIAL_DIM, Vector};
 use crate::dim::spatial::join;
-use crate::dim::state::BodyState;
+use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane, load_ang,
-    select_ang, set_ang_lane, store_ang, symmetric_lane,
+    select_ang, set_ang_lane, set_symmetric_lane, store_ang, symmetric_lane,
 };
 use crate::model::params::JointPass;
 
@@ -53,6 +53,17 @@ impl RowMemory {
             changes: [zero; SPATIAL_DIM],
         }
     };
+
+    /// Takes the inverse inertias that contacts know.
+    pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose]) {
+        for (inertias, bodies) in self.inv_inertia.iter_mut().zip(&block.bodies) {
+            for (lane, &body) in
+                bodies.iter().enumerate().filter(|(_, body)| *body & READ_ONLY == 0)
+            {
+                set_symmetric_lane(inertias, lane, &poses[body as usize].inv_inertia());
+            }
+        }
+    }
 
     /// The work of the changes of a lane's impulses on its two bodies at these velocities: `λ J v`.
     pub fn work(&self, lane: usize, velocities: [(Vector, AngVector); 2]) -> Real {
