@@ -48,6 +48,8 @@ use parry::shape::{Shape, TypedShape};
 /// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
 /// capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
+/// How deep contacts may be pressed, as a share of the shape's thickness.
+const PRESSED_DEPTH: Real = 0.25;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
@@ -213,7 +215,16 @@ fn impact_of_parts(
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
         Meeting::Never => Some(latest),
-        Meeting::FromTheBeginning => goal.on_penetration.then_some(latest),
+        Meeting::FromTheBeginning if !goal.on_penetration => None,
+        Meeting::FromTheBeginning => {
+            let shallow = Body::core(part1.shape, PRESSED_DEPTH * thickness)?;
+            let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
+            match advance([&shallow, &other], sweeps, goal, latest) {
+                Meeting::At(share) => Some(share),
+                Meeting::Never => Some(latest),
+                Meeting::FromTheBeginning => Some(0.0),
+            }
+        }
     }
 }
 
