@@ -48,8 +48,8 @@ use parry::shape::{Shape, TypedShape};
 /// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
 /// capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
-/// How deep contacts may be pressed, as a share of the shape's thickness.
-const PRESSED_DEPTH: Real = 0.25;
+/// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
+pub(crate) const PRESSED_DEPTH: Real = 0.25;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
@@ -132,6 +132,26 @@ pub(crate) fn passes(
     });
     let [end1, end2] = sweeps.map(|sweep| sweep.at(until));
     meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
+}
+
+/// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
+pub(crate) fn ends_deep(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> bool {
+    let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
+    let mut deep = false;
+    for_each_pair(shapes, [&ends[0], &ends[1]], &mut |[(part1, sweep1), (part2, sweep2)]| {
+        let thickness = thickness(part1.shape);
+        if deep || thickness == 0.0 || thickness == Real::INFINITY {
+            return;
+        }
+        let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
+        let Some((own, other)) = Body::core(part1.shape, PRESSED_DEPTH * thickness).zip(other)
+        else {
+            return;
+        };
+        let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
+        deep = own.distance(&other, &poses, 0.0, Vector::ZERO).is_some();
+    });
+    deep
 }
 
 /// A region, in the frame of the shape on a side, around all places of the other shape.

@@ -29,7 +29,7 @@ mod ways;
 
 use crate::base::tasks::Tasks;
 use crate::dim::math::Real;
-use crate::model::body::RigidBodySet;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
@@ -58,6 +58,8 @@ pub(crate) struct ContinuousScratch {
     ways: Ways,
     groups: Groups,
     bullets: Bullets,
+    /// By fast body: is it deep in something when the step ends?
+    pressed: Vec<bool>,
     /// By fast body: the sensors that it passes.
     passages: Vec<Vec<Passage>>,
     /// Pairs of colliders whose paths were searched.
@@ -96,8 +98,9 @@ pub(crate) fn find_impacts(
     world: Surroundings<'_>,
     scratch: &mut ContinuousScratch,
 ) {
-    let ContinuousScratch { stops, ways, groups, bullets, passages, searched } = scratch;
+    let ContinuousScratch { stops, ways, groups, bullets, pressed, passages, searched } = scratch;
     stops.clear();
+    pressed.clear();
     passages.clear();
     *searched.get_mut() = 0;
     if world.fast.is_empty() || world.params.max_ccd_substeps == 0 {
@@ -114,11 +117,23 @@ pub(crate) fn find_impacts(
     });
     groups.stop_together(stops);
     bullets.find(search, stops);
+    pressed.resize(world.fast.len(), true);
+    tasks.par_fill(pressed, BODIES_PER_TASK, |position| {
+        let path = Path::of(search, position, stops[position]);
+        path.is_some_and(|path| path.ends_deep(search))
+    });
     if world.trees.has_sensors() {
         passages.resize_with(world.fast.len(), Vec::new);
         tasks.par_fill(passages, BODIES_PER_TASK, |position| {
             sensors::passages(search, position, stops[position])
         });
+    }
+}
+
+/// Sees to it that the paths of these bodies are searched.
+pub(crate) fn watch(bodies: &mut RigidBodySet, pressed: &[RigidBodyHandle]) {
+    for &body in pressed {
+        bodies.get_unnoted_mut(body).into_iter().for_each(|body| body.pressed = true);
     }
 }
 
@@ -142,6 +157,10 @@ pub(crate) fn stop(
             body.linvel = motion.velocity_before(1.0 - share, body.linvel);
             body.update_world_mass_properties();
         }
+    }
+    for (motion, &pressed) in fast.iter().zip(&scratch.pressed) {
+        let body = bodies.get_unnoted_mut(motion.body);
+        body.into_iter().for_each(|body| body.pressed = pressed);
     }
     scratch.ways.stop(bodies, multibodies, (fast, courses), &scratch.stops, dt);
     for passage in scratch.passages.iter().flatten() {
