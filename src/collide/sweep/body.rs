@@ -88,6 +88,15 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// The same, drawn together to this share of its size.
+    pub fn shrunk(self, share: Real) -> Self {
+        let Sharp::Convex(Shrunk { shape, center, scale }) = self.sharp else { return self };
+        let is_whole = scale == Vector::ONE;
+        let center = if is_whole { middle(shape) } else { center };
+        let sharp = Sharp::Convex(Shrunk { shape, center, scale: scale * share });
+        Self { sharp, whole: None, flat: None, ..self }
+    }
+
     /// A part without its outer layer of this depth.
     pub fn core(shape: &'a dyn Shape, depth: Real) -> Option<Self> {
         let Self { sharp, radius, .. } = Self::whole(shape)?;

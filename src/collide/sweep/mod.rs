@@ -48,8 +48,12 @@ use parry::shape::{Shape, TypedShape};
 /// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
 /// capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
+/// The sizes of cores that are searched with, as shares of that of the first: what has an end of itself in something already may still
+/// not get its middle in.
+const CORES: [Real; 3] = [1.0, 0.5, 0.0];
 /// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
 pub(crate) const PRESSED_DEPTH: Real = 0.25;
+const HALT: Real = 0.5;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
@@ -228,10 +232,15 @@ fn impact_of_parts(
         let far = bodies.into_iter().flatten().find(|own| !is_near(own))?;
         return advance([&far, &other], sweeps, goal_of_whole, until).share();
     }
-    let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
-    let latest = advance([&core, &other], sweeps, core_goal, until).share()?;
+    let latest = CORES.iter().find_map(|&share| {
+        let core = Body::core(part1.shape, CORE_DEPTH * thickness)?.shrunk(share);
+        match advance([&core, &other], sweeps, core_goal, until) {
+            Meeting::FromTheBeginning => None,
+            meeting => Some(meeting.share()),
+        }
+    })??;
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
         Meeting::Never => Some(latest),
@@ -242,7 +251,7 @@ fn impact_of_parts(
             match advance([&shallow, &other], sweeps, goal, latest) {
                 Meeting::At(share) => Some(share),
                 Meeting::Never => Some(latest),
-                Meeting::FromTheBeginning => Some(0.0),
+                Meeting::FromTheBeginning => Some(HALT * latest),
             }
         }
     }
