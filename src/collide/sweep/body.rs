@@ -91,6 +91,9 @@ impl<'a> Body<'a> {
     /// The same, drawn together to this share of its size.
     pub fn shrunk(self, share: Real) -> Self {
         let Sharp::Convex(Shrunk { shape, center, scale }) = self.sharp else { return self };
+        if share == 1.0 {
+            return self;
+        }
         let is_whole = scale == Vector::ONE;
         let center = if is_whole { middle(shape) } else { center };
         let sharp = Sharp::Convex(Shrunk { shape, center, scale: scale * share });

@@ -19,7 +19,11 @@
 //! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
 //! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
 //! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
-//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
+//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
+//! a quarter deep ([`PRESSED_DEPTH`]): what something heavy presses into a wall stays on the side from which contacts push it out.
+//!
+//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
+//! that is in, the centre.
 //!
 //! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it was not near to when the step
 //! began. If it was near, one of its corners say, its middle half is searched with; if that was near, too, there are contacts all
@@ -53,6 +57,8 @@ const CORE_DEPTH: Real = 0.98;
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
 /// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
 pub(crate) const PRESSED_DEPTH: Real = 0.25;
+/// What is deeper already goes this share of the way that is left until its middle is in. Who spins while deep in a wall must be able to
+/// turn, or would stand still for ever.
 const HALT: Real = 0.5;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
@@ -72,8 +78,20 @@ pub(crate) struct SweepGoal {
     pub gap: Real,
     /// The gap from which on they have contacts (length units), which stop what has no inside.
     pub near: Real,
-    /// Is what is in contact from the beginning stopped, too, before its middle gets in?
-    pub on_penetration: bool,
+    /// What becomes of what is in contact from the beginning?
+    pub overlap: Overlap,
+}
+
+/// When a core gets in of which the surface has touched from the beginning.
+#[derive(Copy, Clone, Debug)]
+pub(crate) enum Overlap {
+    /// Contacts alone hold against it.
+    Passes,
+    /// It is stopped where its core arrives.
+    StopsMiddle,
+    /// It is stopped before, where contacts would be deeper than [`PRESSED_DEPTH`]: so deep they no longer know the side on which to
+    /// push it out.
+    StopsEarly,
 }
 
 /// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
@@ -244,16 +262,19 @@ fn impact_of_parts(
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
         Meeting::Never => Some(latest),
-        Meeting::FromTheBeginning if !goal.on_penetration => None,
-        Meeting::FromTheBeginning => {
-            let shallow = Body::core(part1.shape, PRESSED_DEPTH * thickness)?;
-            let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
-            match advance([&shallow, &other], sweeps, goal, latest) {
-                Meeting::At(share) => Some(share),
-                Meeting::Never => Some(latest),
-                Meeting::FromTheBeginning => Some(HALT * latest),
+        Meeting::FromTheBeginning => match goal.overlap {
+            Overlap::Passes => None,
+            Overlap::StopsMiddle => Some(latest),
+            Overlap::StopsEarly => {
+                let shallow = Body::core(part1.shape, PRESSED_DEPTH * thickness)?;
+                let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
+                Some(match advance([&shallow, &other], sweeps, goal, latest) {
+                    Meeting::At(share) => share,
+                    Meeting::Never => latest,
+                    Meeting::FromTheBeginning => HALT * latest,
+                })
             }
-        }
+        },
     }
 }
 

@@ -3,7 +3,7 @@
 //! Reads:   how fast bodies moved, colliders, enlarged boxes, who is in which sensor, joints, hooks
 //! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
-//! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
+//! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, but for those in its way
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
 //! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. So its path is searched, from
@@ -11,6 +11,10 @@
 //! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
 //! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
 //! have more energy than it fell from.
+//!
+//! Contacts give way: what something heavy presses against a wall may get into it little by little, without ever being fast. So the
+//! narrow phase notes who is a quarter of its thickness deep in something that is not dynamic, and its path is searched however short it is, until
+//! it is out.
 //!
 //! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
 //! bullets included: see [`bullets`]. Sensors stop nobody, but are told: see [`sensors`].

@@ -1,7 +1,7 @@
 //! The path of one fast body, and what stops it.
 
 use super::{Search, Surroundings};
-use crate::collide::{Sweep, SweepGoal, ends_deep, first_impact};
+use crate::collide::{Overlap, Sweep, SweepGoal, ends_deep, first_impact};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
@@ -157,7 +157,10 @@ impl<'a> Mover<'a> {
         let goal = SweepGoal {
             gap: params.allowed_linear_error().max(search.gap_min()) + skin,
             near: params.prediction_distance() + skin,
-            on_penetration: params.ccd_on_penetration,
+            overlap: match params.ccd_on_penetration {
+                true => Overlap::StopsEarly,
+                false => Overlap::Passes,
+            },
         };
         let shapes = [self.collider.shape(), other.collider.shape()];
         first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
