@@ -4,7 +4,7 @@
 //! and then contacts push it out of the wall on the other side. So what is deep in a wall goes no deeper, however little it moves.
 
 use super::{PHASES, RADIUS, SPEEDS};
-use crate::dim::grounds::GROUNDS;
+use crate::dim::grounds::{GROUNDS, Ground};
 use crate::dim::{cuboid, vec};
 use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
@@ -15,7 +15,7 @@ const FAR: Real = 3.0;
 
 /// A ground whose surface is the plane y = 0, and what lies on it.
 struct Press<'a> {
-    lay: &'a dyn Fn(&mut PhysicsWorld),
+    lay: fn(&mut PhysicsWorld, Pose, Real),
     shape: &'a dyn Fn() -> ColliderBuilder,
     /// How many bodies lie on each other.
     pile: usize,
@@ -32,7 +32,7 @@ impl Press<'_> {
 
     fn passes(&self, speed: Real, phase: Real) -> bool {
         let mut world = weightless(self.rate);
-        (self.lay)(&mut world);
+        (self.lay)(&mut world, Pose::IDENTITY, 0.5);
         let x = 7.31 + 0.26 * phase;
         let mut bodies: Vec<_> = (0..self.pile)
             .map(|k| {
@@ -64,21 +64,16 @@ fn lay_floor(world: &mut PhysicsWorld, thickness: Real) {
 fn nobody_is_pressed_through_a_floor() {
     let columns = ["floor", "pile", "mass", "50", "100", "400", "1000"];
     let mut table = Table::new("bodies that are pressed through, of 20", &columns);
-    let is_among = |name: &str| ["mesh", "height field", "closed meshes"].contains(&name);
-    let ground = |lay: fn(&mut PhysicsWorld, Pose, Real)| {
-        Box::new(move |world: &mut PhysicsWorld| lay(world, Pose::IDENTITY, 0.5))
-            as Box<dyn Fn(&mut PhysicsWorld)>
-    };
-    let mut floors: Vec<(&str, Box<dyn Fn(&mut PhysicsWorld)>)> = vec![
-        ("2 cm", Box::new(|world| lay_floor(world, 0.02))),
-        ("10 cm", Box::new(|world| lay_floor(world, 0.1))),
+    let floors: [Ground; 2] = [
+        ("2 cm", |world, _, _| lay_floor(world, 0.02)),
+        ("10 cm", |world, _, _| lay_floor(world, 0.1)),
     ];
+    let is_among = |name: &str| ["mesh", "height field", "closed meshes"].contains(&name);
     let grounds = GROUNDS.into_iter().filter(|(name, _)| is_among(name));
-    floors.extend(grounds.map(|(name, lay)| (name, ground(lay))));
     let ball = || ColliderBuilder::ball(RADIUS);
     let cube = || cuboid(RADIUS, RADIUS);
     let shapes: [(&str, &dyn Fn() -> ColliderBuilder); 2] = [("ball", &ball), ("box", &cube)];
-    for (name, lay) in &floors {
+    for (name, lay) in floors.into_iter().chain(grounds) {
         for (what, shape) in shapes {
             for (pile, heavier, rate) in
                 [(1, 100.0, 60), (3, 1.0, 60), (3, 10.0, 60), (3, 10.0, 30)]
@@ -87,7 +82,7 @@ fn nobody_is_pressed_through_a_floor() {
                 let counts = SPEEDS.map(|speed| press.count_passed(speed));
                 let [a, b, c, d] = counts.map(|count| count.to_string());
                 let pile = format!("{pile}, {what}, {rate} Hz");
-                table.row([(*name).to_owned(), pile, format!("{heavier}"), a, b, c, d]);
+                table.row([name.to_owned(), pile, format!("{heavier}"), a, b, c, d]);
                 table.require(counts == [0; 4], "bodies were pressed through");
             }
         }

@@ -86,7 +86,7 @@ impl ContactPair {
         let solved = self.manifolds.iter().filter(|manifold| manifold.is_solved());
         let depth = -solved.map(ContactManifold::deepest_dist).fold(Real::INFINITY, Real::min);
         // Nearly all pairs end here.
-        if !(depth > view.around.params.prediction_distance()) {
+        if depth <= view.around.params.prediction_distance() {
             return None;
         }
         let is_dynamic = view.bodies.map(|body| body.filter(|body| body.is_dynamic()));
