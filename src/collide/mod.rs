@@ -34,4 +34,7 @@ pub(crate) use manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, seams_among};
 pub(crate) use seams::SAME_NORMAL;
-pub(crate) use sweep::{Leg, Sweep, SweepGoal, Touch, find_touches, first_impact, passes, turned};
+pub(crate) use sweep::{
+    Leg, Overlap, PRESSED_DEPTH, Sweep, SweepGoal, Touch, ends_deep, find_touches, first_impact,
+    passes, turned,
+};

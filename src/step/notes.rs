@@ -41,10 +41,11 @@ pub(crate) struct FastMotion {
 
 impl FastMotion {
     /// Is a body fast that moved by no more than `bound`? What has no inside (a thickness of 0) is if it moved farther than
-    /// contacts are looked for.
+    /// contacts are looked for, and what something presses into a wall is if it moved at all.
     pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
-        bound > if is_solid { FAST * body.thickness } else { params.prediction_distance() }
+        let little = if is_solid { FAST * body.thickness } else { params.prediction_distance() };
+        bound > if body.pressed { 0.0 } else { little }
     }
 
     /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is
@@ -75,6 +76,8 @@ pub(crate) struct StepNotes {
     pub contacts: Vec<(PairId, PairChange)>,
     /// The same for pairs with a sensor.
     pub intersections: Vec<(PairId, PairChange)>,
+    /// Bodies that were found deep in something that is not dynamic, in any order.
+    pub pressed: Vec<RigidBodyHandle>,
     /// What began and stopped touching, as it was found; see [`Self::order_events`].
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
@@ -100,6 +103,7 @@ impl StepNotes {
     /// The step begins again, in a world that knows already what began and stopped touching and what broke.
     pub fn clear_attempt(&mut self) {
         self.contacts.clear();
+        self.pressed.clear();
         self.intersections.clear();
         self.fast.clear();
         self.courses.clear();

@@ -7,6 +7,7 @@ mod bullets;
 mod chains;
 mod links;
 mod paths;
+mod presses;
 mod sensors;
 mod settings;
 mod surfaces;

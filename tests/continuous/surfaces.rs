@@ -14,11 +14,23 @@ fn count_passed(
     shape: &dyn Fn() -> ColliderBuilder,
     turned: Real,
 ) -> usize {
+    count_passed_at(60, speed, lay, shape, (turned, 0.0))
+}
+
+/// The same at a number of steps per second, of bodies that spin so fast.
+fn count_passed_at(
+    rate: u32,
+    speed: Real,
+    lay: impl Fn(&mut PhysicsWorld),
+    shape: &dyn Fn() -> ColliderBuilder,
+    (turned, spin): (Real, Real),
+) -> usize {
     let passes = |phase: usize| {
-        let mut world = weightless(60);
+        let mut world = weightless(rate);
         lay(&mut world);
-        let way = speed / 60.0 * (2.0 + phase as Real / PHASES as Real) + 0.8;
+        let way = speed / rate as Real * (2.0 + phase as Real / PHASES as Real) + 0.8;
         let body = RigidBodyBuilder::dynamic().translation(vec(7.3, way)).linvel(vec(0.0, -speed));
+        let body = body.angvel(about_z(spin));
         let body = body.rotation(about_z(turned)).additional_mass(1.0);
         let (body, _) = world.insert(body, shape().friction(0.0));
         (0..12).any(|_| {
@@ -81,6 +93,26 @@ fn thin_slabs_do_not_pass_grounds() {
             let [a, b, c, d] = counts.map(|count| count.to_string());
             table.row([format!("{name}{how}"), a, b, c, d]);
             table.require(counts == [0; 4], "slabs passed");
+        }
+    }
+}
+
+/// Boxes and bars in steps of 1/30 s: at 1000 m/s a way of 33 m, on which no search of closest points knows millimetres. A bar that spins hits
+/// with its tip first, and is turned into the ground about that.
+#[test]
+fn long_steps_and_spinning_bars_pass_nothing() {
+    let columns = ["ground", "50", "100", "400", "1000"];
+    let mut table = Table::new("boxes and bars that pass a ground at 30 Hz, of 20", &columns);
+    let (cube, bar) = (|| cuboid(0.05, 0.05), || cuboid(0.4, 0.01));
+    let things: [(&str, &dyn Fn() -> ColliderBuilder, Real); 2] =
+        [("box", &cube, 0.0), ("bar", &bar, 30.0)];
+    for (name, lay) in GROUNDS {
+        for (what, shape, spin) in things {
+            let lay = |world: &mut PhysicsWorld| lay(world, Pose::IDENTITY, 0.5);
+            let counts = SPEEDS.map(|speed| count_passed_at(30, speed, lay, shape, (0.0, spin)));
+            let [a, b, c, d] = counts.map(|count| count.to_string());
+            table.row([format!("{name}, {what}"), a, b, c, d]);
+            table.require(counts == [0; 4], "they passed");
         }
     }
 }

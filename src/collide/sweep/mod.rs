@@ -19,7 +19,11 @@
 //! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
 //! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
 //! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
-//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning.
+//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
+//! a quarter deep ([`PRESSED_DEPTH`]): what something heavy presses into a wall stays on the side from which contacts push it out.
+//!
+//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
+//! that is in, the centre.
 //!
 //! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it was not near to when the step
 //! began. If it was near, one of its corners say, its middle half is searched with; if that was near, too, there are contacts all
@@ -48,6 +52,14 @@ use parry::shape::{Shape, TypedShape};
 /// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
 /// capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
+/// The sizes of cores that are searched with, as shares of that of the first: what has an end of itself in something already may still
+/// not get its middle in.
+const CORES: [Real; 3] = [1.0, 0.5, 0.0];
+/// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
+pub(crate) const PRESSED_DEPTH: Real = 0.25;
+/// What is deeper already goes this share of the way that is left until its middle is in. Who spins while deep in a wall must be able to
+/// turn, or would stand still for ever.
+const HALT: Real = 0.5;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
@@ -66,8 +78,20 @@ pub(crate) struct SweepGoal {
     pub gap: Real,
     /// The gap from which on they have contacts (length units), which stop what has no inside.
     pub near: Real,
-    /// Is what is in contact from the beginning stopped, too, before its middle gets in?
-    pub on_penetration: bool,
+    /// What becomes of what is in contact from the beginning?
+    pub overlap: Overlap,
+}
+
+/// When a core gets in of which the surface has touched from the beginning.
+#[derive(Copy, Clone, Debug)]
+pub(crate) enum Overlap {
+    /// Contacts alone hold against it.
+    Passes,
+    /// It is stopped where its core arrives.
+    StopsMiddle,
+    /// It is stopped before, where contacts would be deeper than [`PRESSED_DEPTH`]: so deep they no longer know the side on which to
+    /// push it out.
+    StopsEarly,
 }
 
 /// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
@@ -130,6 +154,26 @@ pub(crate) fn passes(
     });
     let [end1, end2] = sweeps.map(|sweep| sweep.at(until));
     meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
+}
+
+/// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
+pub(crate) fn ends_deep(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> bool {
+    let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
+    let mut deep = false;
+    for_each_pair(shapes, [&ends[0], &ends[1]], &mut |[(part1, sweep1), (part2, sweep2)]| {
+        let thickness = thickness(part1.shape);
+        if deep || thickness == 0.0 || thickness == Real::INFINITY {
+            return;
+        }
+        let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
+        let Some((own, other)) = Body::core(part1.shape, PRESSED_DEPTH * thickness).zip(other)
+        else {
+            return;
+        };
+        let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
+        deep = own.distance(&other, &poses, 0.0, Vector::ZERO).is_some();
+    });
+    deep
 }
 
 /// A region, in the frame of the shape on a side, around all places of the other shape.
@@ -206,14 +250,31 @@ fn impact_of_parts(
         let far = bodies.into_iter().flatten().find(|own| !is_near(own))?;
         return advance([&far, &other], sweeps, goal_of_whole, until).share();
     }
-    let core = Body::core(part1.shape, CORE_DEPTH * thickness)?;
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
-    let latest = advance([&core, &other], sweeps, core_goal, until).share()?;
+    let latest = CORES.iter().find_map(|&share| {
+        let core = Body::core(part1.shape, CORE_DEPTH * thickness)?.shrunk(share);
+        match advance([&core, &other], sweeps, core_goal, until) {
+            Meeting::FromTheBeginning => None,
+            meeting => Some(meeting.share()),
+        }
+    })??;
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
         Meeting::At(share) => Some(share),
         Meeting::Never => Some(latest),
-        Meeting::FromTheBeginning => goal.on_penetration.then_some(latest),
+        Meeting::FromTheBeginning => match goal.overlap {
+            Overlap::Passes => None,
+            Overlap::StopsMiddle => Some(latest),
+            Overlap::StopsEarly => {
+                let shallow = Body::core(part1.shape, PRESSED_DEPTH * thickness)?;
+                let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
+                Some(match advance([&shallow, &other], sweeps, goal, latest) {
+                    Meeting::At(share) => share,
+                    Meeting::Never => latest,
+                    Meeting::FromTheBeginning => HALT * latest,
+                })
+            }
+        },
     }
 }
 

@@ -10,7 +10,9 @@
 
 use super::body::Body;
 use super::motion::reach_about;
-use super::{Goal, Meeting, MovingPart, Sweep, SweepGoal, advance, impact_of_parts, other_of};
+use super::{
+    Goal, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts, other_of,
+};
 use crate::base::bvh::SlabProbe;
 use crate::collide::parts::Part;
 use crate::dim::math::{Pose, Real, Vector};
@@ -78,7 +80,7 @@ fn touch_of_parts(
         Meeting::Never => None,
         Meeting::FromTheBeginning if at_once || from > 0.0 => Some(from),
         Meeting::FromTheBeginning => {
-            let goal = SweepGoal { gap: tolerance, near: tolerance, on_penetration: true };
+            let goal = SweepGoal { gap: tolerance, near: tolerance, overlap: Overlap::StopsMiddle };
             impact_of_parts(pair, goal, until)
         }
     }

@@ -58,6 +58,8 @@ pub struct RigidBody {
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
+    /// Is it so deep in something fixed that a little more would bring its middle in? Its path is searched then, however short.
+    pub(crate) pressed: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Is there anything in [`Self::push`]?
     pub(super) pushed: bool,
@@ -116,6 +118,7 @@ impl RigidBody {
             enabled: true,
             ccd_enabled: false,
             ccd_active: false,
+            pressed: false,
             gyroscopic_forces_enabled: true,
             pushed: false,
             mprops: RigidBodyMassProps::default(),

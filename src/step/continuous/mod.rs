@@ -3,7 +3,7 @@
 //! Reads:   how fast bodies moved, colliders, enlarged boxes, who is in which sensor, joints, hooks
 //! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
-//! Never:   pushes anything, or looks at a body that is not fast, but for those in its way
+//! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, but for those in its way
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
 //! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. So its path is searched, from
@@ -11,6 +11,10 @@
 //! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
 //! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
 //! have more energy than it fell from.
+//!
+//! Contacts give way: what something heavy presses against a wall may get into it little by little, without ever being fast. So the
+//! narrow phase notes who is a quarter of its thickness deep in something that is not dynamic, and its path is searched however short it is, until
+//! it is out.
 //!
 //! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
 //! bullets included: see [`bullets`]. Sensors stop nobody, but are told: see [`sensors`].
@@ -29,7 +33,7 @@ mod ways;
 
 use crate::base::tasks::Tasks;
 use crate::dim::math::Real;
-use crate::model::body::RigidBodySet;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
@@ -58,6 +62,8 @@ pub(crate) struct ContinuousScratch {
     ways: Ways,
     groups: Groups,
     bullets: Bullets,
+    /// By fast body: is it deep in something when the step ends?
+    pressed: Vec<bool>,
     /// By fast body: the sensors that it passes.
     passages: Vec<Vec<Passage>>,
     /// Pairs of colliders whose paths were searched.
@@ -96,8 +102,9 @@ pub(crate) fn find_impacts(
     world: Surroundings<'_>,
     scratch: &mut ContinuousScratch,
 ) {
-    let ContinuousScratch { stops, ways, groups, bullets, passages, searched } = scratch;
+    let ContinuousScratch { stops, ways, groups, bullets, pressed, passages, searched } = scratch;
     stops.clear();
+    pressed.clear();
     passages.clear();
     *searched.get_mut() = 0;
     if world.fast.is_empty() || world.params.max_ccd_substeps == 0 {
@@ -114,11 +121,23 @@ pub(crate) fn find_impacts(
     });
     groups.stop_together(stops);
     bullets.find(search, stops);
+    pressed.resize(world.fast.len(), true);
+    tasks.par_fill(pressed, BODIES_PER_TASK, |position| {
+        let path = Path::of(search, position, stops[position]);
+        path.is_some_and(|path| path.ends_deep(search))
+    });
     if world.trees.has_sensors() {
         passages.resize_with(world.fast.len(), Vec::new);
         tasks.par_fill(passages, BODIES_PER_TASK, |position| {
             sensors::passages(search, position, stops[position])
         });
+    }
+}
+
+/// Sees to it that the paths of these bodies are searched.
+pub(crate) fn watch(bodies: &mut RigidBodySet, pressed: &[RigidBodyHandle]) {
+    for &body in pressed {
+        bodies.get_unnoted_mut(body).into_iter().for_each(|body| body.pressed = true);
     }
 }
 
@@ -144,6 +163,10 @@ pub(crate) fn stop(
             body.linvel = motion.velocity_before(1.0 - share, body.linvel);
             body.update_world_mass_properties();
         }
+    }
+    for (motion, &pressed) in fast.iter().zip(&scratch.pressed) {
+        let body = bodies.get_unnoted_mut(motion.body);
+        body.into_iter().for_each(|body| body.pressed = pressed);
     }
     scratch.ways.stop(bodies, multibodies, (fast, courses), &scratch.stops, dt);
     for passage in scratch.passages.iter().flatten() {

@@ -1,7 +1,7 @@
 //! The path of one fast body, and what stops it.
 
-use super::Search;
-use crate::collide::{Sweep, SweepGoal, first_impact};
+use super::{Search, Surroundings};
+use crate::collide::{Overlap, Sweep, SweepGoal, ends_deep, first_impact};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
@@ -34,6 +34,21 @@ impl Search<'_> {
     /// The least gap at which bodies are stopped (length units).
     pub fn gap_min(&self) -> Real {
         GAP_MIN * self.world.params.prediction_distance()
+    }
+
+    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies.
+    fn for_each_obstacle(self, region: &Aabb, mut visit: impl FnMut(Mover<'_>)) {
+        let Surroundings { trees, colliders, bodies, .. } = self.world;
+        let movable = trees.has_kinematics().then_some(TreeKind::Movable);
+        for kind in movable.into_iter().chain([TreeKind::Fixed]) {
+            trees.for_each_overlapping(kind, region, |slot| {
+                let Some((handle, collider)) = colliders.at_slot(slot) else { return };
+                let body = collider.parent().and_then(|body| bodies.get(body));
+                if !collider.is_sensor() && !body.is_some_and(RigidBody::is_dynamic) {
+                    Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
+                }
+            });
+        }
     }
 }
 
@@ -80,22 +95,26 @@ impl<'a> Path<'a> {
         let mut first = 1.0;
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(mover.collider.shape());
-            let movable = search.world.trees.has_kinematics().then_some(TreeKind::Movable);
-            for kind in movable.into_iter().chain([TreeKind::Fixed]) {
-                search.world.trees.for_each_overlapping(kind, &region, |slot| {
-                    let Some((handle, collider)) = search.world.colliders.at_slot(slot) else {
-                        return;
-                    };
-                    let body = collider.parent().and_then(|body| search.world.bodies.get(body));
-                    if collider.is_sensor() || body.is_some_and(RigidBody::is_dynamic) {
-                        return;
-                    }
-                    let Some(other) = Mover::not_fast(search, handle, collider) else { return };
-                    first = mover.impact(&other, search, first).unwrap_or(first);
-                });
-            }
+            search.for_each_obstacle(&region, |other| {
+                first = mover.impact(&other, search, first).unwrap_or(first);
+            });
         }
         first
+    }
+
+    /// Is it deep in a fixed or kinematic collider at its end? It must be that of solid colliders.
+    pub fn ends_deep(&self, search: Search<'_>) -> bool {
+        let mut deep = false;
+        for mover in &self.movers {
+            let shape = mover.collider.shape();
+            let region = shape.compute_aabb(&mover.sweep.at(1.0));
+            search.for_each_obstacle(&region, |other| {
+                deep = deep
+                    || mover.is_stopped_by(&other, search)
+                        && ends_deep([shape, other.collider.shape()], [&mover.sweep, &other.sweep]);
+            });
+        }
+        deep
     }
 
     /// The share of the step after which this path is stopped by another body; `None` if not before `until`.
@@ -138,7 +157,10 @@ impl<'a> Mover<'a> {
         let goal = SweepGoal {
             gap: params.allowed_linear_error().max(search.gap_min()) + skin,
             near: params.prediction_distance() + skin,
-            on_penetration: params.ccd_on_penetration,
+            overlap: match params.ccd_on_penetration {
+                true => Overlap::StopsEarly,
+                false => Overlap::Passes,
+            },
         };
         let shapes = [self.collider.shape(), other.collider.shape()];
         first_impact(shapes, [&self.sweep, &other.sweep], goal, until)

@@ -7,9 +7,9 @@ use super::update::{Outcome, Surroundings, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, ShapePair, compute_manifolds, inherit_impulses};
+use crate::collide::{Neighbor, PRESSED_DEPTH, ShapePair, compute_manifolds, inherit_impulses};
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::body::RigidBody;
+use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{
     ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle,
 };
@@ -64,6 +64,7 @@ impl ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let Computed { gap, left } = self.compute(view, neighbors, worker);
+        worker.pressed.extend(self.pressed_body(view));
         let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
         let slack = if view.has_hooks(hooks) {
             DUE
@@ -78,6 +79,24 @@ impl ContactPair {
             reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
             obstacle: obstacle_side(view).filter(|_| self.is_touching()),
         }
+    }
+
+    /// The body that is deep in the other one, if that is not dynamic.
+    fn pressed_body(&self, view: &PairView<'_>) -> Option<RigidBodyHandle> {
+        let solved = self.manifolds.iter().filter(|manifold| manifold.is_solved());
+        let depth = -solved.map(ContactManifold::deepest_dist).fold(Real::INFINITY, Real::min);
+        // Nearly all pairs end here.
+        if depth <= view.around.params.prediction_distance() {
+            return None;
+        }
+        let is_dynamic = view.bodies.map(|body| body.filter(|body| body.is_dynamic()));
+        let (side, body) = match is_dynamic {
+            [Some(body), None] => (0, body),
+            [None, Some(body)] => (1, body),
+            _ => return None,
+        };
+        let is_deep = depth > PRESSED_DEPTH * body.thickness;
+        is_deep.then(|| view.colliders[side].parent()).flatten()
     }
 
     /// Did anything change that others must be told of: islands, colours, events? In a pile that moves
@@ -144,7 +163,7 @@ impl ContactPair {
         neighbors: [&[Neighbor<'_>]; 2],
         worker: &mut Worker,
     ) -> Computed {
-        let Worker { scratch, fresh, faults } = worker;
+        let Worker { scratch, fresh, faults, .. } = worker;
         let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
             let context = view.filter_context([self.collider1, self.collider2]);
             view.around.hooks.filter_contact_pair(&context)

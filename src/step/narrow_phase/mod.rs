@@ -1,7 +1,7 @@
 //! # Narrow phase — where exactly do they touch?
 //!
 //! Reads:   collider poses and shapes, bounds of how far bodies moved, last step's manifolds
-//! Writes:  manifolds of awake pairs; notes of what was computed
+//! Writes:  manifolds of awake pairs; notes of what was computed, and of who is deep in a wall
 //! Runs:    parallel over pairs; notes are in the order of the awake pairs
 //! Never:   moves a body; links islands; gives colours
 //!

@@ -9,7 +9,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Simd, prefetch};
 use crate::collide::ManifoldScratch;
 use crate::dim::math::Real;
-use crate::model::body::{QuarantineCause, RigidBodySet};
+use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{
     AwakePair, ContactManifold, DUE, Entry, NarrowPhase, Pair, PairId, PairStore, StoreParts,
@@ -57,6 +57,8 @@ pub(super) struct Worker {
     pub fresh: SmallVec<[ContactManifold; 1]>,
     /// Pairs with impossible numbers.
     pub faults: Vec<([ColliderHandle; 2], QuarantineCause)>,
+    /// Bodies that are deep in something.
+    pub pressed: Vec<RigidBodyHandle>,
 }
 
 /// What a look at one pair found.
@@ -96,6 +98,7 @@ pub(crate) fn update(
     });
     let looked = catch_unwind(look);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
+    scratch.workers.for_each(|worker| notes.pressed.append(&mut worker.pressed));
     if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
         contacts.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
