@@ -27,7 +27,7 @@
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
 use super::state::WideMotion;
 use super::top::FreeTurn;
-use super::turn::turned_frame;
+use super::turn::{rotation_vector, turned_frame};
 use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, LANES, Simd, Wide, gather, scatter};
 use parry::mass_properties::MassProperties;
@@ -304,7 +304,7 @@ impl<W: Wide> Gyroscope<W> {
         self.take_in(rotation, angvel);
         self.start = rotation;
         let (to_world, momentum) = self.seen_from(rotation);
-        let turn = FreeTurn::new(self.inv_moments, momentum, h).vector();
+        let turn = rotation_vector(FreeTurn::new(self.inv_moments, momentum, h).turn);
         let mean = to_world.rotate_unscaled(turn) * (W::splat(1.0) / h);
         self.angvel = WideVector::select(turns_plainly(angvel, h), mean, angvel);
         self.angvel

@@ -21,10 +21,9 @@
 //! off the symmetric top as well. Jacobi's elliptic functions, which are exact for all bodies, take several times as long
 //! and lose their digits where two moments are nearly the same.
 
-use super::math::{Real, TURN_MAX};
+use super::math::TURN_MAX;
 use super::turn::wide_unit_quaternion;
-use super::wide::{WideAngVector, WideRotation, WideVector};
-use crate::base::trig::{ATAN_P, ATAN_Q};
+use super::wide::{WideRotation, WideVector};
 use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
@@ -74,27 +73,6 @@ impl<W: Wide> FreeTurn<W> {
         let momentum = WideVector { x: m[0], y: m[1], z: m[2] };
         Self { turn: self.turn.times(about), momentum }
     }
-
-    /// The rotation vector of the turn, of less than half a turn.
-    ///
-    /// A quarter of the angle is that of the slope `|v| / (1 + w)` of the quaternion, an eighth of it that of a slope below
-    /// 0.42, of which [`ATAN_P`] knows.
-    #[inline(always)]
-    pub fn vector(&self) -> WideAngVector<W> {
-        let WideRotation { x, y, z, w } = self.turn;
-        let (zero, one, v) = (W::zero(), W::splat(1.0), WideVector { x, y, z });
-        let sign = W::select(w.lt(zero), -one, one);
-        let to_quarter = one / (one + w * sign);
-        let quarter_squared = v.dot(v) * (to_quarter * to_quarter);
-        let to_eighth = one / (one + (one + quarter_squared).sqrt());
-        let square = quarter_squared * (to_eighth * to_eighth);
-        let polynomial = |terms: &[f64]| {
-            let add = |sum: W, &term: &f64| sum * square + W::splat(term as Real);
-            terms.iter().rev().fold(W::zero(), add)
-        };
-        let angle_per_slope = one + square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q));
-        v * (sign * W::splat(8.0) * to_quarter * to_eighth * angle_per_slope)
-    }
 }
 
 #[cfg(test)]
@@ -103,6 +81,7 @@ mod tests {
     use crate::base::random::Random;
     use crate::base::wide::{Kernel, Simd};
     use crate::dim3::math::{Rotation, Vector, integrate_rotation};
+    use crate::dim3::turn::rotation_vector;
 
     /// One body that turns freely.
     struct Turn {
@@ -125,7 +104,7 @@ mod tests {
             let WideRotation { x, y, z, w } = free.turn;
             let (vector, real) = (lane(WideVector { x, y, z }), lane(WideVector { x: w, y, z }).x);
             let turn = Rotation::from_xyzw(vector.x, vector.y, vector.z, real);
-            (turn, lane(free.momentum), lane(free.vector()))
+            (turn, lane(free.momentum), lane(rotation_vector(free.turn)))
         }
     }
 

@@ -2,11 +2,15 @@
 
 use super::math::{AngVector, Real, TURN_MAX};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
-use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};
+use crate::base::trig::{ATAN_P, ATAN_Q};
+use crate::base::turning::{cosine_and_sine, nearest_whole, wide_cosine_and_sine};
 use crate::base::wide::Wide;
+use core::f64::consts::TAU;
 
-/// Where [`turned_further`] gives up (rad).
-const SERIES_MAX: Real = 2.0;
+/// Up to which angle [`turned_further`] takes the series (rad).
+const SERIES_MAX: Real = 0.5;
+/// A rotation vector that is shorter than this has no direction of its own.
+const DIRECTED: Real = 1.0e-3;
 
 /// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part. See
 /// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
@@ -32,15 +36,43 @@ pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
     turn: WideAngVector<W>,
 ) -> WideRotation<W> {
-    let (scale, real) = wide_unit_quaternion(turn);
-    let WideVector { x, y, z } = turn * scale;
-    WideRotation { x, y, z, w: real }.times(frame)
+    rotation_by(turn).times(frame)
 }
 
-/// The rotation vector of a turn by `turn` and then by the small angle `by`, to third order: the
-/// series of Baker, Campbell and Hausdorff. Rotation vectors just added are off by half of `by × turn`, and a joint
-/// that holds bodies where these say is torn when the bodies are put where they are. Beyond two radians in a step the
-/// series is of no use, and they are added.
+/// The rotation that a rotation vector makes.
+#[inline(always)]
+fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
+    let (scale, real) = wide_unit_quaternion(turn);
+    let WideVector { x, y, z } = turn * scale;
+    WideRotation { x, y, z, w: real }
+}
+
+/// The rotation vector of no more than half a turn that makes a rotation.
+///
+/// A quarter of the angle is that of the slope `|v| / (1 + w)` of the quaternion, an eighth of it that of a slope below
+/// 0.42, of which [`ATAN_P`] knows.
+#[inline(always)]
+pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVector<W> {
+    let WideRotation { x, y, z, w } = rotation;
+    let (one, v) = (W::splat(1.0), WideVector { x, y, z });
+    let sign = W::select(w.lt(W::zero()), -one, one);
+    let to_quarter = one / (one + w * sign);
+    let quarter_squared = v.dot(v) * (to_quarter * to_quarter);
+    let to_eighth = one / (one + (one + quarter_squared).sqrt());
+    let square = quarter_squared * (to_eighth * to_eighth);
+    let polynomial = |terms: &[f64]| {
+        let add = |sum: W, &term: &f64| sum * square + W::splat(term as Real);
+        terms.iter().rev().fold(W::zero(), add)
+    };
+    let angle_per_slope = one + square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q));
+    v * (sign * W::splat(8.0) * to_quarter * to_eighth * angle_per_slope)
+}
+
+/// The rotation vector of a turn by `turn` and then by `by`. Rotation vectors just added are off by half of `by × turn`, and a joint
+/// that holds bodies where these say is torn when the bodies are put where they are.
+///
+/// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it is of no use
+/// (a wheel that turned by a radian in each substep shook itself off its axle), and the rotations themselves are composed.
 #[inline(always)]
 pub(crate) fn turned_further<W: Wide>(
     turn: WideAngVector<W>,
@@ -48,8 +80,29 @@ pub(crate) fn turned_further<W: Wide>(
 ) -> WideAngVector<W> {
     let across = cross(by, turn);
     let correction = across * W::splat(0.5) + cross(by - turn, across) * W::splat(1.0 / 12.0);
-    let is_small = turn.dot(turn).lt(W::splat(SERIES_MAX * SERIES_MAX));
-    turn + by + WideVector::select(is_small, correction, WideVector::zero())
+    let sum = turn + by;
+    let is_far = W::splat(SERIES_MAX * SERIES_MAX).lt(sum.dot(sum));
+    if W::any(is_far) {
+        WideVector::select(is_far, composed(turn, by), sum + correction)
+    } else {
+        sum + correction
+    }
+}
+
+/// The same for turns of any size: of all rotation vectors that lead there the one that is nearest to the sum.
+#[inline(always)]
+fn composed<W: Wide>(turn: WideAngVector<W>, by: WideAngVector<W>) -> WideAngVector<W> {
+    let (one, whole) = (W::splat(1.0), W::splat(TAU as Real));
+    let direction_of = |vector: WideVector<W>, otherwise: WideVector<W>| {
+        let length = vector.dot(vector).sqrt();
+        let has_one = W::splat(DIRECTED).lt(length);
+        WideVector::select(has_one, vector * (one / length), otherwise)
+    };
+    let sum = turn + by;
+    let once = rotation_vector(rotation_by(by).times(rotation_by(turn)));
+    let along = direction_of(once, direction_of(sum, WideVector::zero()));
+    let missing = (sum - once).dot(along);
+    once + along * (nearest_whole(missing * (one / whole)) * whole)
 }
 
 /// The inverse inertia of a body after the body has turned: `R I⁻¹ Rᵀ`.

@@ -18,6 +18,7 @@
 
 use super::angle::{Angle, FreeRotations};
 use crate::base::trig::{ATAN_P, ATAN_Q, sin_cos};
+use crate::base::turning::nearest_whole;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
@@ -192,14 +193,6 @@ impl AngleGauge {
         let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
         atan(quarter) * W::splat(4.0)
     }
-}
-
-/// The whole number that is nearest: what is left of a number when one is added and taken away again that is so large that it has no
-/// digits behind the point. (Numbers larger than that themselves become some whole number.)
-#[inline(always)]
-fn nearest_whole<W: Wide>(number: W) -> W {
-    let large = W::splat(1.5 / Real::EPSILON);
-    (number + large) - large
 }
 
 /// The angle of a slope of up to [`SLOPE_MAX`] either way.
