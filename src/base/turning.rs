@@ -39,11 +39,3 @@ pub fn wide_cosine_and_sine<W: Wide, const D: usize>(square: W) -> (W, W) {
     }
     (cosine, sine)
 }
-
-/// The whole number that is nearest: what is left of a number when one is added and taken away again that is so large that it has no
-/// digits behind the point. (Numbers larger than that themselves become some whole number.)
-#[inline(always)]
-pub fn nearest_whole<W: Wide>(number: W) -> W {
-    let large = W::splat(1.5 / Real::EPSILON);
-    (number + large) - large
-}

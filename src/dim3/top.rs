@@ -80,7 +80,7 @@ mod tests {
     use super::*;
     use crate::base::random::Random;
     use crate::base::wide::{Kernel, Simd};
-    use crate::dim3::math::{Rotation, Vector, integrate_rotation};
+    use crate::dim3::math::{Real, Rotation, Vector, integrate_rotation};
     use crate::dim3::turn::rotation_vector;
 
     /// One body that turns freely.

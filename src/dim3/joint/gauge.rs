@@ -18,10 +18,10 @@
 
 use super::angle::{Angle, FreeRotations};
 use crate::base::trig::{ATAN_P, ATAN_Q, sin_cos};
-use crate::base::turning::nearest_whole;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
+use crate::dim3::turn::nearest_whole;
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
 /// Below this, numbers that should have a direction have none.
