@@ -41,7 +41,6 @@ pub(crate) fn inv_inertia_on_the_way(
     _mass: &MassProperties,
     _rotation: Rotation,
     _turn: AngVector,
-    _blow: Real,
 ) -> Option<AngularInertia> {
     None
 }

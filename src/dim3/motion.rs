@@ -37,7 +37,9 @@ const ISOTROPY: Real = 1.0e-3;
 /// A body that turns by less than this (rad) in a substep does not tumble.
 const TURN_MIN: Real = 1.0e-4;
 /// Of a turn in a substep of up to this angle (rad) there is no doubt which one it was.
-const PLAIN_TURN: Real = 2.0;
+const PLAIN_TURN: Real = 1.5;
+/// Up to this angle (rad) in a substep the velocity of the middle does for what is not thin.
+const SMALL_TURN: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
 const THIN: Real = 30.0;
 /// The momentum of others gives way where that changes the energy by no more than this share.
@@ -294,6 +296,8 @@ impl<W: Wide> Gyroscope<W> {
 
     /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the body. If it turns
     /// so far that no one could tell from where it ends how often it went round, the one with which it begins.
+    ///
+    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old one reaches by then.
     #[inline(always)]
     fn velocity_on_the_way(
         &mut self,
@@ -303,10 +307,18 @@ impl<W: Wide> Gyroscope<W> {
     ) -> WideAngVector<W> {
         self.take_in(rotation, angvel);
         self.start = rotation;
-        let (to_world, momentum) = self.seen_from(rotation);
-        let turn = rotation_vector(FreeTurn::new(self.inv_moments, momentum, h).turn);
-        let mean = to_world.rotate_unscaled(turn) * (W::splat(1.0) / h);
-        self.angvel = WideVector::select(turns_plainly(angvel, h), mean, angvel);
+        let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
+        let (to_world, momentum) = self.seen_from(middle);
+        self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
+        let is_far = W::splat(SMALL_TURN * SMALL_TURN).lt(angvel.dot(angvel) * (h * h));
+        let wants_mean = is_far | self.is_thin();
+        if W::any(wants_mean) {
+            let (to_world, momentum) = self.seen_from(rotation);
+            let turn = rotation_vector(FreeTurn::new(self.inv_moments, momentum, h).turn);
+            let mean = to_world.rotate_unscaled(turn) * (W::splat(1.0) / h);
+            let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
+            self.angvel = WideVector::select(wants_mean, mean, self.angvel);
+        }
         self.angvel
     }
 
@@ -328,16 +340,11 @@ impl<W: Wide> Gyroscope<W> {
         self.angvel
     }
 
-    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it began with.
+    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it began with. Of one that turns
+    /// too far to tell, or would be led too far, it stays what it is relative to the body.
     #[inline(always)]
     fn led_to(&self, end: WideRotation<W>, plainly: W::Mask, h: W) -> WideVector<W> {
-        let (one, (_, start)) = (W::splat(1.0), self.seen_from(self.start));
-        let WideVector { x, y, z } = self.inv_moments;
-        let is_thick = x.max(y).max(z).le(x.min(y).min(z) * W::splat(THIN));
-        // As it would be in a free body. Far turns of bodies that are no tops are not exact, and must not gain.
-        let free = FreeTurn::new(self.inv_moments, start, h).momentum;
-        let gain = (self.energy(free) / self.energy(start)).max(one);
-        let free = WideVector::select(plainly, free, free * (one / gain.sqrt()));
+        let (_, start) = self.seen_from(self.start);
         // As it is, less what it has too much: E(m - s ω) = E(m) - s ω·ω + s² E(ω).
         let (to_world, kept) = self.seen_from(end);
         let slope = kept.component_mul(self.inv_moments);
@@ -347,8 +354,20 @@ impl<W: Wide> Gyroscope<W> {
         let root = steepness + square.max(W::zero()).sqrt();
         let away = (excess + excess) / root.max(W::splat(Real::MIN_POSITIVE));
         let is_near = excess.abs().le(self.energy(start) * W::splat(LED_MAX));
-        let follows = is_thick & is_near & plainly & W::zero().le(square);
-        to_world.rotate_unscaled(WideVector::select(follows, kept - slope * away, free))
+        let follows = is_near & W::zero().le(square);
+        let mut momentum = WideVector::select(follows, kept - slope * away, start);
+        let is_thin = self.is_thin();
+        if W::any(is_thin) {
+            let free = FreeTurn::new(self.inv_moments, start, h).momentum;
+            momentum = WideVector::select(is_thin, free, momentum);
+        }
+        to_world.rotate_unscaled(WideVector::select(plainly, momentum, start))
+    }
+
+    #[inline(always)]
+    fn is_thin(&self) -> W::Mask {
+        let WideVector { x, y, z } = self.inv_moments;
+        (x.min(y).min(z) * W::splat(THIN)).lt(x.max(y).max(z))
     }
 
     /// The kinetic energy of turning with an angular momentum, in the frame of the principal axes.

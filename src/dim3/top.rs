@@ -13,7 +13,7 @@
 //! We let these follow each other: the first, which commutes with all the others, and the others for half of the time, the
 //! last of them for all of it, and back again (Strang 1968). What comes out is a rotation, so the momentum in the world is
 //! what it was; it is the same forwards and backwards; and with the middle one of the moments for `I₀` two of the terms
-//! are all there is of a top with two equal moments: a rod, a disc, a capsule turn exactly as they should, however fast. For others the
+//! are all there is of a top with two equal moments: a rod, a disc, a capsule turn exactly as they should. For others the
 //! energy is off by the square of `h` times how much the moments next to each other differ, and comes back to what it was.
 //!
 //! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993); Dullweber,

@@ -72,8 +72,6 @@ pub struct RigidBody {
     pub(crate) additional_solver_iterations: usize,
     /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
     pub(crate) substep: Real,
-    /// Did contacts or joints push the body when the last step ended?
-    pub(crate) held: bool,
     pub(crate) colliders: AttachedColliders,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
@@ -126,7 +124,6 @@ impl RigidBody {
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,
             substep: 0.0,
-            held: false,
             colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
             quarantine: None,

@@ -123,8 +123,8 @@ impl RigidBody {
     }
 
     /// Was the body's path searched in the last step, because it moved or turned so far that it could have passed through
-    /// something: farther than half its thickness? [`Self::is_ccd_enabled`] says what is searched for, and changes nothing
-    /// about this.
+    /// something: farther than half its thickness, or as far as you like while it is a quarter of that deep in a wall?
+    /// [`Self::is_ccd_enabled`] says what is searched for, and changes nothing about this.
     pub fn is_ccd_active(&self) -> bool {
         self.ccd_active && self.is_dynamic()
     }

@@ -108,7 +108,8 @@ pub(crate) fn find_impacts(
     passages.clear();
     *searched.get_mut() = 0;
     if world.fast.is_empty() || world.params.max_ccd_substeps == 0 {
-        return;
+        // Nobody is looked after.
+        return pressed.resize(world.fast.len(), false);
     }
     ways.find(world);
     groups.find(world);

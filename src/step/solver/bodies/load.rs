@@ -155,15 +155,13 @@ impl Place<'_> {
     }
 }
 
-/// The inverse inertia that contacts know, if it is not that of the body as it stands. They may be blows, unless
-/// something holds the body already.
+/// The inverse inertia that contacts know, if it is not that of the body as it stands.
 fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
     if !body.is_dynamic() || mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED) {
         return None;
     }
-    let blow = if body.held { 0.0 } else { body.linvel.length() * dt / body.extent };
-    inv_inertia_on_the_way(&mprops.local, body.pose.rotation, body.angvel * dt, blow)
+    inv_inertia_on_the_way(&mprops.local, body.pose.rotation, body.angvel * dt)
 }
 
 /// The places of all bodies, to be filled by several threads.

@@ -33,13 +33,11 @@ impl SolverBodies {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
             let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
-            let free = &self.before[position + 1];
             let bound = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
                     let (start, center) = (body.pose, body.mprops.world_com);
                     let (shift, turn) = commit(body, state, motion);
-                    body.held = state.velocity() != free.velocity();
                     let bound = bound_of(shift, turn, body.extent);
                     body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
                     if body.ccd_active {
