@@ -7,8 +7,8 @@
 //! moved back. The nearest point of a polytope from close outside lies on the same face as from close
 //! inside, so the result is the direction of least overlap near the last normal.
 
-use parry::math::{Pose, Real, Vector};
-use parry::query::details::contact_support_map_support_map_with_params;
+use parry::math::{DIM, Pose, Real, Vector};
+use parry::query::epa::EPA;
 use parry::query::gjk::{CsoPoint, GJKResult, VoronoiSimplex, closest_points};
 use parry::shape::SupportMap;
 
@@ -129,16 +129,61 @@ fn closest_as_is(
         }
     }
     let simplex = &mut VoronoiSimplex::new();
-    let start = last_normal.try_normalize();
-    match contact_support_map_support_map_with_params(pos12, shape1, shape2, reach, simplex, start)
-    {
+    let start = last_normal.try_normalize().or(pos12.translation.try_normalize());
+    let start = start.unwrap_or(Vector::X);
+    simplex.reset(CsoPoint::from_shapes(pos12, shape1, shape2, start));
+    match closest_points(pos12, shape1, shape2, reach, true, simplex) {
         GJKResult::ClosestPoints(point1, point2, normal) => {
             Closest::Near { point1, point2, normal, dist: (point2 - point1).dot(normal) }
         }
         GJKResult::NoIntersection(direction) => Closest::Apart(direction),
+        GJKResult::Intersection => least_overlap(pos12, shape1, shape2, simplex),
         // Not returned when points are asked for.
-        GJKResult::Intersection | GJKResult::Proximity(_) => Closest::Apart(Vector::ZERO),
+        GJKResult::Proximity(_) => Closest::Apart(Vector::ZERO),
     }
+}
+
+/// Where shapes overlap least, from the simplex with which the search of closest points ended.
+fn least_overlap(
+    pos12: &Pose,
+    shape1: &(impl SupportMap + ?Sized),
+    shape2: &(impl SupportMap + ?Sized),
+    simplex: &mut VoronoiSimplex,
+) -> Closest {
+    // From an edge EPA looks for a third point across it, and reads that even if the edge is too long to have a direction in numbers.
+    if simplex.dimension() <= 1 && !spans_numbers(pos12, shape1, shape2) {
+        return Closest::Apart(Vector::X);
+    }
+    if simplex.dimension() == 1 {
+        // Nor has one between two points that are one. From a single point EPA finds a second that is elsewhere.
+        let [first, second] = [0, 1].map(|k| *simplex.point(k));
+        if (second.point - first.point).try_normalize().is_none() {
+            simplex.reset(first);
+        }
+    }
+    match EPA::new().closest_points(pos12, shape1, shape2, simplex) {
+        Some((point1, point2, normal)) => {
+            Closest::Near { point1, point2, normal, dist: (point2 - point1).dot(normal) }
+        }
+        None => Closest::Apart(Vector::X),
+    }
+}
+
+/// Are the differences of any two points of the shapes such that one can calculate with their squares?
+fn spans_numbers(
+    pos12: &Pose,
+    shape1: &(impl SupportMap + ?Sized),
+    shape2: &(impl SupportMap + ?Sized),
+) -> bool {
+    let is_sound = |direction: Vector| {
+        let point = CsoPoint::from_shapes(pos12, shape1, shape2, direction).point;
+        (point * 4.0).length_squared().is_finite()
+    };
+    (0..DIM).all(|k| {
+        let mut axis = Vector::ZERO;
+        axis[k] = 1.0;
+        is_sound(axis) && is_sound(-axis)
+    })
 }
 
 /// The closest points after moving the second shape by `shift`, which takes the shapes apart.
