@@ -201,3 +201,48 @@ fn closest_apart(
     let point2 = moved2 - shift;
     Some(Closest::Near { point1, point2, normal, dist: (point2 - point1).dot(normal) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::Random;
+
+    /// The hull of some points.
+    struct Hull(Vec<Vector>);
+
+    impl SupportMap for Hull {
+        fn local_support_point(&self, direction: Vector) -> Vector {
+            let farther = |a: Vector, b: Vector| {
+                if b.dot(direction) > a.dot(direction) { b } else { a }
+            };
+            self.0.iter().copied().reduce(farther).expect("a hull has points")
+        }
+    }
+
+    fn vector(random: &mut Random, sizes: [Real; DIM]) -> Vector {
+        Vector::from_array(sizes.map(|size| random.within(-1.0, 1.0) * size))
+    }
+
+    /// Hulls of any size, needles and flakes among them, in a world of any unit: the search ends, and says something as long as one can
+    /// calculate with squares. (EPA read a third point beside edges without a direction in numbers, as those of 10²⁰ m are, and
+    /// there was none.)
+    #[test]
+    fn hulls_of_any_size_are_searched_to_an_end() {
+        let mut random = Random(51);
+        let power = |exponent: Real| (10.0 as Real).powf(exponent);
+        let largest = Real::MAX.log10();
+        for _ in 0..20_000 {
+            let size = random.within(-9.0, f64::from(largest) - 1.0);
+            let sizes = [(); DIM].map(|()| power(size - 4.0 * random.below(2) as Real));
+            let points = [(); 2].map(|()| (0..8).map(|_| vector(&mut random, sizes)).collect());
+            let [first, second] = points.map(Hull);
+            let pose = Pose::from_translation(vector(&mut random, sizes));
+            let unit = random.within(-12.0, 0.0);
+            let last_normal = vector(&mut random, [1.0; DIM]) * random.below(2) as Real;
+            let found = closest(&pose, &first, &second, power(unit), last_normal);
+            let (Closest::Near { normal, .. } | Closest::Apart(normal)) = found;
+            let has_squares = size - unit < largest / 2.0 - 2.0;
+            assert!(normal.is_finite() || !has_squares, "size {size}, unit {unit}: {found:?}");
+        }
+    }
+}

@@ -50,7 +50,7 @@ fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
 /// The rotation vector of no more than half a turn that makes a rotation.
 ///
 /// A quarter of the angle is that of the slope `|v| / (1 + w)` of the quaternion, an eighth of it that of a slope below
-/// 0.42, of which [`ATAN_P`] knows.
+/// 0.42, of which [`atan_excess`] knows.
 #[inline(always)]
 pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVector<W> {
     let WideRotation { x, y, z, w } = rotation;
@@ -59,13 +59,19 @@ pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVect
     let to_quarter = one / (one + w * sign);
     let quarter_squared = v.dot(v) * (to_quarter * to_quarter);
     let to_eighth = one / (one + (one + quarter_squared).sqrt());
-    let square = quarter_squared * (to_eighth * to_eighth);
+    let angle_per_slope = one + atan_excess(quarter_squared * (to_eighth * to_eighth));
+    v * (sign * W::splat(8.0) * to_quarter * to_eighth * angle_per_slope)
+}
+
+/// By what share of itself the angle of a slope differs from the slope, given the slope's square: right for slopes of up to
+/// 0.66 either way. See [`ATAN_P`].
+#[inline(always)]
+pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     let polynomial = |terms: &[f64]| {
         let add = |sum: W, &term: &f64| sum * square + W::splat(term as Real);
         terms.iter().rev().fold(W::zero(), add)
     };
-    let angle_per_slope = one + square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q));
-    v * (sign * W::splat(8.0) * to_quarter * to_eighth * angle_per_slope)
+    square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
 /// The rotation vector of a turn by `turn` and then by `by`. Rotation vectors just added are off by half of `by × turn`, and a joint

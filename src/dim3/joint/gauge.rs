@@ -17,11 +17,11 @@
 //! a turn only, so it does no harm that the axis itself may have turned meanwhile.
 
 use super::angle::{Angle, FreeRotations};
-use crate::base::trig::{ATAN_P, ATAN_Q, sin_cos};
+use crate::base::trig::sin_cos;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
-use crate::dim3::turn::nearest_whole;
+use crate::dim3::turn::{atan_excess, nearest_whole};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
 /// Below this, numbers that should have a direction have none.
@@ -29,7 +29,7 @@ const NOTHING: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 /// More turns in a step than this are none that anyone can count: bodies that turn that far are nowhere.
 const TURNS_MAX: Real = 1.0e6;
-/// The steepest slope of which [`atan`] is right.
+/// The steepest slope of which [`atan_excess`] is right.
 const SLOPE_MAX: Real = 0.66;
 
 /// Measures one angle of each lane's joint.
@@ -191,22 +191,9 @@ impl AngleGauge {
         let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(NOTHING));
         let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
         let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
-        atan(quarter) * W::splat(4.0)
+        let angle = quarter + quarter * atan_excess(quarter * quarter);
+        angle * W::splat(4.0)
     }
-}
-
-/// The angle of a slope of up to [`SLOPE_MAX`] either way.
-#[inline(always)]
-fn atan<W: Wide>(slope: W) -> W {
-    let z = slope * slope;
-    let (mut p, mut q) = (W::zero(), W::zero());
-    for &term in ATAN_P.iter().rev() {
-        p = p * z + W::splat(term as Real);
-    }
-    for &term in ATAN_Q.iter().rev() {
-        q = q * z + W::splat(term as Real);
-    }
-    slope + slope * (z * p / q)
 }
 
 #[cfg(test)]

@@ -80,6 +80,11 @@ impl RigidBodyMassProps {
         self.locked_axes
     }
 
+    /// May the body turn about every axis? If so its inertia turns with it. Where axes of the world are locked it does not.
+    pub(crate) fn turns_freely(&self) -> bool {
+        !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
+    }
+
     /// The mass of the colliders and the additional mass together, whether or not the body is fixed.
     pub fn mass(&self) -> Real {
         self.local.mass()

@@ -1,7 +1,6 @@
 //! Where a body is, how fast it moves, and where that leads.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
-use crate::dim::axes::LockedAxes;
 use crate::dim::math::{
     ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia,
     rotation_to_angle,
@@ -22,8 +21,7 @@ impl RigidBody {
 
     /// The angular velocity that the body will have in `h` seconds, which may lie in the past, turned to `there`, if nothing acts on it.
     pub(crate) fn angvel_at(&self, there: Rotation, h: Real) -> AngVector {
-        let is_free = !self.mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
-        if !self.gyroscopic_forces_enabled || !is_free {
+        if !self.gyroscopic_forces_enabled || !self.mprops.turns_freely() {
             return self.angvel;
         }
         let angvel = angvel_at(&self.mprops.local, (self.pose.rotation, there), self.angvel, h);

@@ -5,7 +5,6 @@ use super::{SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
-use crate::dim::axes::LockedAxes;
 use crate::dim::mass::inv_inertia_on_the_way;
 use crate::dim::math::{AngularInertia, Real, Rotation, Vector};
 use crate::dim::motion::FreeMotion;
@@ -158,7 +157,7 @@ impl Place<'_> {
 /// The inverse inertia that contacts know, if it is not that of the body as it stands.
 fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
-    if !body.is_dynamic() || mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED) {
+    if !body.is_dynamic() || !mprops.turns_freely() {
         return None;
     }
     inv_inertia_on_the_way(&mprops.local, body.pose.rotation, body.angvel * dt)

@@ -1,7 +1,7 @@
 //! How bodies move without any constraint, [`LANES`] at a time.
 
 use crate::base::wide::{Kernel, LANES, Wide};
-use crate::dim::axes::{LockedAxes, inv_mass_per_axis};
+use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, tumble};
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
@@ -21,8 +21,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let damping = [body.linear_damping, body.angular_damping];
     let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
     let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
-    let turns_freely = !mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED);
-    if body.gyroscopic_forces_enabled && turns_freely {
+    if body.gyroscopic_forces_enabled && mprops.turns_freely() {
         motion.with_gyroscope(&mprops.local, body.angvel, substep)
     } else {
         motion

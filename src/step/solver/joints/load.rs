@@ -6,7 +6,6 @@ use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Lane;
-use crate::dim::axes::LockedAxes;
 use crate::dim::joint::{FreeRotations, angle_about, couple_of, is_round};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -221,14 +220,11 @@ impl End {
     }
 }
 
-/// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another? Where axes of the
-/// world are locked it is not the body's own, and stays.
+/// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
 pub(super) fn tumbles(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
-    turn_squared >= TURN_MIN * TURN_MIN
-        && !mprops.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
-        && !is_round(&mprops.inv_inertia)
+    turn_squared >= TURN_MIN * TURN_MIN && mprops.turns_freely() && !is_round(&mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
