@@ -158,7 +158,8 @@ impl Structure<'_> {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         body.activation.wake_up(true);
         match body.link.island {
-            NONE if body.is_kinematic() && body.is_enabled() => {
+            // Whose pairs are awake if it is, and many: everything that touches a kinematic body that moves asks for this.
+            NONE if body.is_kinematic() && body.is_enabled() && body.link.awake == NONE => {
                 self.list_awake(handle);
                 self.wake_pairs_of(handle);
             }

@@ -12,8 +12,8 @@
 //! 3. This makes others approach. Those are the next round's `S`.
 //!
 //! What is hit at the same moment is thrown back together, so a box that lands flat rises flat; what is hit by what was
-//! hit follows. Rounds end when nothing approaches any more, or when [`VISITS`] are used up: the rest of the approach is
-//! stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
+//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`Impacts::grant_visits`): the
+//! rest of the approach is stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
 //!
 //! ## Energy
 //! With all impulses `λ` of a round the kinetic energy changes by
@@ -95,8 +95,10 @@ use core::ops::Range;
 pub(super) use points::NormalRows;
 pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED, SETTLED, SWEEPS};
 
-/// Visits of all contacts that hit, per substep.
+/// Visits of all contacts that hit, per substep, in an island with a contact of restitution 1.
 const VISITS: usize = 128;
+/// Islands of so few contacts get as many whatever their restitution is.
+const SMALL_ISLAND: usize = 32;
 /// And per round.
 const ROUND_VISITS: usize = 16;
 
@@ -126,6 +128,9 @@ struct Memory {
 /// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
 #[derive(Copy, Clone, Default)]
 struct Account {
+    /// How many of its contacts bounce, and the largest restitution among them.
+    contacts: usize,
+    restitution: Real,
     /// Visits that are left in this substep.
     visits: usize,
     is_struck: bool,
@@ -204,10 +209,8 @@ impl Impacts {
         let hits = self.blocks.iter().any(|block| block.struck != 0);
         let hits = hits || around.links.0.struck().next().is_some();
         if hits {
-            self.memory.accounts.clear();
-            let account = Account { visits: VISITS, ..Account::default() };
             let bound = bodies.island_bound().max(around.links.0.island_bound());
-            self.memory.accounts.resize(bound, account);
+            self.grant_visits(bound, around.links.0);
             while self.find_struck(around.links.0) {
                 self.solve_round(contacts, bodies, &mut around, pass);
                 self.pass(Stage::Mark, contacts, bodies, &mut around, pass);
@@ -223,6 +226,30 @@ impl Impacts {
         }
         around.links.0.end_impact();
         swap_velocities(bodies);
+    }
+
+    /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
+    /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
+    fn grant_visits(&mut self, island_bound: usize, links: &mut SolverMultibodies) {
+        let accounts = &mut self.memory.accounts;
+        accounts.clear();
+        accounts.resize(island_bound, Account::default());
+        let mut count = |island: u32, restitution: Real| {
+            if let Some(account) = accounts.get_mut(island as usize) {
+                account.contacts += 1;
+                account.restitution = account.restitution.max(restitution);
+            }
+        };
+        for block in &self.blocks {
+            let lanes = block.islands.iter().zip(&block.restitution.0);
+            lanes.for_each(|(&island, &restitution)| count(island, restitution));
+        }
+        links.struck().for_each(|contact| count(contact.strike.island, contact.restitution));
+        for account in accounts {
+            let smallness = SMALL_ISLAND as Real / account.contacts as Real;
+            let worth = account.restitution.max(smallness).min(1.0);
+            account.visits = (VISITS as Real * worth) as usize;
+        }
     }
 
     /// Finds the islands where something hits, as long as they have visits left. Is there any?

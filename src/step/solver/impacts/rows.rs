@@ -52,7 +52,7 @@ struct ImpactRow {
 pub(in super::super) struct ImpactBlock {
     /// Which block.
     pub at: usize,
-    restitution: Lane,
+    pub restitution: Lane,
     /// Are the rows filled?
     is_filled: bool,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
