@@ -10,6 +10,7 @@ pub mod disjoint;
 pub(crate) mod guard;
 pub(crate) mod hash;
 pub(crate) mod held;
+pub(crate) mod id_set;
 pub(crate) mod measure;
 pub mod nearest;
 pub mod segments;

@@ -12,4 +12,4 @@ pub use narrow_phase::NarrowPhase;
 pub(crate) use nearby::Nearby;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use placement::{MotionSince, Placement, WidePlacement};
-pub(crate) use store::{AwakePair, DUE, Entry, Pair, PairId, PairStore, StoreParts};
+pub(crate) use store::{DUE, Pair, PairId, PairState, PairStore, StoreParts};

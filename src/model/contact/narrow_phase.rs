@@ -33,13 +33,12 @@ impl NarrowPhase {
     /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
     /// is kept.
     pub(crate) fn forget_step_impulses(&mut self) {
-        for position in 0..self.contacts.awake().len() {
-            let id = self.contacts.awake()[position].id;
-            let manifolds = self.contacts[id].manifolds.iter_mut();
+        self.contacts.for_each_awake_pair(|pair| {
+            let manifolds = pair.manifolds.iter_mut();
             for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
                 contact.impulse = 0.0;
             }
-        }
+        });
     }
 
     /// All contact pairs, as (first collider, second collider, pair), in an order that depends on the

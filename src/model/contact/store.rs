@@ -1,19 +1,21 @@
 //! Pairs that outlive a step: found by id, by their two colliders, or by one collider.
 //!
-//! A pair's id is stable from the first overlap of the two enlarged boxes to the last. Three views of
+//! A pair's id is stable from the first overlap of the two enlarged boxes to the last. Several views of
 //! the same pairs are kept in step, each repaired in constant time when a pair goes:
 //!
-//! * `entries`: id → pair, with holes;
+//! * `pairs`: id → pair, with holes. Large, so who can do without does;
+//! * `states`: id → what is asked in each step of all pairs that are awake, 16 bytes side by side;
 //! * `known`: two collider slots → id, for the broad phase, which asks whether it found something new
 //!   (a hash map, never iterated: its order depends on the hash);
-//! * `of_collider`: collider slot → ids, for edits and for walking islands;
-//! * `awake`: what the narrow phase visits each step. Pairs of sleeping bodies are not in it.
+//! * `of_collider`: collider slot → ids, for edits and for walking islands, and `places`: id → where in these lists;
+//! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
+//!   bodies are not in it.
 
 use crate::base::hash::FastHashMap;
+use crate::base::id_set::IdSet;
 use crate::base::wide::prefetch;
 use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
-use crate::model::island::NONE;
 
 /// Stable for the life of the pair.
 pub(crate) type PairId = u32;
@@ -30,12 +32,11 @@ pub(crate) trait Pair {
     fn prefetch(&self, _what_is_there: bool) {}
 }
 
-/// A pair that the narrow phase visits, with all it needs to decide that nothing must be done.
+/// What the narrow phase needs to know of a pair to decide that nothing must be done.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct AwakePair {
-    pub id: PairId,
-    /// Slots of the two bodies; [`NONE`] for a collider without a body.
+pub(crate) struct PairState {
+    /// Slots of the two bodies; [`NONE`](crate::model::island::NONE) for a collider without a body.
     pub bodies: [u32; 2],
     /// How far (length units) the two may still move against each other before the pair must be
     /// computed again. Every step takes off a bound of what the two bodies moved.
@@ -44,46 +45,47 @@ pub(crate) struct AwakePair {
     pub reports_force: bool,
 }
 
-#[derive(Clone, Debug)]
+/// Where a pair stands in the lists of its two colliders.
+#[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Entry<P> {
-    pair: P,
-    bodies: [u32; 2],
-    /// Positions in the `of_collider` lists of the two colliders.
+struct Place {
+    slots: [u32; 2],
     positions: [u32; 2],
-    /// Position in the `awake` list, or [`NONE`].
-    awake: u32,
 }
 
 /// The parts of a store that differ in who may write them.
 pub(crate) struct StoreParts<'a, P> {
-    /// What the narrow phase visits.
-    pub awake: &'a [AwakePair],
+    /// What the narrow phase asks, by id.
+    pub states: &'a [PairState],
     /// The ids of the pairs of each collider slot.
     pub of_collider: &'a [Vec<PairId>],
-    /// All entries by id.
-    pub entries: &'a mut [Option<Entry<P>>],
+    /// All pairs by id.
+    pub pairs: &'a mut [Option<P>],
 }
 
 /// All pairs of one kind. See the [module](self).
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairStore<P> {
-    entries: Vec<Option<Entry<P>>>,
+    pairs: Vec<Option<P>>,
+    states: Vec<PairState>,
+    places: Vec<Place>,
     free: Vec<PairId>,
     known: FastHashMap<(u32, u32), PairId>,
     of_collider: Vec<Vec<PairId>>,
-    awake: Vec<AwakePair>,
+    awake: IdSet,
 }
 
 impl<P> Default for PairStore<P> {
     fn default() -> Self {
         Self {
-            entries: Vec::new(),
+            pairs: Vec::new(),
+            states: Vec::new(),
+            places: Vec::new(),
             free: Vec::new(),
             known: FastHashMap::default(),
             of_collider: Vec::new(),
-            awake: Vec::new(),
+            awake: IdSet::default(),
         }
     }
 }
@@ -120,7 +122,7 @@ impl<P: Pair> PairStore<P> {
 
     /// All pairs in id order.
     pub fn iter(&self) -> impl Iterator<Item = &P> {
-        self.entries.iter().flatten().map(|entry| &entry.pair)
+        self.pairs.iter().flatten()
     }
 
     /// Ids of the pairs of the collider in a slot.
@@ -131,15 +133,21 @@ impl<P: Pair> PairStore<P> {
     /// Adds an awake pair that is due to be computed.
     pub fn insert(&mut self, pair: P, bodies: [u32; 2]) -> PairId {
         let slots = pair.colliders().map(slot);
-        let id = self.free.pop().unwrap_or_else(|| {
-            self.entries.push(None);
-            self.entries.len() as u32 - 1
-        });
+        let id = self.free.pop().unwrap_or(self.pairs.len() as u32);
         let clash = self.known.insert(key(slots[0], slots[1]), id);
         debug_assert!(clash.is_none(), "colliders {slots:?} already have a pair");
-        let positions = slots.map(|slot| self.list_under(slot, id));
-        self.entries[id as usize] = Some(Entry { pair, bodies, positions, awake: NONE });
-        self.wake(id);
+        let place = Place { slots, positions: slots.map(|slot| self.list_under(slot, id)) };
+        let state = PairState { bodies, slack: DUE, reports_force: false };
+        if let Some(free) = self.pairs.get_mut(id as usize) {
+            *free = Some(pair);
+            self.states[id as usize] = state;
+            self.places[id as usize] = place;
+        } else {
+            self.pairs.push(Some(pair));
+            self.states.push(state);
+            self.places.push(place);
+        }
+        self.awake.insert(id);
         id
     }
 
@@ -159,147 +167,118 @@ impl<P: Pair> PairStore<P> {
     )]
     pub fn remove(&mut self, id: PairId) -> P {
         self.sleep(id);
-        let entry = self.entries[id as usize].take().expect("the id is of a living pair");
+        let pair = self.pairs[id as usize].take().expect("the id is of a living pair");
         self.free.push(id);
-        let slots = entry.pair.colliders().map(slot);
+        let Place { slots, positions } = self.places[id as usize];
         self.known.remove(&key(slots[0], slots[1]));
         for side in 0..2 {
-            self.unlist(slots[side], entry.positions[side], id);
+            self.unlist(slots[side], positions[side], id);
         }
-        entry.pair
+        pair
     }
 
-    /// Swap-removes a pair from a collider's list and repairs the entry that took its place.
-    #[expect(
-        clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
-    )]
+    /// Swap-removes a pair from a collider's list and repairs the place of the one that took its place.
     fn unlist(&mut self, collider_slot: u32, position: u32, id: PairId) {
         let list = &mut self.of_collider[collider_slot as usize];
         let removed = list.swap_remove(position as usize);
         debug_assert_eq!(removed, id);
         let Some(&moved) = list.get(position as usize) else { return };
-        let entry = self.entries[moved as usize].as_mut().expect("lists hold living pairs");
-        let side = usize::from(slot(entry.pair.colliders()[0]) != collider_slot);
-        entry.positions[side] = position;
+        let place = &mut self.places[moved as usize];
+        let side = usize::from(place.slots[0] != collider_slot);
+        place.positions[side] = position;
     }
 
-    /// Puts a pair on the list of what the narrow phase visits, due to be computed.
+    /// Has the narrow phase visit a pair. One that it did not visit is due to be computed.
     pub fn wake(&mut self, id: PairId) {
-        let position = self.awake.len() as u32;
-        let entry = self.entry_mut(id);
-        if entry.awake == NONE {
-            entry.awake = position;
-            let bodies = entry.bodies;
-            self.awake.push(AwakePair { id, bodies, slack: DUE, reports_force: false });
+        if self.awake.insert(id) {
+            let state = &mut self.states[id as usize];
+            (state.slack, state.reports_force) = (DUE, false);
         }
     }
 
-    /// Takes a pair off the list of what the narrow phase visits.
+    /// Has the narrow phase pass a pair by.
     pub fn sleep(&mut self, id: PairId) {
-        let position = core::mem::replace(&mut self.entry_mut(id).awake, NONE);
-        if position == NONE {
-            return;
-        }
-        let removed = self.awake.swap_remove(position as usize);
-        debug_assert_eq!(removed.id, id);
-        if let Some(moved) = self.awake.get(position as usize).map(|pair| pair.id) {
-            self.entry_mut(moved).awake = position;
-        }
+        self.awake.remove(id);
     }
 
     /// Must be computed in the next step, whether or not anything moves.
     pub fn invalidate(&mut self, id: PairId) {
-        let position = self.entry_mut(id).awake;
-        if position != NONE {
-            self.awake[position as usize].slack = DUE;
-        }
+        self.states[id as usize].slack = DUE;
+    }
+
+    /// Must all be computed in the next step.
+    pub fn invalidate_all(&mut self) {
+        self.states.iter_mut().for_each(|state| state.slack = DUE);
     }
 
     /// Is the pair visited by the narrow phase?
     pub fn is_awake(&self, id: PairId) -> bool {
-        self.entry(id).awake != NONE
+        self.awake.contains(id)
     }
 
-    /// Slots of the two bodies; [`NONE`] for a collider without a body.
+    /// Slots of the two bodies; [`NONE`](crate::model::island::NONE) for a collider without a body.
+    #[inline]
     pub fn bodies(&self, id: PairId) -> [u32; 2] {
-        self.entry(id).bodies
+        self.states[id as usize].bodies
     }
 
     /// Begins to bring a pair near to the processor.
     pub fn prefetch(&self, id: PairId) {
-        if let Some(entry) = self.entries.get(id as usize) {
-            prefetch(entry);
+        if let Some(pair) = self.pairs.get(id as usize) {
+            prefetch(pair);
         }
     }
 
-    /// What the narrow phase visits.
-    pub fn awake(&self) -> &[AwakePair] {
-        &self.awake
+    /// What the narrow phase visits, in the order of the ids.
+    pub fn awake(&self) -> impl Iterator<Item = PairId> {
+        self.awake.iter()
+    }
+
+    /// The same, pairs and all.
+    pub fn for_each_awake_pair(&mut self, mut visit: impl FnMut(&mut P)) {
+        for id in self.awake.iter() {
+            self.pairs[id as usize].iter_mut().for_each(&mut visit);
+        }
+    }
+
+    /// The same with what it asks.
+    pub fn for_each_awake(&mut self, mut visit: impl FnMut(PairId, &mut PairState)) {
+        self.awake.iter().for_each(|id| visit(id, &mut self.states[id as usize]));
+    }
+
+    /// What the narrow phase asks of a pair.
+    pub fn state(&self, id: PairId) -> &PairState {
+        &self.states[id as usize]
+    }
+
+    /// What the narrow phase asks of a pair.
+    pub fn state_mut(&mut self, id: PairId) -> &mut PairState {
+        &mut self.states[id as usize]
     }
 
     /// The store, taken apart.
     pub fn split(&mut self) -> StoreParts<'_, P> {
-        StoreParts {
-            awake: &self.awake,
-            of_collider: &self.of_collider,
-            entries: &mut self.entries,
-        }
-    }
-
-    /// The pair of an entry; `None` if there is none with this id.
-    pub fn pair(entry: &Option<Entry<P>>) -> Option<&P> {
-        entry.as_ref().map(|entry| &entry.pair)
-    }
-
-    /// The pair of an entry; `None` if there is none with this id.
-    pub fn pair_mut(entry: &mut Option<Entry<P>>) -> Option<&mut P> {
-        entry.as_mut().map(|entry| &mut entry.pair)
-    }
-
-    /// What the narrow phase visits.
-    pub fn awake_mut(&mut self) -> &mut [AwakePair] {
-        &mut self.awake
-    }
-
-    #[expect(
-        clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
-    )]
-    #[inline]
-    fn entry(&self, id: PairId) -> &Entry<P> {
-        self.entries[id as usize].as_ref().expect("the id is of a living pair")
-    }
-
-    #[expect(
-        clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
-    )]
-    #[inline]
-    fn entry_mut(&mut self, id: PairId) -> &mut Entry<P> {
-        self.entries[id as usize].as_mut().expect("the id is of a living pair")
+        StoreParts { states: &self.states, of_collider: &self.of_collider, pairs: &mut self.pairs }
     }
 
     /// Checks that the views agree.
     pub fn validate(&self) {
-        let living = self.entries.iter().flatten().count();
+        let living = self.pairs.iter().flatten().count();
         assert_eq!(living, self.known.len());
-        assert_eq!(living + self.free.len(), self.entries.len());
-        for (id, entry) in self.entries.iter().enumerate() {
-            let Some(entry) = entry else { continue };
-            let slots = entry.pair.colliders().map(slot);
+        assert_eq!(living + self.free.len(), self.pairs.len());
+        assert_eq!([self.states.len(), self.places.len()], [self.pairs.len(); 2]);
+        for (id, pair) in self.pairs.iter().enumerate() {
+            let Some(pair) = pair else { continue };
+            let Place { slots, positions } = self.places[id];
+            assert_eq!(slots, pair.colliders().map(slot));
             assert_eq!(self.known.get(&key(slots[0], slots[1])), Some(&(id as u32)));
             for side in 0..2 {
                 let list = &self.of_collider[slots[side] as usize];
-                assert_eq!(list[entry.positions[side] as usize], id as u32);
-            }
-            if entry.awake != NONE {
-                let awake = &self.awake[entry.awake as usize];
-                assert_eq!((awake.id, awake.bodies), (id as u32, entry.bodies));
+                assert_eq!(list[positions[side] as usize], id as u32);
             }
         }
-        for (position, awake) in self.awake.iter().enumerate() {
-            assert_eq!(self.entry(awake.id).awake, position as u32);
+        for id in self.awake() {
+            assert!(self.pairs[id as usize].is_some(), "pair {id} is awake and gone");
         }
     }
 }
@@ -307,15 +286,23 @@ impl<P: Pair> PairStore<P> {
 impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
     type Output = P;
 
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     #[inline]
     fn index(&self, id: PairId) -> &P {
-        &self.entry(id).pair
+        self.pairs[id as usize].as_ref().expect("the id is of a living pair")
     }
 }
 
 impl<P: Pair> core::ops::IndexMut<PairId> for PairStore<P> {
+    #[expect(
+        clippy::expect_used,
+        reason = "ids are ours, and those of pairs that went are forgotten"
+    )]
     #[inline]
     fn index_mut(&mut self, id: PairId) -> &mut P {
-        &mut self.entry_mut(id).pair
+        self.pairs[id as usize].as_mut().expect("the id is of a living pair")
     }
 }

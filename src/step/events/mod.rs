@@ -2,7 +2,7 @@
 //!
 //! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
 //! Writes:  nothing but what the user's handler does
-//! Runs:    serial, in the order of the colliders; forces in that of the awake pairs
+//! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes the world
 
 use crate::base::held::HeldPanic;
@@ -34,8 +34,9 @@ pub(crate) fn report(
     if dt <= 0.0 {
         return;
     }
-    for awake in narrow_phase.contacts.awake().iter().filter(|awake| awake.reports_force) {
-        let pair = &narrow_phase.contacts[awake.id];
+    let contacts = &narrow_phase.contacts;
+    for id in contacts.awake().filter(|&id| contacts.state(id).reports_force) {
+        let pair = &contacts[id];
         let Some(threshold) = force_threshold(pair, colliders) else { continue };
         let total = pair.total_impulse_magnitude() / dt;
         if total > 0.0 && total >= threshold {

@@ -19,7 +19,7 @@ use crate::collide::{Neighbor, SAME_NORMAL, seams_among};
 use crate::dim::math::Real;
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
-use crate::model::contact::{AwakePair, ContactPair, Entry, PairId, PairStore, StoreParts};
+use crate::model::contact::{ContactPair, PairId, PairStore, StoreParts};
 use core::ops::Range;
 use smallvec::SmallVec;
 
@@ -38,8 +38,8 @@ pub(super) struct SeamScratch {
 
 /// The pairs that were computed in this step.
 pub(super) struct Computed<'a> {
-    /// Positions in the list of awake pairs.
-    pub due: &'a [u32],
+    /// Their ids.
+    pub due: &'a [PairId],
     /// What was found of each.
     pub outcomes: &'a mut [Outcome],
 }
@@ -65,9 +65,8 @@ pub(super) fn look_again(
     scratch.group(store, &computed);
     let SeamScratch { touching, groups } = &*scratch;
     let Computed { due, outcomes } = computed;
-    let StoreParts { awake, of_collider, entries } = store.split();
-    let (entries, outcomes) = (DisjointMut::new(entries), DisjointMut::new(outcomes));
-    let pair_of = |index: u32| awake[due[index as usize] as usize].id;
+    let StoreParts { of_collider, pairs, .. } = store.split();
+    let (pairs, outcomes) = (DisjointMut::new(pairs), DisjointMut::new(outcomes));
     tasks.par_for(groups.len(), BODIES_PER_TASK, |range| {
         let mut worker = workers.take();
         for group in &groups[range] {
@@ -75,24 +74,24 @@ pub(super) fn look_again(
             let ids = &of_collider[members[0].0 as usize];
             // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
             // of two bodies to none.
-            let entry = |id: PairId| unsafe { entries.get(id as usize) };
-            if look_alike(members[0].0, ids.iter().filter_map(|&id| PairStore::pair(entry(id)))) {
+            let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
+            if look_alike(members[0].0, ids.iter().filter_map(|&id| pair(id))) {
                 continue;
             }
             let mut contacts = Contacts::default();
             for &id in ids {
-                contacts.add(around, id, entry(id));
+                contacts.add(around, id, pair(id));
             }
             contacts.take_out_seams(around.params.allowed_linear_error());
             for &(_, index) in members {
-                let id = pair_of(index);
+                let id = due[index as usize];
                 if !contacts.seams.contains(&id) {
                     continue;
                 }
                 // SAFETY: as above, and the members of all groups have different outcomes.
-                let (entry, outcome) =
-                    unsafe { (entries.get_mut(id as usize), outcomes.get_mut(index as usize)) };
-                let Some(pair) = PairStore::pair_mut(entry) else { continue };
+                let (pair, outcome) =
+                    unsafe { (pairs.get_mut(id as usize), outcomes.get_mut(index as usize)) };
+                let Some(pair) = pair else { continue };
                 *outcome = contacts.recompute(around, id, pair, &mut worker).unwrap_or(*outcome);
             }
         }
@@ -123,8 +122,7 @@ impl SeamScratch {
         groups.clear();
         for (index, outcome) in computed.outcomes.iter().enumerate() {
             let Some(side) = outcome.obstacle else { continue };
-            let AwakePair { id, .. } = store.awake()[computed.due[index] as usize];
-            let pair = &store[id];
+            let pair = &store[computed.due[index]];
             let body = [pair.collider2, pair.collider1][side].into_raw_parts().0;
             if store.ids_of(body).len() > 1 {
                 touching.push((body, index as u32));
@@ -152,8 +150,8 @@ struct Contacts<'a> {
 
 impl<'a> Contacts<'a> {
     /// Adds the contacts of a pair, if the other collider is an obstacle.
-    fn add(&mut self, around: Surroundings<'a>, id: PairId, entry: &Option<Entry<ContactPair>>) {
-        let Some(pair) = PairStore::pair(entry).filter(|pair| pair.is_touching()) else { return };
+    fn add(&mut self, around: Surroundings<'a>, id: PairId, pair: Option<&ContactPair>) {
+        let Some(pair) = pair.filter(|pair| pair.is_touching()) else { return };
         let view = PairView::of(around, [pair.collider1, pair.collider2]);
         let Some((side, view)) = view.and_then(|view| Some((obstacle_side(&view)?, view))) else {
             return;

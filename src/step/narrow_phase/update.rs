@@ -12,7 +12,7 @@ use crate::dim::math::Real;
 use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{
-    AwakePair, ContactManifold, DUE, Entry, NarrowPhase, Pair, PairId, PairStore, StoreParts,
+    ContactManifold, DUE, NarrowPhase, Pair, PairId, PairState, PairStore, StoreParts,
 };
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
@@ -42,8 +42,7 @@ pub(crate) struct Surroundings<'a> {
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct NarrowPhaseScratch {
-    /// Positions in the list of awake pairs.
-    due: Vec<u32>,
+    due: Vec<PairId>,
     outcomes: Vec<Outcome>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
@@ -101,8 +100,8 @@ pub(crate) fn update(
     scratch.workers.for_each(|worker| notes.pressed.append(&mut worker.pressed));
     if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
-        contacts.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
-        intersections.awake_mut().iter_mut().for_each(|pair| pair.slack = DUE);
+        contacts.invalidate_all();
+        intersections.invalidate_all();
         resume_unwind(panic);
     }
 }
@@ -136,29 +135,29 @@ fn update_store<P: Update>(
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
     P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
-    for (&position, outcome) in due.iter().zip(outcomes.iter()) {
-        let pair = &mut store.awake_mut()[position as usize];
-        pair.slack = outcome.slack;
-        pair.reports_force = outcome.reports_force;
+    for (&id, outcome) in due.iter().zip(outcomes.iter()) {
+        let state = store.state_mut(id);
+        state.slack = outcome.slack;
+        state.reports_force = outcome.reports_force;
         if let Some(change) = outcome.change {
-            notes.push((pair.id, change));
+            notes.push((id, change));
         }
     }
-    // The list of awake pairs is reordered when any pair of the world goes. Colours are given in the
-    // order of the notes, and what happens far away must not change them.
+    // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
+    // happens far away must not change them.
     notes.sort_unstable_by_key(|&(id, _)| store[id].colliders());
 }
 
 /// Lists the awake pairs whose slack is used up.
-fn list_due<P: Pair>(around: Surroundings<'_>, store: &mut PairStore<P>, due: &mut Vec<u32>) {
+fn list_due<P: Pair>(around: Surroundings<'_>, store: &mut PairStore<P>, due: &mut Vec<PairId>) {
     due.clear();
-    for (position, pair) in store.awake_mut().iter_mut().enumerate() {
-        let [body1, body2] = pair.bodies;
-        pair.slack -= around.islands.motion_of(body1) + around.islands.motion_of(body2);
-        if pair.slack < 0.0 {
-            due.push(position as u32);
+    store.for_each_awake(|id, state| {
+        let [body1, body2] = state.bodies;
+        state.slack -= around.islands.motion_of(body1) + around.islands.motion_of(body2);
+        if state.slack < 0.0 {
+            due.push(id);
         }
-    }
+    });
 }
 
 /// Looks at each due pair by itself.
@@ -166,21 +165,22 @@ fn look_at_all<P: Update>(
     tasks: Tasks<'_>,
     around: Surroundings<'_>,
     store: &mut PairStore<P>,
-    due: &[u32],
+    due: &[PairId],
     outcomes: &mut [Outcome],
     workers: &Pool<Worker>,
 ) {
-    let StoreParts { awake, entries, .. } = store.split();
-    let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(entries));
+    let StoreParts { states, pairs, .. } = store.split();
+    let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        let ahead = Ahead { around, awake, due: &due[range.clone()], pairs };
+        let ahead = Ahead { around, states, due: &due[range.clone()], pairs };
         for (turn, index) in range.enumerate() {
             ahead.of(turn);
-            let AwakePair { id, slack, reports_force, .. } = awake[due[index] as usize];
+            let id = due[index] as usize;
+            let PairState { slack, reports_force, .. } = states[id];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
-            let (slot, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
-            let Some(pair) = PairStore::pair_mut(slot) else { continue };
+            let (pair, result) = unsafe { (pairs.get_mut(id), results.get_mut(index)) };
+            let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(slack, reports_force);
             *result = look_at(around, pair, last, &mut worker);
         }
@@ -192,35 +192,34 @@ fn look_at_all<P: Update>(
 /// them took as long as a third of the computation.
 struct Ahead<'a, P> {
     around: Surroundings<'a>,
-    awake: &'a [AwakePair],
-    due: &'a [u32],
-    pairs: DisjointMut<'a, Option<Entry<P>>>,
+    states: &'a [PairState],
+    due: &'a [PairId],
+    pairs: DisjointMut<'a, Option<P>>,
 }
 
 impl<P: Update> Ahead<'_, P> {
     /// A pair names its colliders, so it must be there before they can be asked for.
     #[inline(always)]
     fn of(&self, turn: usize) {
-        if let Some(pair) = self.due.get(turn + 2 * TURNS_AHEAD) {
+        if let Some(&id) = self.due.get(turn + 2 * TURNS_AHEAD) {
             // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
-            prefetch(unsafe { self.pairs.get(self.awake[*pair as usize].id as usize) });
+            prefetch(unsafe { self.pairs.get(id as usize) });
         }
-        if let Some(pair) = self.due.get(turn + TURNS_AHEAD) {
-            let AwakePair { id, bodies, .. } = self.awake[*pair as usize];
+        if let Some(&id) = self.due.get(turn + TURNS_AHEAD) {
             // SAFETY: as above.
-            let entry = unsafe { self.pairs.get(id as usize) };
-            for collider in PairStore::pair(entry).into_iter().flat_map(Pair::colliders) {
+            let pair = unsafe { self.pairs.get(id as usize) };
+            for collider in pair.iter().flat_map(Pair::colliders) {
                 self.around.colliders.prefetch(collider.into_raw_parts().0);
             }
-            for body in bodies {
+            for body in self.states[id as usize].bodies {
                 self.around.bodies.prefetch(body);
             }
-            PairStore::pair(entry).into_iter().for_each(|pair| pair.prefetch(false));
+            pair.iter().for_each(|pair| pair.prefetch(false));
         }
-        if let Some(pair) = self.due.get(turn + 1) {
+        if let Some(&id) = self.due.get(turn + 1) {
             // SAFETY: as above.
-            let entry = unsafe { self.pairs.get(self.awake[*pair as usize].id as usize) };
-            PairStore::pair(entry).into_iter().for_each(|pair| pair.prefetch(true));
+            let pair = unsafe { self.pairs.get(id as usize) };
+            pair.iter().for_each(|pair| pair.prefetch(true));
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
-use crate::model::contact::{ContactManifold, NarrowPhase, PairStore, Placement};
+use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -170,7 +170,7 @@ impl SolverContacts {
 
     /// Writes impulses, and where the contacts were, back to the manifolds.
     pub fn store(&self, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
-        let pairs = DisjointMut::new(narrow_phase.contacts.split().entries);
+        let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
         for_each_color(self.layout.colors(), tasks, |range| {
             for index in range {
                 let soon = self.layout.block_or_none(index + 1);
@@ -179,8 +179,8 @@ impl SolverContacts {
                         pairs.prefetch(later.pair as usize);
                     }
                     // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
-                    let entry = unsafe { pairs.get_mut(at.pair as usize) };
-                    let Some(pair) = PairStore::pair_mut(entry) else { continue };
+                    let pair = unsafe { pairs.get_mut(at.pair as usize) };
+                    let Some(pair) = pair else { continue };
                     self.store_lane(index, lane, &mut pair.manifolds[at.manifold as usize]);
                 }
             }
