@@ -2,7 +2,7 @@
 
 use super::groups::BodyGroups;
 use super::link::NONE;
-use crate::dim::math::Real;
+use super::motion::BodyMotion;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
@@ -49,8 +49,8 @@ pub struct IslandManager {
     pub(crate) groups: BodyGroups,
     /// Counts steps, to know how long ago an island was split.
     pub(crate) step: u32,
-    /// By body slot: a bound (length units) of how far any point of the body moved in the last step.
-    pub(crate) motion: Vec<Real>,
+    /// By body slot: how far the body moved in the last step.
+    pub(crate) motion: Vec<BodyMotion>,
     /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
     pub(crate) strained: bool,
     pub(crate) seal: Seal,
@@ -114,13 +114,13 @@ impl IslandManager {
         self.free.push(id);
     }
 
-    /// The bound of how far any point of the body in a slot moved in the last step.
+    /// How far the body in a slot moved in the last step.
     #[inline]
-    pub(crate) fn motion_of(&self, body_slot: u32) -> Real {
+    pub(crate) fn motion_of(&self, body_slot: u32) -> &BodyMotion {
         if body_slot == NONE {
-            0.0
+            &BodyMotion::NONE
         } else {
-            self.motion.get(body_slot as usize).copied().unwrap_or(0.0)
+            self.motion.get(body_slot as usize).unwrap_or(&BodyMotion::NONE)
         }
     }
 
@@ -128,22 +128,22 @@ impl IslandManager {
     pub(crate) fn forget_motion(&mut self) {
         for position in 0..self.awake.len() {
             let slot = self.awake[position].into_raw_parts().0;
-            self.set_motion(slot, 0.0);
+            self.set_motion(slot, BodyMotion::NONE);
         }
     }
 
-    /// By body slot, for at least so many: how far any point of the body moved.
-    pub(crate) fn motions_mut(&mut self, slot_count: usize) -> &mut [Real] {
-        self.motion.resize(slot_count.max(self.motion.len()), 0.0);
+    /// By body slot, for at least so many: how far the body moved.
+    pub(crate) fn motions_mut(&mut self, slot_count: usize) -> &mut [BodyMotion] {
+        self.motion.resize(slot_count.max(self.motion.len()), BodyMotion::NONE);
         &mut self.motion
     }
 
-    /// Notes how far any point of the body in a slot moved.
-    pub(crate) fn set_motion(&mut self, body_slot: u32, bound: Real) {
+    /// Notes how far the body in a slot moved.
+    pub(crate) fn set_motion(&mut self, body_slot: u32, motion: BodyMotion) {
         let slot = body_slot as usize;
         if slot >= self.motion.len() {
-            self.motion.resize(slot + 1, 0.0);
+            self.motion.resize(slot + 1, BodyMotion::NONE);
         }
-        self.motion[slot] = bound;
+        self.motion[slot] = motion;
     }
 }

@@ -3,6 +3,8 @@
 mod groups;
 mod link;
 mod manager;
+mod motion;
 
 pub(crate) use link::{BodyLink, NONE};
 pub use manager::IslandManager;
+pub(crate) use motion::BodyMotion;

@@ -22,7 +22,7 @@ use crate::model::collider::ColliderHandle;
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
-use crate::model::island::{BodyLink, IslandManager, NONE};
+use crate::model::island::{BodyLink, BodyMotion, IslandManager, NONE};
 
 /// Mutable access to everything that the structure spans.
 pub(crate) struct Structure<'a> {
@@ -84,7 +84,7 @@ impl Structure<'_> {
     /// place.
     pub fn forget_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
         for (handle, link) in removed.iter_mut() {
-            self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+            self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
             self.verify_link(*handle, link);
         }
         // Highest position first: what swap-removal moves into a gap then never is one of these,
@@ -258,7 +258,7 @@ impl Structure<'_> {
         body.linvel = Default::default();
         body.angvel = Default::default();
         let position = core::mem::replace(&mut body.link.awake, NONE);
-        self.islands.set_motion(handle.into_raw_parts().0, 0.0);
+        self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
         if position != NONE {
             self.unlist_awake(position);
         }

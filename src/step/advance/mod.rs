@@ -39,7 +39,7 @@ pub(crate) fn advance(
     let carry = |position: usize, body: Option<&mut RigidBody>| {
         let Some(body) = body else { return };
         update_sleep_timer(body, params);
-        let motion = islands.motion_of(awake[position].into_raw_parts().0);
+        let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
         // SAFETY: each collider has one body, and each body a place.
         unsafe {
             *leaves.get_mut(position) =

@@ -231,7 +231,7 @@ pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'s
 /// From where the collider still is to where its body is.
 fn sweep_of_slow(search: Search<'_>, body: &RigidBody, collider: &Collider) -> Sweep<'static> {
     let Some(parent) = &collider.parent else { return Sweep::at_rest(collider.pose) };
-    if search.world.islands.motion_of(body_slot(collider)) == 0.0 {
+    if search.world.islands.motion_of(body_slot(collider)).bound() == 0.0 {
         return Sweep::at_rest(collider.pose);
     }
     let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());

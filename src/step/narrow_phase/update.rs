@@ -153,8 +153,9 @@ fn list_due<P: Pair>(around: Surroundings<'_>, store: &mut PairStore<P>, due: &m
     due.clear();
     store.for_each_awake(|id, state| {
         let [body1, body2] = state.bodies;
-        state.slack -= around.islands.motion_of(body1) + around.islands.motion_of(body2);
-        if state.slack < 0.0 {
+        state.slack -= around.islands.motion_of(body1).against(around.islands.motion_of(body2));
+        // Two infinite ways have no difference.
+        if state.slack < 0.0 || state.slack.is_nan() {
             due.push(id);
         }
     });

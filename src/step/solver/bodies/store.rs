@@ -4,12 +4,12 @@ use super::SolverBodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::collide::turned;
-use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_length_squared};
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::BodyState;
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
-use crate::model::island::IslandManager;
+use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
@@ -28,17 +28,18 @@ impl SolverBodies {
     ) {
         let found = Mutex::new(Vec::new());
         let order = groups.order();
-        let bounds = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
+        let moved = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
         let store = |position: usize, body: Option<&mut RigidBody>| {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
             let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
-            let bound = match body.body_type {
+            let way = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
                     let (start, center) = (body.pose, body.mprops.world_com);
                     let (shift, turn) = commit(body, state, motion);
-                    let bound = bound_of(shift, turn, body.extent);
+                    let way = BodyMotion::of(body.mprops.world_com - center, turn, body.extent);
+                    let bound = BodyMotion::of(shift, turn, body.extent).bound();
                     body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
@@ -46,12 +47,15 @@ impl SolverBodies {
                         let fast =
                             FastMotion { body, start, center, shift, turn, acceleration, link };
                         lock(&found).push((position, fast));
+                        // It may be stopped on its way.
+                        BodyMotion::within(bound.max(way.bound()))
+                    } else {
+                        way
                     }
-                    bound
                 }
             };
-            // SAFETY: every slot of a body has a bound, and it is this body's.
-            unsafe { *bounds.get_mut(slot as usize) = bound };
+            // SAFETY: every slot of a body has a motion, and it is this body's.
+            unsafe { *moved.get_mut(slot as usize) = way };
         };
         // SAFETY: the order names each body once.
         unsafe { bodies.visit(order, tasks, store) };
@@ -100,21 +104,13 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vect
 }
 
 /// Puts a position-based kinematic body where the user wants it.
-fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> Real {
+fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> BodyMotion {
     let old_center = body.mprops.world_com;
     body.pose = pose;
     body.update_world_mass_properties();
-    let (shift, turn) = (body.mprops.world_com - old_center, body.angvel * dt);
-    bound_of(shift, turn, body.extent)
+    BodyMotion::of(body.mprops.world_com - old_center, body.angvel * dt, body.extent)
 }
 
 fn lock<T>(found: &Mutex<T>) -> MutexGuard<'_, T> {
     found.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// The centre moved by `shift`; a point at the distance `extent` from it moved by no more than the
-/// angle times that distance besides.
-fn bound_of(shift: Vector, turn: AngVector, extent: Real) -> Real {
-    let turn_squared = ang_length_squared(turn);
-    shift.length() + if turn_squared > 0.0 { turn_squared.sqrt() * extent } else { 0.0 }
 }

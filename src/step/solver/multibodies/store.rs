@@ -8,7 +8,7 @@ use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
-use crate::model::island::IslandManager;
+use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Course, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
@@ -171,7 +171,7 @@ impl Moving {
             let rounded = (body.mprops.world_com - old_center).length();
             let [way, turn] = self.travel[id];
             let bound = rounded.max(way) + turn * body.extent;
-            islands.set_motion(link.body.into_raw_parts().0, bound);
+            islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
             let (shift, turn) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);
             let acceleration = force * body.mprops.local.inv_mass;
