@@ -72,7 +72,7 @@ pub(crate) struct Lost {
 /// Buffers that live from stage to stage within one step.
 #[derive(Default)]
 pub(crate) struct StepNotes {
-    /// In the order of the awake pairs.
+    /// In the order of the colliders.
     pub contacts: Vec<(PairId, PairChange)>,
     /// The same for pairs with a sensor.
     pub intersections: Vec<(PairId, PairChange)>,

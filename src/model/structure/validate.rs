@@ -21,6 +21,10 @@ impl Structure<'_> {
         for (handle, body) in self.bodies.iter() {
             if body.link.awake != NONE {
                 assert_eq!(self.islands.awake.get(body.link.awake as usize), Some(&handle));
+            } else {
+                // What others move is compared with it.
+                let moved = self.islands.motion_of(handle.into_raw_parts().0).bound();
+                assert_eq!(moved, 0.0, "{handle:?} does not move");
             }
             if body.link.island != NONE {
                 let island = self.islands.island(body.link.island);

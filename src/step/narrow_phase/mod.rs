@@ -2,7 +2,7 @@
 //!
 //! Reads:   collider poses and shapes, bounds of how far bodies moved, last step's manifolds
 //! Writes:  manifolds of awake pairs; notes of what was computed, and of who is deep in a wall
-//! Runs:    parallel over pairs; notes are in the order of the awake pairs
+//! Runs:    parallel over pairs; notes are in the order of the colliders
 //! Never:   moves a body; links islands; gives colours
 //!
 //! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair

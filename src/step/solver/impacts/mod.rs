@@ -234,8 +234,10 @@ impl Impacts {
         let accounts = &mut self.memory.accounts;
         accounts.clear();
         accounts.resize(island_bound, Account::default());
+        // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
         let mut count = |island: u32, restitution: Real| {
-            if let Some(account) = accounts.get_mut(island as usize) {
+            if let Some(account) = accounts.get_mut(island as usize).filter(|_| restitution != 0.0)
+            {
                 account.contacts += 1;
                 account.restitution = account.restitution.max(restitution);
             }
@@ -244,11 +246,11 @@ impl Impacts {
             let lanes = block.islands.iter().zip(&block.restitution.0);
             lanes.for_each(|(&island, &restitution)| count(island, restitution));
         }
-        links.struck().for_each(|contact| count(contact.strike.island, contact.restitution));
+        links.restitutions().for_each(|(island, restitution)| count(island, restitution));
         for account in accounts {
             let smallness = SMALL_ISLAND as Real / account.contacts as Real;
             let worth = account.restitution.max(smallness).min(1.0);
-            account.visits = (VISITS as Real * worth) as usize;
+            account.visits = (VISITS as Real * worth).ceil() as usize;
         }
     }
 

@@ -113,6 +113,12 @@ impl SolverMultibodies {
         self.contacts.contacts.iter_mut().filter(|contact| contact.strike.struck)
     }
 
+    /// The island and the restitution of each contact that bounces.
+    pub fn restitutions(&self) -> impl Iterator<Item = (u32, Real)> {
+        let bouncing = self.contacts.contacts.iter().filter(|contact| contact.bounces());
+        bouncing.map(|contact| (contact.strike.island, contact.restitution))
+    }
+
     /// Notes how the contacts move at the end of a substep, before forces act in the next.
     pub fn note_velocities(&mut self, velocities: &mut [BodyState]) {
         let (numbers, contacts, actors) = self.bouncing(velocities);
