@@ -39,7 +39,8 @@ impl SolverBodies {
                     let (start, center) = (body.pose, body.mprops.world_com);
                     let (shift, turn) = commit(body, state, motion);
                     let way = BodyMotion::of(body.mprops.world_com - center, turn, body.extent);
-                    let bound = BodyMotion::of(shift, turn, body.extent).bound();
+                    // Not less than that of the way: see `commit`.
+                    let bound = shift.length() + way.rest;
                     body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
@@ -48,7 +49,7 @@ impl SolverBodies {
                             FastMotion { body, start, center, shift, turn, acceleration, link };
                         lock(&found).push((position, fast));
                         // It may be stopped on its way.
-                        BodyMotion::within(bound.max(way.bound()))
+                        BodyMotion::within(bound)
                     } else {
                         way
                     }

@@ -230,7 +230,7 @@ impl Impacts {
 
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
     /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
-    fn grant_visits(&mut self, island_bound: usize, links: &mut SolverMultibodies) {
+    fn grant_visits(&mut self, island_bound: usize, links: &SolverMultibodies) {
         let accounts = &mut self.memory.accounts;
         accounts.clear();
         accounts.resize(island_bound, Account::default());
