@@ -5,7 +5,7 @@
 //! order of insertions and removals alone, never on addresses.
 
 use super::disjoint::DisjointMut;
-use super::wide::{prefetch, prefetch_front};
+use super::wide::prefetch_front;
 
 /// Where an element of an arena stands, and which of the slot's successive tenants it is.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -43,8 +43,10 @@ impl Index {
 
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+// With a tag of its own the generation stands in front: whoever looks into a slot reads it, and the front of the value.
+#[repr(u32)]
 enum Slot<T> {
-    Free { next: Option<u32>, generation: u32 },
+    Free { generation: u32, next: Option<u32> },
     Taken { generation: u32, value: T },
 }
 
@@ -209,15 +211,7 @@ impl<T> Arena<T> {
         SharedArena { slots: DisjointMut::new(&mut self.slots) }
     }
 
-    /// Begins to bring what stands in a slot near to the processor.
-    #[inline(always)]
-    pub fn prefetch(&self, slot: u32) {
-        if let Some(slot) = self.slots.get(slot as usize) {
-            prefetch(slot);
-        }
-    }
-
-    /// As [`Self::prefetch`], of the first bytes of the element alone.
+    /// Begins to bring the first bytes of what stands in a slot near to the processor.
     #[inline(always)]
     pub fn prefetch_front(&self, slot: u32, bytes: usize) {
         if let Some(slot) = self.slots.get(slot as usize) {
@@ -268,13 +262,7 @@ impl<'a, T> SharedArena<'a, T> {
         }
     }
 
-    /// Begins to bring what stands in a slot near to the processor.
-    #[inline(always)]
-    pub fn prefetch(&self, slot: u32) {
-        self.slots.prefetch(slot as usize);
-    }
-
-    /// As [`Self::prefetch`], of the first bytes of the element alone.
+    /// Begins to bring the first bytes of what stands in a slot near to the processor.
     #[inline(always)]
     pub fn prefetch_front(&self, slot: u32, bytes: usize) {
         self.slots.prefetch_front(slot as usize, bytes + size_of::<Slot<T>>() - size_of::<T>());

@@ -62,6 +62,17 @@ impl IdSet {
         was_there
     }
 
+    /// Takes all numbers out.
+    pub fn clear(&mut self) {
+        let filled = self.filled.iter().enumerate();
+        for index in
+            filled.flat_map(|(above, &word)| ones(word).map(move |bit| above as u32 * BITS + bit))
+        {
+            self.words[index as usize] = 0;
+        }
+        self.filled.fill(0);
+    }
+
     /// The numbers, smallest first.
     pub fn iter(&self) -> impl Iterator<Item = u32> {
         let words = |(above, &filled): (usize, &u64)| {
@@ -95,7 +106,10 @@ mod tests {
         }
         assert!(set.iter().eq(expected.iter().copied()));
         assert!(!set.contains(u32::MAX) && !set.remove(u32::MAX));
+        let mut cleared = set.clone();
+        cleared.clear();
         expected.into_iter().for_each(|number| assert!(set.remove(number)));
         assert_eq!(set.iter().next(), None);
+        assert_eq!((cleared.words, cleared.filled), (set.words, set.filled));
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod guard;
 pub(crate) mod hash;
 pub(crate) mod held;
 pub(crate) mod id_set;
+pub(crate) mod late;
 pub(crate) mod measure;
 pub mod nearest;
 pub mod segments;

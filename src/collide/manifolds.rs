@@ -7,6 +7,7 @@
 //! spare allocations.
 
 use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
+use super::matching::replace_contacts;
 use super::neighbor::Neighbor;
 use super::parts::{Part, Parts};
 use super::patches::{Patches, push_manifold, unit_normal};
@@ -16,7 +17,7 @@ use super::sifting::Sifted;
 use crate::base::guard::guarded;
 use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
-use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{ContactManifold, Nearby};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
 use parry::shape::Shape;
@@ -83,14 +84,20 @@ pub(crate) fn compute_manifolds(
     if !pose_is_usable(&pos12) || !prediction.is_finite() {
         return 0.0;
     }
+    let ManifoldScratch { raw, points, .. } = &mut *scratch;
+    let parts = [Parts::of(shape1), Parts::of(shape2)];
+    if parts.iter().all(Parts::is_convex) && pair.neighbors.iter().all(|list| list.is_empty()) {
+        let hint = previous.first().map_or(Vector::ZERO, |manifold| manifold.local_n1);
+        let (bound, normal) = convex_pair(pair, hint, raw);
+        if let Some(normal) = normal {
+            push_manifold(outermost(raw, normal, points), normal, [0, 0], &pos12, out);
+        }
+        return bound;
+    }
     if parry_merges_voxels(shape1, shape2, &pos12) || parry_merges_voxels(shape2, shape1, &pos12) {
         return voxel_manifolds(&pos12, [shape1, shape2], prediction, scratch, out);
     }
-    let parts = [Parts::of(shape1), Parts::of(shape2)];
-    let ManifoldScratch { raw, points, patches, sifted, passing, seams, .. } = scratch;
-    if parts.iter().all(Parts::is_convex) && pair.neighbors.iter().all(|list| list.is_empty()) {
-        return convex_pair(pair, previous, raw, points, out);
-    }
+    let ManifoldScratch { raw, patches, sifted, passing, seams, .. } = scratch;
     patches.clear();
     let distance = Real::INFINITY;
     let mut search =
@@ -103,30 +110,67 @@ pub(crate) fn compute_manifolds(
     bound
 }
 
-/// Computes the manifold of two convex shapes.
+/// Computes the manifold of two convex shapes in place of the last one: what [`compute_manifolds`] does for them if they have no
+/// other contacts that matter, without a manifold that is made and taken elsewhere.
+///
+/// `manifolds` has that of last time, or none. If there are no points now it is left without. What is the same contact keeps its
+/// impulses. Returns the bound of the distance.
+pub(crate) fn renew_convex_manifold(
+    pair: &ShapePair<'_>,
+    manifolds: &mut SmallVec<[ContactManifold; 1]>,
+    scratch: &mut ManifoldScratch,
+) -> Real {
+    let ManifoldScratch { raw, points, .. } = scratch;
+    let is_usable = pose_is_usable(&pair.pos12) && pair.prediction.is_finite();
+    let hint = manifolds.first().map_or(Vector::ZERO, |manifold| manifold.local_n1);
+    let (bound, normal) = if is_usable { convex_pair(pair, hint, raw) } else { (0.0, None) };
+    if normal.is_some() && manifolds.is_empty() {
+        manifolds.push(ContactManifold::default());
+    }
+    let Some(manifold) = manifolds.first_mut() else { return bound };
+    match normal {
+        Some(normal) => {
+            let points = outermost(raw, normal, points);
+            replace_contacts(manifold, normal, &pair.pos12, points);
+        }
+        None => manifold.data.points.clear(),
+    }
+    bound
+}
+
+/// Computes the points of two convex shapes, into `raw`. Returns the bound of their distance and, if there are points, the normal.
+/// `hint` is that of last time, or zero.
 fn convex_pair(
     pair: &ShapePair<'_>,
-    previous: &[ContactManifold],
+    hint: Vector,
     raw: &mut RawManifold,
-    points: &mut Vec<RawPoint>,
-    out: &mut SmallVec<[ContactManifold; 1]>,
-) -> Real {
+) -> (Real, Option<Vector>) {
     let ShapePair { pos12, shapes: [shape1, shape2], prediction, .. } = *pair;
-    raw.local_n1 = previous.first().map_or(Vector::ZERO, |manifold| manifold.local_n1);
+    raw.local_n1 = hint;
     let parts = [Part::whole(shape1), Part::whole(shape2)];
     let Some(bound) = part_manifold(&pos12, &parts, prediction, raw) else {
-        return Real::INFINITY;
+        return (Real::INFINITY, None);
     };
     if raw.points.is_empty() {
-        return if bound > 0.0 { bound } else { distance_bound(&pos12, shape1, shape2) };
+        let bound = if bound > 0.0 { bound } else { distance_bound(&pos12, shape1, shape2) };
+        return (bound, None);
     }
-    if let Some(normal) = unit_normal(raw) {
-        points.clear();
-        points.extend(raw.points.iter().copied());
-        reduce(points, normal, Real::INFINITY);
-        push_manifold(points, normal, [0, 0], &pos12, out);
+    (0.0, unit_normal(raw))
+}
+
+/// The points that the solver takes.
+fn outermost<'a>(
+    raw: &'a RawManifold,
+    normal: Vector,
+    points: &'a mut Vec<RawPoint>,
+) -> &'a [RawPoint] {
+    if raw.points.len() <= MAX_MANIFOLD_POINTS {
+        return &raw.points;
     }
-    0.0
+    points.clear();
+    points.extend(raw.points.iter().copied());
+    reduce(points, normal, Real::INFINITY);
+    points
 }
 
 /// A lower bound of the distance of two convex shapes by way of their closest points.

@@ -1,7 +1,8 @@
 //! Which contact of this step was which contact of the last: so that solving starts from the impulses
 //! that held the bodies apart a moment ago.
 
-use crate::dim::math::Real;
+use crate::dim::collide::RawPoint;
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
 use parry::shape::PackedFeatureId;
 
@@ -52,25 +53,59 @@ fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold, has_same_p
     }
     new.data.warmstart_friction = old.data.warmstart_friction;
     new.data.warmstart_twist = old.data.warmstart_twist;
+    inherit_points(&mut new.data.points, old.contacts(), has_same_parts);
+}
 
-    let old_points = old.contacts();
+/// Puts other contacts between the same two convex shapes in the place of those of a manifold, in the frames of the shapes. What is the
+/// same contact keeps its impulses.
+pub(super) fn replace_contacts(
+    manifold: &mut ContactManifold,
+    local_n1: Vector,
+    pos12: &Pose,
+    points: &[RawPoint],
+) {
+    let (old_normal, old) = (manifold.local_n1, core::mem::take(&mut manifold.data.points));
+    (manifold.local_n1, manifold.local_n2) = (local_n1, pos12.rotation.inverse() * -local_n1);
+    set_contacts(manifold, points);
+    let data = &mut manifold.data;
+    if local_n1.dot(old_normal) < NORMAL_COSINE_MIN {
+        (data.warmstart_friction, data.warmstart_twist) = (Vector::ZERO, 0.0);
+    } else {
+        inherit_points(&mut data.points, &old, true);
+    }
+}
+
+/// Gives a manifold these points, which carry no impulses yet.
+pub(super) fn set_contacts(manifold: &mut ContactManifold, points: &[RawPoint]) {
+    manifold.data.points.clear();
+    manifold.data.points.extend(points.iter().map(|point| {
+        Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist)
+    }));
+}
+
+/// Hands the impulses of old points to the new ones that are the same.
+fn inherit_points(new: &mut [Contact], old: &[Contact], has_same_parts: bool) {
+    let new_count = new.len();
     let mut taken = 0_u32; // one bit for each old point
     let mut matched = 0_u32; // one bit for each new point
-    for (index, point) in new.data.points.iter_mut().enumerate() {
-        let found = with_same_features(point, old_points, taken).filter(|_| has_same_parts);
+    for (index, point) in new.iter_mut().enumerate() {
+        let found = with_same_features(point, old, taken).filter(|_| has_same_parts);
         if let Some(found) = found {
-            point.inherit(&old_points[found]);
+            point.inherit(&old[found]);
             taken |= 1 << found;
             matched |= 1 << index;
         }
     }
-    let limit = near_limit(old_points, new.data.points.len());
-    for (index, point) in new.data.points.iter_mut().enumerate() {
+    if matched.count_ones() as usize == new_count {
+        return;
+    }
+    let limit = near_limit(old, new_count);
+    for (index, point) in new.iter_mut().enumerate() {
         if matched & (1 << index) != 0 {
             continue;
         }
-        if let Some(found) = nearest(point, old_points, taken, limit) {
-            point.inherit(&old_points[found]);
+        if let Some(found) = nearest(point, old, taken, limit) {
+            point.inherit(&old[found]);
             taken |= 1 << found;
         }
     }

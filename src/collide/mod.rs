@@ -30,7 +30,9 @@ mod sweep;
 mod tests;
 mod voxels;
 
-pub(crate) use manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};
+pub(crate) use manifolds::{
+    ManifoldScratch, ShapePair, compute_manifolds, renew_convex_manifold, shapes_intersect,
+};
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, seams_among};
 pub(crate) use seams::SAME_NORMAL;

@@ -5,11 +5,12 @@
 //! patches that look the same way are put together, and of all their points only those are kept that
 //! a single face would have: the outermost.
 
+use super::matching::set_contacts;
 use super::parts::Part;
 use super::seams::SAME_NORMAL;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::contact::{Contact, ContactManifold};
+use crate::model::contact::ContactManifold;
 use core::ops::Range;
 use parry::shape::PackedFeatureId;
 use smallvec::SmallVec;
@@ -223,7 +224,5 @@ pub(super) fn push_manifold(
     manifold.local_n2 = pos12.rotation.inverse() * -local_n1;
     manifold.subshape1 = subshape1;
     manifold.subshape2 = subshape2;
-    manifold.data.points.extend(points.iter().map(|point| {
-        Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist)
-    }));
+    set_contacts(manifold, points);
 }

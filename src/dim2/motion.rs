@@ -6,7 +6,7 @@
 use super::math::{AngVector, Real, Rotation, Vector};
 use super::state::WideMotion;
 use super::wide::{WideAngVector, WideVector};
-use crate::base::wide::{LANES, Wide, gather};
+use crate::base::wide::{Wide, gather_adjacent};
 use parry::mass_properties::MassProperties;
 
 /// The rotation at 0, the acceleration at 2, the damping at 5 and 6.
@@ -74,7 +74,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }: WideMotion<W>,
     h: Real,
 ) -> WideMotion<W> {
-    let own = gather::<W, RECORD_LEN>(rows(bodies));
+    let own = gather_adjacent::<W, _, RECORD_LEN>(bodies, |body| &body.0);
     let (one, substep) = (W::splat(1.0), W::splat(h));
     let linear_acceleration = WideVector { x: own[2], y: own[3] };
     // Damping is integrated implicitly: v' = v + h a - h c v' never overshoots zero.
@@ -101,14 +101,4 @@ pub(crate) fn angvel_at(
     _h: Real,
 ) -> AngVector {
     angvel
-}
-
-/// The record of each body; no lane beyond them is looked at later.
-#[inline(always)]
-fn rows(bodies: &[FreeMotion]) -> [&[Real; RECORD_LEN]; LANES] {
-    let mut rows = [const { &[0.0; RECORD_LEN] }; LANES];
-    for (row, body) in rows.iter_mut().zip(bodies) {
-        *row = &body.0;
-    }
-    rows
 }

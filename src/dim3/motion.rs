@@ -29,7 +29,7 @@ use super::state::WideMotion;
 use super::top::FreeTurn;
 use super::turn::{rotation_vector, turned_frame};
 use super::wide::{WideAngVector, WideRotation, WideVector};
-use crate::base::wide::{Kernel, LANES, Simd, Wide, gather, scatter};
+use crate::base::wide::{Kernel, Simd, Wide, gather_adjacent, scatter_adjacent};
 use parry::mass_properties::MassProperties;
 
 /// Moments that differ by less than this share make no visible difference.
@@ -45,19 +45,24 @@ const THIN: Real = 30.0;
 /// The momentum of others gives way where that changes the energy by no more than this share.
 const LED_MAX: Real = 0.25;
 
-/// Numbers that every body needs; as many are for those that tumble alone.
-const PLAIN_LEN: usize = 16;
-const RECORD_LEN: usize = 2 * PLAIN_LEN;
-/// Where what stands, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
+/// Numbers in each part of a record.
+const LEN: usize = 16;
+/// Where what stands in the first part, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
 const TUMBLES: usize = 12;
 const INV_MOMENTS: usize = 13;
-const FRAME: usize = 16;
-const BEARS_WEIGHT: usize = 30;
+/// Where what stands in the second.
+const FRAME: usize = 0;
+const BEARS_WEIGHT: usize = 14;
 
 /// What integrates a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct FreeMotion([Real; RECORD_LEN]);
+pub(crate) struct FreeMotion {
+    /// What moves every body.
+    plain: [Real; LEN],
+    /// What but few need in every substep: those that tumble.
+    tumbling: [Real; LEN],
+}
 
 impl FreeMotion {
     /// Neither accelerates nor is damped.
@@ -75,13 +80,13 @@ impl FreeMotion {
         damping: [Real; 2],
         bears_weight: bool,
     ) -> Self {
-        let mut record = [0.0; RECORD_LEN];
-        record[0..4].copy_from_slice(&rotation.to_array());
-        record[4..7].copy_from_slice(&linear.to_array());
-        record[7..10].copy_from_slice(&angular.to_array());
-        record[10..12].copy_from_slice(&damping);
-        record[BEARS_WEIGHT] = if bears_weight { 1.0 } else { 0.0 };
-        Self(record)
+        let (mut plain, mut tumbling) = ([0.0; LEN], [0.0; LEN]);
+        plain[0..4].copy_from_slice(&rotation.to_array());
+        plain[4..7].copy_from_slice(&linear.to_array());
+        plain[7..10].copy_from_slice(&angular.to_array());
+        plain[10..12].copy_from_slice(&damping);
+        tumbling[BEARS_WEIGHT] = if bears_weight { 1.0 } else { 0.0 };
+        Self { plain, tumbling }
     }
 
     /// Lets the body tumble, unless it need not: if it is round, or hardly turns in `h` seconds.
@@ -90,39 +95,39 @@ impl FreeMotion {
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < ISOTROPY * high;
         if !is_round && angvel.length_squared() * h * h >= TURN_MIN * TURN_MIN {
-            self.0[TUMBLES] = 1.0;
-            self.0[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
+            self.plain[TUMBLES] = 1.0;
+            self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
-            self.0[FRAME..FRAME + 4].copy_from_slice(&frame);
+            self.tumbling[FRAME..FRAME + 4].copy_from_slice(&frame);
         }
         self
     }
 
     /// Of a body that tumbles: how it is turned now. Of others: how it was when the step began.
     pub fn rotation(&self) -> Rotation {
-        Rotation::from_xyzw(self.0[0], self.0[1], self.0[2], self.0[3])
+        Rotation::from_xyzw(self.plain[0], self.plain[1], self.plain[2], self.plain[3])
     }
 
     /// The acceleration by gravity and the user's forces (length/s²).
     pub fn linear_acceleration(&self) -> Vector {
-        Vector::new(self.0[4], self.0[5], self.0[6])
+        Vector::new(self.plain[4], self.plain[5], self.plain[6])
     }
 
     /// Does the angular velocity change as the body turns?
     pub fn tumbles(&self) -> bool {
-        self.0[TUMBLES] != 0.0
+        self.plain[TUMBLES] != 0.0
     }
 
     /// May it be part of a pile?
     pub fn bears_weight(&self) -> bool {
-        self.0[BEARS_WEIGHT] != 0.0
+        self.tumbling[BEARS_WEIGHT] != 0.0
     }
 
     /// Turns a tumbling body by this rotation vector.
     pub fn turn(&mut self, turn: AngVector) {
         if self.tumbles() {
             let turned = integrate_rotation(self.rotation(), turn);
-            self.0[0..4].copy_from_slice(&turned.to_array());
+            self.plain[0..4].copy_from_slice(&turned.to_array());
         }
     }
 }
@@ -134,7 +139,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }: WideMotion<W>,
     h: Real,
 ) -> WideMotion<W> {
-    let own = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[..PLAIN_LEN]));
+    let own = gather_adjacent::<W, _, LEN>(bodies, |body| &body.plain);
     let (one, substep) = (W::splat(1.0), W::splat(h));
     let linear_acceleration = WideVector { x: own[4], y: own[5], z: own[6] };
     let angular_acceleration = WideVector { x: own[7], y: own[8], z: own[9] };
@@ -163,7 +168,7 @@ pub(crate) fn tumble<W: Wide>(
     before: &mut WideAngVector<W>,
     h: Real,
 ) {
-    let mut own = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[..PLAIN_LEN]));
+    let mut own = gather_adjacent::<W, _, LEN>(bodies, |body| &body.plain);
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
     let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
@@ -174,7 +179,7 @@ pub(crate) fn tumble<W: Wide>(
     for k in 0..4 {
         own[k] = W::select(tumbles, turned[k], own[k]);
     }
-    scatter(own, rows_mut(bodies, |record| &mut record[..PLAIN_LEN]));
+    scatter_adjacent(own, bodies, |body| &mut body.plain);
     gyroscope.scatter(bodies);
 }
 
@@ -256,8 +261,8 @@ struct Gyroscope<W> {
 
 impl<W: Wide> Gyroscope<W> {
     #[inline(always)]
-    fn gather(bodies: &[FreeMotion], own: &[W; PLAIN_LEN]) -> Self {
-        let s = gather::<W, PLAIN_LEN>(rows(bodies, |record| &record[PLAIN_LEN..]));
+    fn gather(bodies: &[FreeMotion], own: &[W; LEN]) -> Self {
+        let s = gather_adjacent::<W, _, LEN>(bodies, |body| &body.tumbling);
         Self {
             inv_moments: WideVector {
                 x: own[INV_MOMENTS],
@@ -278,7 +283,7 @@ impl<W: Wide> Gyroscope<W> {
         let [first, second] = self.others;
         let numbers =
             [f.x, f.y, f.z, f.w, s.x, s.y, s.z, s.w, l.x, l.y, l.z, w.x, w.y, w.z, first, second];
-        scatter(numbers, rows_mut(bodies, |record| &mut record[PLAIN_LEN..]));
+        scatter_adjacent(numbers, bodies, |body| &mut body.tumbling);
     }
 
     /// Somebody changed the angular velocity at the orientation `rotation`.
@@ -391,32 +396,6 @@ fn turns_plainly<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
 }
 
 #[inline(always)]
-fn rotation_of<W: Wide>(own: &[W; PLAIN_LEN]) -> WideRotation<W> {
+fn rotation_of<W: Wide>(own: &[W; LEN]) -> WideRotation<W> {
     WideRotation { x: own[0], y: own[1], z: own[2], w: own[3] }
-}
-
-/// Half of the record of each body; no lane beyond them is looked at later.
-#[expect(clippy::expect_used, reason = "half a record is so long")]
-#[inline(always)]
-fn rows(
-    bodies: &[FreeMotion],
-    half: impl Fn(&[Real; RECORD_LEN]) -> &[Real],
-) -> [&[Real; PLAIN_LEN]; LANES] {
-    let mut rows = [const { &[0.0; PLAIN_LEN] }; LANES];
-    for (row, body) in rows.iter_mut().zip(bodies) {
-        *row = half(&body.0).first_chunk().expect("half a record");
-    }
-    rows
-}
-
-#[inline(always)]
-fn rows_mut(
-    bodies: &mut [FreeMotion],
-    half: impl Fn(&mut [Real; RECORD_LEN]) -> &mut [Real],
-) -> [Option<&mut [Real; PLAIN_LEN]>; LANES] {
-    let mut rows = [const { None }; LANES];
-    for (row, body) in rows.iter_mut().zip(bodies) {
-        *row = half(&mut body.0).first_chunk_mut();
-    }
-    rows
 }

@@ -8,7 +8,7 @@ use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector
 use super::turn::{unit_quaternion, wide_unit_quaternion};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{LANES, Wide, gather, scatter};
+use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
@@ -270,21 +270,13 @@ pub(crate) fn gather_velocities<W: Wide>(
 /// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
 #[inline(always)]
 pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
-    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
-    for (row, state) in rows.iter_mut().zip(states) {
-        *row = &state.0;
-    }
-    motions(gather::<W, STATE_LEN>(rows))
+    motions(gather_adjacent(states, |state| &state.0))
 }
 
 /// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
 #[inline(always)]
 pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
-    let mut rows = [const { None }; LANES];
-    for (row, state) in rows.iter_mut().zip(states) {
-        *row = Some(&mut state.0);
-    }
-    scatter::<W, STATE_LEN>(numbers(motions), rows);
+    scatter_adjacent(numbers(motions), states, |state| &mut state.0);
 }
 
 #[inline(always)]

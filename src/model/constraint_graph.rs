@@ -101,10 +101,13 @@ impl<C: Copy> ConstraintGraph<C> {
     /// The constraints of each colour in the order in which colours are solved; the overflow first,
     /// so that the orderly ones correct its errors.
     pub fn in_solving_order(&self) -> impl Iterator<Item = (u32, &[C])> {
-        core::iter::once(OVERFLOW)
-            .chain(0..COLORS)
-            .map(|color| (color, self.colors[color as usize].as_slice()))
-            .filter(|(_, list)| !list.is_empty())
+        self.all_in_solving_order().filter(|(_, list)| !list.is_empty())
+    }
+
+    /// The same, with the colours that have no constraint.
+    pub fn all_in_solving_order(&self) -> impl Iterator<Item = (u32, &[C])> {
+        let colors = core::iter::once(OVERFLOW).chain(0..COLORS);
+        colors.map(|color| (color, self.colors[color as usize].as_slice()))
     }
 
     /// Number of constraints in the graph.

@@ -213,15 +213,17 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.cd.broad_phase_time.pause();
 
     parts.counters.cd.narrow_phase_time.resume();
+    let NarrowPhase { contacts, intersections, lanes, .. } = &mut *parts.narrow_phase;
     let around = Surroundings {
         bodies: parts.bodies,
         colliders: parts.colliders,
         islands: parts.islands,
+        lanes,
         params: parts.params,
         hooks: parts.hooks,
         simd: *simd,
     };
-    narrow_phase::update(tasks, around, parts.narrow_phase, narrow_phase, notes);
+    narrow_phase::update(tasks, around, (contacts, intersections), narrow_phase, notes);
     parts.counters.cd.narrow_phase_time.pause();
     parts.counters.cd.ncontact_pairs = parts.narrow_phase.contacts.len();
     parts.counters.stages.collision_detection_time.pause();

@@ -12,5 +12,6 @@ mod events;
 mod filters;
 mod forces;
 mod hooks;
+mod late;
 mod sensors;
 mod worlds;

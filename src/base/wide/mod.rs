@@ -177,3 +177,37 @@ pub fn scatter<W: Wide, const N: usize>(
         first += LANES;
     }
 }
+
+/// As [`gather`], of the numbers of up to [`LANES`] records that stand side by side; the other lanes get zeros.
+#[inline(always)]
+pub fn gather_adjacent<W: Wide, R, const N: usize>(
+    records: &[R],
+    numbers: impl Fn(&R) -> &[Real; N],
+) -> [W; N] {
+    // Where all are there, their places follow from that of the first.
+    if let Ok(all) = <&[R; LANES]>::try_from(records) {
+        return gather(all.each_ref().map(numbers));
+    }
+    let mut rows = [const { &[0.0; N] }; LANES];
+    for (row, record) in rows.iter_mut().zip(records) {
+        *row = numbers(record);
+    }
+    gather(rows)
+}
+
+/// As [`scatter`], to the numbers of up to [`LANES`] records that stand side by side.
+#[inline(always)]
+pub fn scatter_adjacent<W: Wide, R, const N: usize>(
+    components: [W; N],
+    records: &mut [R],
+    numbers: impl Fn(&mut R) -> &mut [Real; N],
+) {
+    if let Ok(all) = <&mut [R; LANES]>::try_from(&mut *records) {
+        return scatter(components, all.each_mut().map(|record| Some(numbers(record))));
+    }
+    let mut rows = [const { None }; LANES];
+    for (row, record) in rows.iter_mut().zip(records) {
+        *row = Some(numbers(record));
+    }
+    scatter(components, rows);
+}

@@ -15,9 +15,4 @@ impl CoulombBlock {
 
     /// Nothing.
     pub fn scale_impulses(&mut self, _factor: Real) {}
-
-    /// Zero: the friction impulse is kept for the manifold as a whole.
-    pub fn impulse(&self, _point: usize, _lane: usize) -> [Real; 1] {
-        [0.0]
-    }
 }

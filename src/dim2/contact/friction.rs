@@ -16,13 +16,14 @@
 //!
 //! Source: Catto, "Modeling and Solving Constraints" (GDC 2009); the central row is Bepu's.
 
-use super::block::{ContactBlock, ContactInput, FrictionRow};
+use super::block::{ContactBlock, FrictionRow};
 use super::prepare::{Pair, Point};
 use super::rows::{Frame, invert, push};
 use crate::base::wide::Wide;
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim2::state::WideMotion;
 use crate::dim2::wide::WideVector;
+use crate::model::contact::ContactInput;
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]

@@ -40,14 +40,16 @@
 mod block;
 mod coulomb;
 mod friction;
+mod keep;
 mod prepare;
 mod rows;
 mod solve;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use block::{ContactBlock, ContactInput};
+pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
+pub(crate) use keep::keep;
 pub(crate) use prepare::{Surroundings, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
 pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};

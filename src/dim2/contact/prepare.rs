@@ -1,6 +1,6 @@
 //! From manifolds to constraints: once per step.
 
-use super::block::{COUPLINGS, ContactBlock, ContactInput};
+use super::block::{COUPLINGS, ContactBlock};
 use super::coulomb::CoulombBlock;
 use super::friction::{self, WideFriction};
 use super::rows::{Frame, NormalImpulse, invert};
@@ -11,7 +11,7 @@ use crate::dim2::state::{
     BodyPose, BodyState, WidePose, gather_poses, gather_states, scatter_states,
 };
 use crate::dim2::wide::WideVector;
-use crate::model::contact::MotionSince;
+use crate::model::contact::{ContactInput, MotionSince};
 
 /// One contact point on its way from a manifold to a row.
 #[derive(Copy, Clone)]
@@ -46,13 +46,13 @@ pub(crate) struct Surroundings<'a> {
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
 pub(crate) unsafe fn prepare<W: Wide>(
-    input: &mut ContactInput,
+    input: &ContactInput,
     block: &mut ContactBlock,
     _coulomb: Option<&mut CoulombBlock>,
     Surroundings { poses, states }: Surroundings<'_>,
     prediction: Real,
 ) {
-    let (pair, points) = read_geometry::<W>(input, poses);
+    let (pair, points) = read_geometry::<W>(input, block, poses);
     write_pair(block, input, &pair);
     write_points(block, &pair, &points);
     let friction = friction::prepare(input, &pair, &points, W::splat(prediction));
@@ -69,7 +69,8 @@ pub(crate) unsafe fn prepare<W: Wide>(
 /// few digits behind the point, and their differences have all that are left.
 #[inline(always)]
 fn read_geometry<W: Wide>(
-    input: &mut ContactInput,
+    input: &ContactInput,
+    block: &mut ContactBlock,
     poses: &[BodyPose],
 ) -> (Pair<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
     let poses = [
@@ -78,7 +79,6 @@ fn read_geometry<W: Wide>(
     ];
     let motion = MotionSince::new(&input.placement, &input.is_world, &poses);
     let (n, c) = (motion.normal, motion.offset());
-    n.store(&mut input.world_normal);
     let frame = Frame::about(n);
 
     let zero = W::zero();
@@ -89,8 +89,7 @@ fn read_geometry<W: Wide>(
         let placed = WideVector::load(&input.levers[k]);
         let (lever, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (motion.origin + lever).store(&mut input.points[k]);
-        separation.store(&mut input.separations[k]);
+        (motion.origin + lever).store(&mut block.places[k]);
         points[k] = Point {
             local: frame.local(WideVector::select(motion.is_held, placed, lever)),
             separation,

@@ -2,7 +2,6 @@
 //!
 //! What both dimensions have is tested where the passes are driven from, in `step/solver/tests`.
 
-use super::block::ContactInput;
 use super::friction::{self, WideFriction};
 use super::prepare::{Pair, Point};
 use super::rows::Frame;
@@ -11,6 +10,7 @@ use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real, Rotation, Vector, cross, tangents, torque};
 use crate::dim2::state::{WideMotion, WidePose};
 use crate::dim2::wide::{WideRotation, WideVector};
+use crate::model::contact::ContactInput;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 

@@ -1,88 +1,12 @@
 //! The memory of contact constraints: what goes in, and what the passes read and write.
 
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::WideVector;
-use crate::model::contact::WidePlacement;
 
 /// Pairs of different points of one manifold.
 pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
-
-/// What the solver is told of a block's manifolds, and what it tells back of where they are.
-#[derive(Clone, Debug)]
-pub(crate) struct ContactInput {
-    /// Solver indices of the two bodies, with [`READ_ONLY`] where it applies.
-    pub bodies: [[u32; LANES]; 2],
-    /// One where the body is the world (a fixed body or none): it has no centre of mass.
-    pub is_world: [Lane; 2],
-    /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
-    pub mass_factors: [Lane; 2],
-    /// How the bodies stood when the contacts were placed.
-    pub placement: WidePlacement,
-    /// From the first centre of mass to the points as they were placed, in world space.
-    pub levers: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
-    /// Separations of the points as they were placed.
-    pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
-    /// One for points that are there, zero for the others.
-    pub present: [Lane; MAX_MANIFOLD_POINTS],
-    /// Normal impulses with which to start.
-    pub impulses: [Lane; MAX_MANIFOLD_POINTS],
-    pub friction: Lane,
-    pub restitution: Lane,
-    /// Velocity of the second surface relative to the first, in world space.
-    pub tangent_velocity: WideVector<Lane>,
-    /// Friction impulse with which to start, in world space.
-    pub friction_impulse: WideVector<Lane>,
-    pub twist_impulse: Lane,
-    /// Friction impulses of the points with which to start, along the two tangents: for friction per
-    /// point.
-    pub tangent_impulses: [[Lane; 2]; MAX_MANIFOLD_POINTS],
-
-    /// Out: the normal in world space.
-    pub world_normal: WideVector<Lane>,
-    /// Out: the points midway between the two surfaces, in world space.
-    pub points: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
-    /// Out: their separations.
-    pub separations: [Lane; MAX_MANIFOLD_POINTS],
-}
-
-impl ContactInput {
-    /// No manifold in any lane. A lane that stays empty acts on the world alone, and not on that.
-    pub const EMPTY: Self = {
-        let vector = WideVector::ZERO;
-        Self {
-            bodies: [[READ_ONLY; LANES]; 2],
-            is_world: [Lane::splat(1.0); 2],
-            mass_factors: [Lane::ZERO; 2],
-            placement: WidePlacement::NOWHERE,
-            levers: [vector; MAX_MANIFOLD_POINTS],
-            placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
-            present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
-            impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
-            friction: Lane::ZERO,
-            restitution: Lane::ZERO,
-            tangent_velocity: vector,
-            friction_impulse: vector,
-            twist_impulse: Lane::ZERO,
-            tangent_impulses: [[Lane::ZERO; 2]; MAX_MANIFOLD_POINTS],
-            world_normal: vector,
-            points: [vector; MAX_MANIFOLD_POINTS],
-            separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
-        }
-    };
-
-    /// Sets the twist impulse about the normal with which one lane starts.
-    pub fn set_twist_impulse(&mut self, lane: usize, impulse: Real) {
-        self.twist_impulse.0[lane] = impulse;
-    }
-
-    /// Sets the friction impulse of a point with which one lane starts.
-    pub fn set_tangent_impulse(&mut self, point: usize, lane: usize, impulse: [Real; 2]) {
-        self.tangent_impulses[point][0].0[lane] = impulse[0];
-        self.tangent_impulses[point][1].0[lane] = impulse[1];
-    }
-}
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.
 #[derive(Copy, Clone, Debug, Default)]
@@ -130,11 +54,13 @@ pub(crate) struct ContactBlock {
     pub friction: FrictionRow,
     /// Sum of the normal impulses of all substeps.
     pub totals: [Lane; MAX_MANIFOLD_POINTS],
+    /// The points midway between the two surfaces when the step began, in world space.
+    pub places: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
 }
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 79 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 91 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -183,6 +109,7 @@ impl ContactBlock {
             inv_inertia: [[vector; 2]; 3],
             friction,
             totals: [zero; MAX_MANIFOLD_POINTS],
+            places: [vector; MAX_MANIFOLD_POINTS],
         }
     };
 
@@ -194,17 +121,5 @@ impl ContactBlock {
                 *impulse *= factor;
             }
         }
-    }
-
-    /// The friction impulse of one lane, in world space.
-    pub fn friction_impulse(&self, lane: usize) -> Vector {
-        let (n, t1) = (self.normal.lane(lane), self.tangent.lane(lane));
-        let [x, y, _] = self.friction.impulse;
-        t1 * x.0[lane] + n.cross(t1) * y.0[lane]
-    }
-
-    /// The twist impulse of one lane, about its normal.
-    pub fn twist_impulse(&self, lane: usize) -> Real {
-        self.friction.impulse[2].0[lane]
     }
 }

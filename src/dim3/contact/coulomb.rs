@@ -11,7 +11,7 @@
 //! work of the [central rows](super::friction). Kept out of [`ContactBlock`] so that worlds with the
 //! standard model do not carry it through the caches.
 
-use super::block::{ContactBlock, ContactInput};
+use super::block::ContactBlock;
 use super::friction::{self, tangent_mass, to_cone};
 use super::prepare::{Pair, Point};
 use super::rows::{Frame, push};
@@ -19,6 +19,7 @@ use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::WideVector;
+use crate::model::contact::ContactInput;
 
 /// The tangential rows of one point of each lane.
 #[derive(Copy, Clone, Debug)]
@@ -44,9 +45,16 @@ impl CoulombBlock {
             MAX_MANIFOLD_POINTS],
     );
 
-    /// The friction impulse at a point of one lane, along the two tangents.
-    pub fn impulse(&self, point: usize, lane: usize) -> [Real; 2] {
-        self.0[point].impulse.map(|impulse| impulse.0[lane])
+    /// Keeps the impulses with which the points start the next step; those that are not finite are none.
+    #[inline(always)]
+    pub(super) fn keep<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
+        let zero = W::zero();
+        for (rows, kept) in self.0.iter().zip(impulses) {
+            let (x, y) = (W::load(&rows.impulse[0]), W::load(&rows.impulse[1]));
+            let is_sound = (zero * (x + y)).le(zero);
+            W::select(is_sound, x, zero).store(&mut kept[0]);
+            W::select(is_sound, y, zero).store(&mut kept[1]);
+        }
     }
 
     /// Multiplies all impulses.

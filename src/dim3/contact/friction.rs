@@ -18,13 +18,14 @@
 //!
 //! Source: Catto, "Box2D v3.1" release notes and Bepu's contact constraints for the central rows.
 
-use super::block::{ContactBlock, ContactInput, FrictionRow};
+use super::block::{ContactBlock, FrictionRow};
 use super::prepare::{Pair, Point};
 use super::rows::{Frame, invert, push};
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
+use crate::model::contact::ContactInput;
 
 /// Of two eigenvalues, the smaller one counts if it is at least about this share of the larger one.
 /// Bodies that can slide freely stay above a hundredth, whatever their shape.

@@ -1,6 +1,6 @@
 //! From manifolds to constraints: once per step.
 
-use super::block::{COUPLINGS, ContactBlock, ContactInput};
+use super::block::{COUPLINGS, ContactBlock};
 use super::coulomb::CoulombBlock;
 use super::friction;
 use super::rows::{Frame, NormalImpulse, invert};
@@ -11,7 +11,7 @@ use crate::dim3::state::{
     BodyPose, BodyState, WideMotion, WidePose, gather_poses, gather_states, scatter_velocities,
 };
 use crate::dim3::wide::{WideSymmetric, WideVector};
-use crate::model::contact::MotionSince;
+use crate::model::contact::{ContactInput, MotionSince};
 
 /// One contact point on its way from a manifold to a row.
 #[derive(Copy, Clone)]
@@ -50,7 +50,7 @@ pub(crate) struct Surroundings<'a> {
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
 pub(crate) unsafe fn prepare<W: Wide>(
-    input: &mut ContactInput,
+    input: &ContactInput,
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     Surroundings { poses, states }: Surroundings<'_>,
@@ -58,7 +58,7 @@ pub(crate) unsafe fn prepare<W: Wide>(
 ) {
     let poses =
         [gather_poses::<W>(poses, &input.bodies[0]), gather_poses::<W>(poses, &input.bodies[1])];
-    let (frame, offset, points) = read_geometry(input, &poses);
+    let (frame, offset, points) = read_geometry(input, block, &poses);
     let pair = write_pair(block, input, frame, offset, &poses);
     write_points(block, &pair, &points);
     let friction = friction::prepare(input, &pair, &points, W::splat(prediction));
@@ -85,12 +85,12 @@ pub(crate) unsafe fn prepare<W: Wide>(
 /// few digits behind the point, and their differences have all that are left.
 #[inline(always)]
 fn read_geometry<W: Wide>(
-    input: &mut ContactInput,
+    input: &ContactInput,
+    block: &mut ContactBlock,
     poses: &[WidePose<W>; 2],
 ) -> (Frame<W>, WideVector<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
     let motion = MotionSince::new(&input.placement, &input.is_world, poses);
     let (n, c) = (motion.normal, motion.offset());
-    n.store(&mut input.world_normal);
     let frame = Frame::about(n);
 
     let zero = W::zero();
@@ -101,8 +101,7 @@ fn read_geometry<W: Wide>(
         let placed = WideVector::load(&input.levers[k]);
         let (lever, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (motion.origin + lever).store(&mut input.points[k]);
-        separation.store(&mut input.separations[k]);
+        (motion.origin + lever).store(&mut block.places[k]);
         points[k] = Point {
             local: frame.local(WideVector::select(motion.is_held, placed, lever)),
             separation,

@@ -2,7 +2,6 @@
 //!
 //! What both dimensions have is tested where the passes are driven from, in `step/solver/tests`.
 
-use super::block::ContactInput;
 use super::friction::{self, WideFriction};
 use super::prepare::{Pair, Point};
 use super::rows::Frame;
@@ -13,6 +12,7 @@ use crate::dim3::math::{
 };
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector, set_symmetric_lane};
+use crate::model::contact::ContactInput;
 use parry::mass_properties::MassProperties;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;

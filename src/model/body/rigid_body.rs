@@ -21,9 +21,8 @@ use parry::mass_properties::MassProperties;
 /// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that
 /// are not finite or not possible: the old value stays, and `log` gets a warning with the value.
 //
-// The order of the fields is fixed (`repr(C)`): what the solver gathers from every awake body and
-// scatters back to it each step stands together at the front, up to and including the first fields of
-// `mprops`, in four cache lines (3D, `f32`). What few bodies use comes last.
+// The order of the fields is fixed (`repr(C)`): what each step reads of every awake body and writes back to it stands together at the
+// front, up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). What few bodies use comes last.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
@@ -49,6 +48,9 @@ pub struct RigidBody {
     pub(crate) extent: Real,
     /// How deep one can get into the thinnest of the colliders; infinite without any.
     pub(crate) thickness: Real,
+    pub(crate) soft_ccd_prediction: Real,
+    /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
+    pub(crate) substep: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
     /// Where the body stands in the step's lists.
@@ -63,16 +65,13 @@ pub struct RigidBody {
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Is there anything in [`Self::push`]?
     pub(super) pushed: bool,
+    pub(crate) colliders: AttachedColliders,
     pub(crate) mprops: RigidBodyMassProps,
     // From here on: cold.
     /// Where a position-based kinematic body will be after the next step. Means nothing for others:
     /// [`RigidBody::next_position`] knows.
     pub(crate) next_pose: Pose,
-    pub(crate) soft_ccd_prediction: Real,
     pub(crate) additional_solver_iterations: usize,
-    /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
-    pub(crate) substep: Real,
-    pub(crate) colliders: AttachedColliders,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
@@ -326,10 +325,10 @@ impl RigidBody {
 }
 
 impl RigidBody {
-    /// Bytes at the front of a body that are all that the solver reads of every awake body.
+    /// Bytes at the front of a body that are all that a step reads of every awake body.
     pub(super) const FRONT: usize = core::mem::offset_of!(Self, mprops)
         + core::mem::offset_of!(RigidBodyMassProps, locked_axes);
 }
 
-// Four cache lines in single precision, twice that in double.
-const _: () = assert!(RigidBody::FRONT <= 4 * 64 * size_of::<Real>() / size_of::<f32>());
+// Five cache lines in single precision, twice that in double.
+const _: () = assert!(RigidBody::FRONT <= 5 * 64 * size_of::<Real>() / size_of::<f32>());

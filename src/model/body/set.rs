@@ -137,15 +137,9 @@ impl RigidBodySet {
         (body1, body2)
     }
 
-    /// Begins to bring the body at a slot near to the processor, for who will ask for it soon.
+    /// Begins to bring what a step reads of the body in a slot near to the processor, for who will ask for it soon.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
-        self.bodies.prefetch(slot);
-    }
-
-    /// As [`Self::prefetch`], of what the solver reads of the body alone.
-    #[inline(always)]
-    pub(crate) fn prefetch_front(&self, slot: u32) {
         self.bodies.prefetch_front(slot, RigidBody::FRONT);
     }
 
@@ -302,7 +296,7 @@ impl RigidBodySet {
         tasks.par_for(handles.len(), BODIES_PER_TASK, |range| {
             for position in range {
                 if let Some(later) = handles.get(position + TURNS_AHEAD) {
-                    bodies.prefetch(later.into_raw_parts().0);
+                    bodies.prefetch_front(later.into_raw_parts().0, RigidBody::FRONT);
                 }
                 // SAFETY: the caller's promise; each position belongs to one task.
                 visit(position, unsafe { bodies.get_mut(handles[position].0) });

@@ -1,6 +1,7 @@
 //! Describing a collider before it is made.
 
 use super::check::{check_margin, check_pose, check_shape};
+use super::form::ShapeForm;
 use super::setters::normalized;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
@@ -175,6 +176,7 @@ impl ColliderBuilder {
             if self.enabled { ColliderEnabled::Enabled } else { ColliderEnabled::Disabled };
         Collider {
             shape: self.shape.clone(),
+            form: ShapeForm::empty(),
             pose: normalized(self.position),
             parent: None,
             parent_type: None,

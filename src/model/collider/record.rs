@@ -1,5 +1,6 @@
 //! A collider: a shape in the world, what its surface is like and with whom it meets.
 
+use super::form::ShapeForm;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, ColliderChanges,
     ColliderEnabled, ColliderFlags, ColliderMassProps, ColliderMaterial, ColliderParent,
@@ -18,26 +19,38 @@ use parry::shape::{Shape, SharedShape};
 /// [`ColliderSet`](super::ColliderSet). Setters called between steps take effect in the next step.
 /// A setter refuses a value that nothing can be computed with (not finite, negative where that has no
 /// meaning): it keeps the old one and logs a warning that names the new one.
+//
+// The order of the fields is fixed (`repr(C)`): what the narrow phase asks of the colliders of each pair stands at the front, where
+// it is fetched from in time.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Collider {
     pub(crate) shape: SharedShape,
     /// Collider frame → world.
     pub(crate) pose: Pose,
-    pub(crate) parent: Option<ColliderParent>,
+    pub(crate) contact_skin: Real,
+    /// Of the shape that the last step knew.
+    pub(crate) form: ShapeForm,
+    pub(crate) sensor: bool,
     /// The type of the parent, for queries that do not see the bodies.
     pub(crate) parent_type: Option<RigidBodyType>,
+    pub(crate) parent: Option<ColliderParent>,
     pub(crate) material: ColliderMaterial,
-    pub(crate) mass_props: ColliderMassProps,
     pub(crate) flags: ColliderFlags,
-    pub(crate) sensor: bool,
-    pub(crate) contact_skin: Real,
-    pub(crate) contact_force_event_threshold: Real,
-    pub(crate) changes: ColliderChanges,
     /// Its place in the trees of boxes.
     pub(crate) proxy: ColliderProxy,
+    // From here on: cold.
+    pub(crate) mass_props: ColliderMassProps,
+    pub(crate) contact_force_event_threshold: Real,
+    pub(crate) changes: ColliderChanges,
     /// Whatever the user wants to keep here. The engine does not look at it.
     pub user_data: u128,
+}
+
+impl Collider {
+    /// Bytes at the front of a collider that are all that the narrow phase reads of it.
+    pub(super) const FRONT: usize = core::mem::offset_of!(Self, mass_props);
 }
 
 /// What the user configured, read back.

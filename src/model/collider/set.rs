@@ -437,7 +437,7 @@ impl ColliderSet {
     /// Begins to bring the collider at a slot near to the processor, for who will ask for it soon.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
-        self.colliders.prefetch(slot);
+        self.colliders.prefetch_front(slot, Collider::FRONT);
     }
 }
 

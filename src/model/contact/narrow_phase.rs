@@ -1,7 +1,8 @@
 //! The narrow phase's state: every pair of colliders whose enlarged boxes overlap.
 
+use super::lanes::ContactLanes;
 use super::pair::{ContactPair, IntersectionPair};
-use super::store::PairStore;
+use super::store::{Pair, PairId, PairStore};
 use crate::model::collider::ColliderHandle;
 use crate::model::seal::Seal;
 
@@ -12,11 +13,32 @@ use crate::model::seal::Seal;
 /// pair may well exist without touching: see [`ContactPair::has_any_active_contact`] and
 /// [`IntersectionPair::intersecting`].
 #[derive(Clone, Debug, Default)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Deserialize))]
 pub struct NarrowPhase {
     pub(crate) contacts: PairStore<ContactPair>,
     pub(crate) intersections: PairStore<IntersectionPair>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) lanes: ContactLanes,
     pub(crate) seal: Seal,
+}
+
+/// As a derived one would, but for pairs that have not been told yet what became of them.
+#[cfg(feature = "serde-serialize")]
+impl serde::Serialize for NarrowPhase {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        #[serde(rename = "NarrowPhase")]
+        struct Saved<'a> {
+            contacts: &'a PairStore<ContactPair>,
+            intersections: &'a PairStore<IntersectionPair>,
+            seal: Seal,
+        }
+        for id in self.contacts.awake() {
+            self.settled(id);
+        }
+        let Self { contacts, intersections, seal, .. } = self;
+        Saved { contacts, intersections, seal: *seal }.serialize(serializer)
+    }
 }
 
 impl NarrowPhase {
@@ -33,6 +55,7 @@ impl NarrowPhase {
     /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
     /// is kept.
     pub(crate) fn forget_step_impulses(&mut self) {
+        self.settle_all();
         self.contacts.for_each_awake_pair(|pair| {
             let manifolds = pair.manifolds.iter_mut();
             for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
@@ -41,12 +64,40 @@ impl NarrowPhase {
         });
     }
 
+    /// A contact pair with what became of it in the last step.
+    ///
+    /// Every look at a pair behind a shared reference goes through here, but for those of the stages of a step, while nobody else can
+    /// look.
+    pub(crate) fn settled(&self, id: PairId) -> &ContactPair {
+        self.lanes.settle(id, || {
+            // SAFETY: the lanes let one thread write at a time, and only if nobody has looked at the pair since the lanes
+            // were stored.
+            unsafe { self.contacts.write(id, |pair| self.lanes.tell(id, pair)) }
+        });
+        &self.contacts[id]
+    }
+
+    /// Tells a contact pair what became of it in the last step.
+    pub(crate) fn settle(&mut self, id: PairId) {
+        self.lanes.tell(id, &mut self.contacts[id]);
+    }
+
+    /// Tells all contact pairs.
+    pub(crate) fn settle_all(&mut self) {
+        if self.lanes.are_ahead() {
+            let ids: Vec<PairId> = self.contacts.awake().collect();
+            ids.into_iter().for_each(|id| self.settle(id));
+            self.lanes.fall_back();
+        }
+    }
+
     /// All contact pairs, as (first collider, second collider, pair), in an order that depends on the
     /// world's history alone.
     pub fn contact_pairs(
         &self,
     ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, &ContactPair)> {
-        self.contacts.iter().map(|pair| (pair.collider1, pair.collider2, pair))
+        let pairs = self.contacts.ids().map(|id| self.settled(id));
+        pairs.map(|pair| (pair.collider1, pair.collider2, pair))
     }
 
     /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap,
@@ -56,7 +107,9 @@ impl NarrowPhase {
         collider1: ColliderHandle,
         collider2: ColliderHandle,
     ) -> Option<&ContactPair> {
-        self.contacts.find(collider1, collider2)
+        let colliders = [collider1, collider2];
+        let pair = self.settled(self.contacts.find(colliders)?);
+        pair.is_of(colliders).then_some(pair)
     }
 
     /// All contact pairs of one collider. Empty for a stale handle.
@@ -66,7 +119,7 @@ impl NarrowPhase {
     ) -> impl Iterator<Item = &ContactPair> {
         let ids = self.contacts.ids_of(collider.into_raw_parts().0);
         ids.iter()
-            .map(|&id| &self.contacts[id])
+            .map(|&id| self.settled(id))
             .filter(move |pair| pair.collider1 == collider || pair.collider2 == collider)
     }
 
@@ -84,7 +137,9 @@ impl NarrowPhase {
         collider1: ColliderHandle,
         collider2: ColliderHandle,
     ) -> Option<bool> {
-        self.intersections.find(collider1, collider2).map(|pair| pair.intersecting)
+        let colliders = [collider1, collider2];
+        let pair = &self.intersections[self.intersections.find(colliders)?];
+        pair.is_of(colliders).then_some(pair.intersecting)
     }
 
     /// All sensor pairs of one collider, as (first collider, second collider, do they intersect?).

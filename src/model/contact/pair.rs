@@ -1,9 +1,10 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
+use super::lanes::ContactLanes;
 use super::manifold::ContactManifold;
 use super::nearby::Nearby;
 use super::placement::Placement;
-use super::store::Pair;
+use super::store::{Pair, PairId};
 use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
@@ -128,6 +129,10 @@ impl IntersectionPair {
 impl Pair for ContactPair {
     fn colliders(&self) -> [ColliderHandle; 2] {
         [self.collider1, self.collider2]
+    }
+
+    fn prefetch_report(&self, id: PairId, lanes: &ContactLanes) {
+        lanes.prefetch(id, self);
     }
 
     #[inline]

@@ -81,8 +81,10 @@ pub(crate) struct WidePlacement {
     rotations: [WideRotation<Lane>; 2],
     centers: WideVector<Lane>,
     normal: WideVector<Lane>,
-    /// Square of how far (rad) the bodies may have turned since, and the contacts are still held. Zero: they follow.
+    /// Square of how far (rad) bodies that creep may have turned since, and the contacts are still held. Zero: they follow.
     held_turn_squared: Lane,
+    /// One where both bodies creep, else zero.
+    creeps: Lane,
 }
 
 impl WidePlacement {
@@ -92,9 +94,10 @@ impl WidePlacement {
         centers: WideVector::ZERO,
         normal: WideVector::Y,
         held_turn_squared: Lane::ZERO,
+        creeps: Lane::ZERO,
     };
 
-    /// Sets one lane: the placement of a pair, a manifold's normal then, and for what turn (rad) it is held.
+    /// Sets one lane: the placement of a pair, a manifold's normal then, and for what turn (rad) it is held while its bodies creep.
     pub fn set_lane(
         &mut self,
         lane: usize,
@@ -108,6 +111,17 @@ impl WidePlacement {
         self.centers.set_lane(lane, placement.centers);
         self.normal.set_lane(lane, normal);
         self.held_turn_squared.0[lane] = held_turn * held_turn;
+    }
+
+    /// Nothing that has a place in one lane.
+    pub fn clear(&mut self, lane: usize) {
+        self.set_lane(lane, &Placement::NOWHERE, Vector::Y, 0.0);
+        self.set_creeps(lane, false);
+    }
+
+    /// Do the two bodies of a lane creep now?
+    pub fn set_creeps(&mut self, lane: usize, creeps: bool) {
+        self.creeps.0[lane] = if creeps { 1.0 } else { 0.0 };
     }
 }
 
@@ -141,7 +155,8 @@ impl<W: Wide> MotionSince<W> {
         let turn = |side: usize| {
             poses[side].rotation.since(WideRotation::load(&placement.rotations[side]))
         };
-        let (turns, limit) = ([turn(0), turn(1)], W::load(&placement.held_turn_squared));
+        let turns = [turn(0), turn(1)];
+        let limit = W::load(&placement.held_turn_squared) * W::load(&placement.creeps);
         let is_held = turns[0].chord_squared().lt(limit) & turns[1].chord_squared().lt(limit);
         let (normal, zero) = (WideVector::load(&placement.normal), WideVector::zero());
         Self {

@@ -9,10 +9,13 @@
 //!   (a hash map, never iterated: its order depends on the hash);
 //! * `of_collider`: collider slot → ids, for edits and for walking islands, and `places`: id → where in these lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
-//!   bodies are not in it.
+//!   bodies are not in it;
+//! * `renewed`: the ids of pairs that are not what the solver last saw of them.
 
+use super::lanes::ContactLanes;
 use crate::base::hash::FastHashMap;
 use crate::base::id_set::IdSet;
+use crate::base::late::Late;
 use crate::base::wide::prefetch;
 use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
@@ -27,6 +30,15 @@ pub(crate) const DUE: Real = Real::NEG_INFINITY;
 pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
     fn colliders(&self) -> [ColliderHandle; 2];
+
+    /// Is it the pair of these two, in either order?
+    fn is_of(&self, [one, two]: [ColliderHandle; 2]) -> bool {
+        let colliders = self.colliders();
+        colliders == [one, two] || colliders == [two, one]
+    }
+
+    /// Asks for what the pair will be told of the last step.
+    fn prefetch_report(&self, _id: PairId, _lanes: &ContactLanes) {}
 
     /// Asks for what the pair keeps elsewhere in memory: for where it is, then for what is there.
     fn prefetch(&self, _what_is_there: bool) {}
@@ -46,11 +58,16 @@ pub(crate) struct PairState {
 }
 
 /// Where a pair stands in the lists of its two colliders.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Place {
     slots: [u32; 2],
     positions: [u32; 2],
+}
+
+impl Place {
+    /// Of an id without a pair.
+    const NOWHERE: Self = Self { slots: [u32::MAX; 2], positions: [u32::MAX; 2] };
 }
 
 /// The parts of a store that differ in who may write them.
@@ -67,13 +84,15 @@ pub(crate) struct StoreParts<'a, P> {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairStore<P> {
-    pairs: Vec<Option<P>>,
+    pairs: Vec<Late<Option<P>>>,
     states: Vec<PairState>,
     places: Vec<Place>,
     free: Vec<PairId>,
     known: FastHashMap<(u32, u32), PairId>,
     of_collider: Vec<Vec<PairId>>,
     awake: IdSet,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    renewed: IdSet,
 }
 
 impl<P> Default for PairStore<P> {
@@ -86,6 +105,7 @@ impl<P> Default for PairStore<P> {
             known: FastHashMap::default(),
             of_collider: Vec::new(),
             awake: IdSet::default(),
+            renewed: IdSet::default(),
         }
     }
 }
@@ -110,19 +130,41 @@ impl<P: Pair> PairStore<P> {
         self.known.contains_key(&key(slot1, slot2))
     }
 
-    /// The pair of two colliders, in either order.
-    pub fn find(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> Option<&P> {
-        let id = *self.known.get(&key(slot(collider1), slot(collider2)))?;
-        let pair = &self[id];
-        // The slots may have had other tenants when the pair was made.
-        let [c1, c2] = pair.colliders();
-        let same = (c1 == collider1 && c2 == collider2) || (c1 == collider2 && c2 == collider1);
-        same.then_some(pair)
+    /// The pair of what is in the slots of two colliders, in either order. When it was made other colliders may have been there.
+    pub fn find(&self, colliders: [ColliderHandle; 2]) -> Option<PairId> {
+        let [slot1, slot2] = colliders.map(slot);
+        self.known.get(&key(slot1, slot2)).copied()
+    }
+
+    /// Writes to a pair behind a shared reference.
+    ///
+    /// # Safety
+    /// Nobody may have a reference to the pair, or ask for one, meanwhile.
+    pub unsafe fn write(&self, id: PairId, write: impl FnOnce(&mut P)) {
+        // SAFETY: the caller's promise.
+        unsafe {
+            self.pairs[id as usize].write(|pair| {
+                if let Some(pair) = pair {
+                    write(pair)
+                }
+            })
+        };
     }
 
     /// All pairs in id order.
     pub fn iter(&self) -> impl Iterator<Item = &P> {
-        self.pairs.iter().flatten()
+        self.pairs.iter().filter_map(|pair| pair.get().as_ref())
+    }
+
+    /// The ids of all pairs, in their order. Looks at none of them.
+    pub fn ids(&self) -> impl Iterator<Item = PairId> {
+        let living = |(id, place): (usize, &Place)| (*place != Place::NOWHERE).then_some(id as u32);
+        self.places.iter().enumerate().filter_map(living)
+    }
+
+    /// No pair has this id or a higher one.
+    pub fn id_bound(&self) -> usize {
+        self.pairs.len()
     }
 
     /// Ids of the pairs of the collider in a slot.
@@ -139,15 +181,16 @@ impl<P: Pair> PairStore<P> {
         let place = Place { slots, positions: slots.map(|slot| self.list_under(slot, id)) };
         let state = PairState { bodies, slack: DUE, reports_force: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
-            *free = Some(pair);
+            *free.get_mut() = Some(pair);
             self.states[id as usize] = state;
             self.places[id as usize] = place;
         } else {
-            self.pairs.push(Some(pair));
+            self.pairs.push(Late::new(Some(pair)));
             self.states.push(state);
             self.places.push(place);
         }
         self.awake.insert(id);
+        self.renewed.insert(id);
         id
     }
 
@@ -161,20 +204,17 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// Takes a pair out.
-    #[expect(
-        clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
-    )]
-    pub fn remove(&mut self, id: PairId) -> P {
+    pub fn remove(&mut self, id: PairId) {
         self.sleep(id);
-        let pair = self.pairs[id as usize].take().expect("the id is of a living pair");
+        // Where it is: a pair is some hundred bytes.
+        *self.pairs[id as usize].get_mut() = None;
         self.free.push(id);
-        let Place { slots, positions } = self.places[id as usize];
+        let Place { slots, positions } =
+            core::mem::replace(&mut self.places[id as usize], Place::NOWHERE);
         self.known.remove(&key(slots[0], slots[1]));
         for side in 0..2 {
             self.unlist(slots[side], positions[side], id);
         }
-        pair
     }
 
     /// Swap-removes a pair from a collider's list and repairs the place of the one that took its place.
@@ -201,6 +241,22 @@ impl<P: Pair> PairStore<P> {
         self.awake.remove(id);
     }
 
+    /// Has the solver read a pair anew.
+    pub fn renew(&mut self, id: PairId) {
+        self.renewed.insert(id);
+    }
+
+    /// Is a pair not what the solver last saw of it?
+    #[inline]
+    pub fn is_renewed(&self, id: PairId) -> bool {
+        self.renewed.contains(id)
+    }
+
+    /// The solver has seen all pairs.
+    pub fn forget_renewed(&mut self) {
+        self.renewed.clear();
+    }
+
     /// Must be computed in the next step, whether or not anything moves.
     pub fn invalidate(&mut self, id: PairId) {
         self.states[id as usize].slack = DUE;
@@ -222,6 +278,12 @@ impl<P: Pair> PairStore<P> {
         self.states[id as usize].bodies
     }
 
+    /// The slots of its two colliders.
+    #[inline]
+    pub fn collider_slots(&self, id: PairId) -> [u32; 2] {
+        self.places[id as usize].slots
+    }
+
     /// Begins to bring a pair near to the processor.
     pub fn prefetch(&self, id: PairId) {
         if let Some(pair) = self.pairs.get(id as usize) {
@@ -237,7 +299,7 @@ impl<P: Pair> PairStore<P> {
     /// The same, pairs and all.
     pub fn for_each_awake_pair(&mut self, mut visit: impl FnMut(&mut P)) {
         for id in self.awake.iter() {
-            self.pairs[id as usize].iter_mut().for_each(&mut visit);
+            self.pairs[id as usize].get_mut().iter_mut().for_each(&mut visit);
         }
     }
 
@@ -258,17 +320,22 @@ impl<P: Pair> PairStore<P> {
 
     /// The store, taken apart.
     pub fn split(&mut self) -> StoreParts<'_, P> {
-        StoreParts { states: &self.states, of_collider: &self.of_collider, pairs: &mut self.pairs }
+        StoreParts {
+            states: &self.states,
+            of_collider: &self.of_collider,
+            pairs: Late::slice_mut(&mut self.pairs),
+        }
     }
 
     /// Checks that the views agree.
     pub fn validate(&self) {
-        let living = self.pairs.iter().flatten().count();
+        let living = self.iter().count();
         assert_eq!(living, self.known.len());
         assert_eq!(living + self.free.len(), self.pairs.len());
         assert_eq!([self.states.len(), self.places.len()], [self.pairs.len(); 2]);
         for (id, pair) in self.pairs.iter().enumerate() {
-            let Some(pair) = pair else { continue };
+            assert_eq!(pair.get().is_some(), self.places[id] != Place::NOWHERE);
+            let Some(pair) = pair.get() else { continue };
             let Place { slots, positions } = self.places[id];
             assert_eq!(slots, pair.colliders().map(slot));
             assert_eq!(self.known.get(&key(slots[0], slots[1])), Some(&(id as u32)));
@@ -278,7 +345,7 @@ impl<P: Pair> PairStore<P> {
             }
         }
         for id in self.awake() {
-            assert!(self.pairs[id as usize].is_some(), "pair {id} is awake and gone");
+            assert!(self.pairs[id as usize].get().is_some(), "pair {id} is awake and gone");
         }
     }
 }
@@ -292,7 +359,7 @@ impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
     )]
     #[inline]
     fn index(&self, id: PairId) -> &P {
-        self.pairs[id as usize].as_ref().expect("the id is of a living pair")
+        self.pairs[id as usize].get().as_ref().expect("the id is of a living pair")
     }
 }
 
@@ -303,6 +370,6 @@ impl<P: Pair> core::ops::IndexMut<PairId> for PairStore<P> {
     )]
     #[inline]
     fn index_mut(&mut self, id: PairId) -> &mut P {
-        self.pairs[id as usize].as_mut().expect("the id is of a living pair")
+        self.pairs[id as usize].get_mut().as_mut().expect("the id is of a living pair")
     }
 }

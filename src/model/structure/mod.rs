@@ -14,7 +14,9 @@
 //!   know where it is.
 
 mod groups;
+mod islands;
 mod joints;
+mod touching;
 mod validate;
 
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -402,9 +404,22 @@ impl Structure<'_> {
     }
 
     /// Two colliders are too far apart to be watched, or one of them goes.
-    pub fn remove_contact_pair(&mut self, id: PairId) -> ContactPair {
+    ///
+    /// Returns them if somebody has heard that they began to touch, and not yet that they do not any more.
+    pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.detach(id);
-        self.narrow_phase.contacts.remove(id)
+        let pair = &self.narrow_phase.contacts[id];
+        let told = pair.start_event_emitted.then_some([pair.collider1, pair.collider2]);
+        self.narrow_phase.contacts.remove(id);
+        told
+    }
+
+    /// The same for a pair with a sensor.
+    pub fn remove_intersection_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
+        let pair = &self.narrow_phase.intersections[id];
+        let told = pair.start_event_emitted.then_some([pair.collider1, pair.collider2]);
+        self.narrow_phase.intersections.remove(id);
+        told
     }
 
     /// A pair was computed: its manifolds may be more or fewer, its bodies may have begun or stopped
@@ -427,170 +442,6 @@ impl Structure<'_> {
             }
             (true, true) => self.update_colors(id),
             (false, false) => {}
-        }
-    }
-
-    // --- touching pairs -------------------------------------------------------------------------
-
-    /// A pair began to touch: its bodies share an island from now on, and its manifolds get colours.
-    /// A sleeping island that an awake dynamic body touches wakes.
-    pub fn attach(&mut self, id: PairId) {
-        let slots = self.narrow_phase.contacts.bodies(id);
-        self.narrow_phase.contacts[id].attached = true;
-        if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
-            self.link(slot1, slot2);
-        }
-        self.update_colors(id);
-    }
-
-    /// A pair no longer touches, or is about to go.
-    pub fn detach(&mut self, id: PairId) {
-        let slots = self.narrow_phase.contacts.bodies(id);
-        let pair = &mut self.narrow_phase.contacts[id];
-        if !core::mem::replace(&mut pair.attached, false) {
-            return;
-        }
-        for manifold in 0..self.narrow_phase.contacts[id].manifolds.len() {
-            self.uncolor(ManifoldRef { pair: id, manifold: manifold as u32 });
-        }
-        if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
-            && let Some(island) = self.body(slot1).map(|body| body.link.island)
-        {
-            self.islands.island_mut(island).is_cut = true;
-        }
-    }
-
-    /// Gives colours to those manifolds of a pair that should have one, and takes the others' away.
-    pub fn update_colors(&mut self, id: PairId) {
-        let slots = self.narrow_phase.contacts.bodies(id);
-        let dynamic = self.dynamic_slots(slots);
-        let awake = dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
-        let wanted = awake && self.narrow_phase.contacts[id].attached;
-        for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
-            let manifold = ManifoldRef { pair: id, manifold: index as u32 };
-            let state = &self.narrow_phase.contacts[id].manifolds[index];
-            if !(wanted && state.is_solved()) {
-                self.uncolor(manifold);
-            } else if state.slot.is_none() {
-                let slot = self.islands.graph.add(manifold, dynamic);
-                self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
-            }
-        }
-    }
-
-    /// Takes a manifold out of the constraint graph, if it is there.
-    pub fn uncolor(&mut self, manifold: ManifoldRef) {
-        let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
-        let pair = &mut self.narrow_phase.contacts[manifold.pair];
-        let Some(slot) = pair.manifolds[manifold.manifold as usize].slot.take() else { return };
-        if let Some(moved) = self.islands.graph.remove(slot, bodies) {
-            let pair = &mut self.narrow_phase.contacts[moved.pair];
-            pair.manifolds[moved.manifold as usize].slot = Some(slot);
-        }
-    }
-
-    /// Merges the islands of two dynamic bodies; if one of them sleeps, it wakes.
-    fn link(&mut self, slot1: u32, slot2: u32) {
-        let island_of = |slot| self.body(slot).map_or(NONE, |body| body.link.island);
-        let (island1, island2) = (island_of(slot1), island_of(slot2));
-        if island1 == island2 {
-            return;
-        }
-        if self.islands.island(island1).sleeping != self.islands.island(island2).sleeping {
-            self.wake_island(island1);
-            self.wake_island(island2);
-        }
-        let size = |island| self.islands.island(island).bodies.len();
-        let (large, small) =
-            if size(island1) >= size(island2) { (island1, island2) } else { (island2, island1) };
-        self.merge(large, small);
-    }
-
-    fn merge(&mut self, large: u32, small: u32) {
-        let mut moving = core::mem::take(&mut self.islands.island_mut(small).bodies);
-        let is_cut = self.islands.island(small).is_cut;
-        let island = self.islands.island_mut(large);
-        island.is_cut |= is_cut;
-        for &handle in &moving {
-            if let Some(body) = self.bodies.get_unnoted_mut(handle) {
-                body.link.island = large;
-                body.link.island_position = island.bodies.len() as u32;
-                island.bodies.push(handle);
-            }
-        }
-        moving.clear();
-        self.islands.island_mut(small).bodies = moving;
-        self.islands.destroy_island(small);
-    }
-
-    /// Splits an island whose links were cut into its connected parts.
-    pub fn split(&mut self, island: u32) {
-        debug_assert!(!self.islands.island(island).sleeping);
-        let members = core::mem::take(&mut self.islands.island_mut(island).bodies);
-        self.islands.island_mut(island).is_cut = false;
-        for &handle in &members {
-            if let Some(body) = self.bodies.get_unnoted_mut(handle) {
-                body.link.island_position = NONE; // not visited yet
-            }
-        }
-        let mut target = island;
-        let mut stack = Vec::new();
-        for &seed in &members {
-            if self.bodies.get(seed).is_none_or(|body| body.link.island_position != NONE) {
-                continue;
-            }
-            if target == NONE {
-                target = self.islands.create_island();
-            }
-            self.islands.island_mut(target).split_at = self.islands.step;
-            self.join(seed, target);
-            stack.push(seed);
-            while let Some(handle) = stack.pop() {
-                self.join_neighbours(handle, target, &mut stack);
-            }
-            target = NONE;
-        }
-    }
-
-    fn join(&mut self, handle: RigidBodyHandle, island: u32) {
-        let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
-        let list = &mut self.islands.island_mut(island).bodies;
-        body.link.island = island;
-        body.link.island_position = list.len() as u32;
-        list.push(handle);
-    }
-
-    fn join_neighbours(
-        &mut self,
-        handle: RigidBodyHandle,
-        island: u32,
-        stack: &mut Vec<RigidBodyHandle>,
-    ) {
-        let own = handle.into_raw_parts().0;
-        for c in 0..self.collider_count(handle) {
-            let Some(slot) = self.collider_slot(handle, c) else { continue };
-            for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
-                let id = self.narrow_phase.contacts.ids_of(slot)[i];
-                if !self.narrow_phase.contacts[id].attached {
-                    continue;
-                }
-                let [slot1, slot2] = self.narrow_phase.contacts.bodies(id);
-                let other = if slot1 == own { slot2 } else { slot1 };
-                self.join_if_new(other, island, stack);
-            }
-        }
-        let mut joined = Vec::new();
-        self.for_each_joined(own, |other| joined.push(other));
-        for other in joined {
-            self.join_if_new(other, island, stack);
-        }
-    }
-
-    fn join_if_new(&mut self, slot: u32, island: u32, stack: &mut Vec<RigidBodyHandle>) {
-        let Some((handle, body)) = self.bodies.at_slot(slot) else { return };
-        if body.link.island != NONE && body.link.island_position == NONE {
-            self.join(handle, island);
-            stack.push(handle);
         }
     }
 }

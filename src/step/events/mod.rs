@@ -36,7 +36,7 @@ pub(crate) fn report(
     }
     let contacts = &narrow_phase.contacts;
     for id in contacts.awake().filter(|&id| contacts.state(id).reports_force) {
-        let pair = &contacts[id];
+        let pair = narrow_phase.settled(id);
         let Some(threshold) = force_threshold(pair, colliders) else { continue };
         let total = pair.total_impulse_magnitude() / dt;
         if total > 0.0 && total >= threshold {

@@ -16,10 +16,16 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
 
+/// How many turns before it is needed memory is asked for.
+const TURNS_AHEAD: usize = 4;
+
 /// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;
-    for &(id, change) in contacts.iter() {
+    for (turn, &(id, change)) in contacts.iter().enumerate() {
+        if let Some(&(later, _)) = contacts.get(turn + TURNS_AHEAD) {
+            structure.narrow_phase.contacts.prefetch(later);
+        }
         follow_contact(structure, id, change, events);
     }
     for &(id, change) in intersections.iter() {
@@ -36,11 +42,8 @@ fn follow_contact(
 ) {
     let none = CollisionEventFlags::empty();
     if change == PairChange::Apart {
-        let pair = structure.remove_contact_pair(id);
-        if pair.start_event_emitted {
-            events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, none));
-        }
-        return;
+        let told = structure.remove_contact_pair(id);
+        return events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
     }
     structure.follow_contact(id);
     let pair = &mut structure.narrow_phase.contacts[id];
@@ -56,15 +59,11 @@ fn follow_intersection(
     events: &mut Vec<CollisionEvent>,
 ) {
     let sensor = CollisionEventFlags::SENSOR;
-    let store = &mut structure.narrow_phase.intersections;
     if change == PairChange::Apart {
-        let pair = store.remove(id);
-        if pair.start_event_emitted {
-            events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, sensor));
-        }
-        return;
+        let told = structure.remove_intersection_pair(id);
+        return events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, sensor)));
     }
-    let pair = &mut store[id];
+    let pair = &mut structure.narrow_phase.intersections[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.intersecting);
     report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, sensor, events);
     structure.rest_intersection(id);

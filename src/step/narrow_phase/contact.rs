@@ -7,13 +7,15 @@ use super::update::{Outcome, Surroundings, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, PRESSED_DEPTH, ShapePair, compute_manifolds, inherit_impulses};
+use crate::collide::{
+    Neighbor, PRESSED_DEPTH, ShapePair, compute_manifolds, inherit_impulses, renew_convex_manifold,
+};
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle};
 use crate::model::collider::{
     ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle,
 };
-use crate::model::contact::{ContactManifold, ContactPair, DUE, PairStore, SolverFlags};
+use crate::model::contact::{ContactManifold, ContactPair, DUE, PairId, PairStore, SolverFlags};
 use crate::model::hooks::ContactModificationContext;
 use crate::step::notes::PairChange;
 use smallvec::SmallVec;
@@ -28,18 +30,26 @@ struct Computed {
 }
 
 impl Update for ContactPair {
-    fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome {
+    fn update(
+        &mut self,
+        id: PairId,
+        view: &PairView<'_>,
+        last: Outcome,
+        worker: &mut Worker,
+    ) -> Outcome {
         let recycle_distance = view.recycle_distance();
         if last.slack != DUE {
             let left = recycle_distance - self.drift(&view.pose12, view.reach());
             if left > 0.0 && self.is_touching() {
-                let left = left.min(self.keep_placed(view));
-                return Outcome::unchanged(left, last.reports_force);
+                let (stay, is_renewed) = self.keep_placed(id, view);
+                let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
+                return Outcome { is_renewed, ..outcome };
             }
         }
         if !view.boxes_overlap() {
             return Outcome::APART;
         }
+        view.around.lanes.tell(id, self);
         self.renew(view, [&[], &[]], worker)
     }
 
@@ -56,7 +66,7 @@ impl Update for ContactPair {
 }
 
 impl ContactPair {
-    /// Computes the pair, with what else each of the two touches.
+    /// Computes the pair, which has been told of the last step, with what else each of the two touches.
     pub(super) fn renew(
         &mut self,
         view: &PairView<'_>,
@@ -77,6 +87,7 @@ impl ContactPair {
             change: self.needs_follow_up(view).then_some(PairChange::Computed),
             slack,
             reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
+            is_renewed: true,
             obstacle: obstacle_side(view).filter(|_| self.is_touching()),
         }
     }
@@ -133,21 +144,26 @@ impl ContactPair {
     }
 
     /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the
-    /// bodies may move until this must be asked again.
-    fn keep_placed(&mut self, view: &PairView<'_>) -> Real {
+    /// bodies may move until this must be asked again, and whether anything changed.
+    fn keep_placed(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
         let place = Place::of(view);
         let friction = self.least_friction();
         let (held, creeps) = (self.placement.may_hold, place.creeps());
-        if !creeps {
-            // Should they creep again later, they must not be held where they were long ago.
-            self.placement.may_hold = false;
-        } else if !held || place.left(&self.placement, friction) <= 0.0 {
+        let left = place.left(&self.placement, friction);
+        if creeps == held && left > 0.0 {
+            return (left, false);
+        }
+        view.around.lanes.tell(id, self);
+        if creeps {
             self.placement = place.placement();
             for manifold in &mut self.manifolds {
                 place.put(manifold);
             }
+        } else {
+            // Should they creep again later, they must not be held where they were long ago.
+            self.placement.may_hold = false;
         }
-        place.left(&self.placement, friction)
+        (place.left(&self.placement, friction), true)
     }
 
     fn least_friction(&self) -> Real {
@@ -163,48 +179,82 @@ impl ContactPair {
         neighbors: [&[Neighbor<'_>]; 2],
         worker: &mut Worker,
     ) -> Computed {
-        let Worker { scratch, fresh, faults, .. } = worker;
         let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
             let context = view.filter_context([self.collider1, self.collider2]);
             view.around.hooks.filter_contact_pair(&context)
         };
-        let mut gap = 0.0;
         let place = Place::of(view);
-        if wanted {
-            let (prediction, skin) = (view.prediction(), view.skin());
-            let reach = prediction + skin;
-            let old = &self.manifolds;
-            let pair = ShapePair {
-                pos12: view.pose12,
-                shapes: view.colliders.map(Collider::shape),
-                motion: view.motion(),
-                prediction: reach,
-                flush: view.around.params.allowed_linear_error(),
-                neighbors,
-                simd: view.around.simd,
-            };
-            let distance = compute_manifolds(&pair, old, Some(&mut self.nearby), scratch, fresh);
-            gap = (distance - reach).max(0.0);
-            inherit_impulses(fresh, old);
-            self.placement = place.placement();
-            for manifold in fresh.iter_mut() {
-                finish(manifold, view);
-                place.put(manifold);
-                modify(manifold, self.collider1, self.collider2, view);
-                if let Some(fault) = faults::leave_out(manifold) {
-                    faults.push(([self.collider1, self.collider2], fault));
-                }
-                if !manifold.is_solved() {
-                    manifold.data.forget_impulses();
-                }
-            }
-            fresh.retain(|manifold| !manifold.contacts().is_empty());
-        } else {
-            fresh.clear();
-        }
+        let reach = view.prediction() + view.skin();
+        let pair = ShapePair {
+            pos12: view.pose12,
+            shapes: view.colliders.map(Collider::shape),
+            motion: view.motion(),
+            prediction: reach,
+            flush: view.around.params.allowed_linear_error(),
+            neighbors,
+            simd: view.around.simd,
+        };
         self.pose12 = view.pose12;
-        self.replace_manifolds(fresh);
+        let distance = if !wanted {
+            self.replace_manifolds(&mut SmallVec::new());
+            reach
+        } else {
+            self.placement = place.placement();
+            if self.is_plain(view, neighbors) {
+                self.renew_manifold(&pair, (view, &place), worker)
+            } else {
+                self.compute_manifolds(&pair, (view, &place), worker)
+            }
+        };
+        let gap = (distance - reach).max(0.0);
         Computed { gap, left: place.left(&self.placement, self.least_friction()) }
+    }
+
+    /// Is there no more than one manifold now and before, of shapes that are their own only parts?
+    fn is_plain(&self, view: &PairView<'_>, neighbors: [&[Neighbor<'_>]; 2]) -> bool {
+        let is_whole =
+            |manifold: &ContactManifold| [manifold.subshape1, manifold.subshape2] == [0; 2];
+        view.are_convex()
+            && neighbors.iter().all(|list| list.is_empty())
+            && self.manifolds.len() <= 1
+            && self.manifolds.iter().all(is_whole)
+    }
+
+    /// Computes the one manifold in its place. Returns a bound of the shapes' distance.
+    fn renew_manifold(
+        &mut self,
+        pair: &ShapePair<'_>,
+        (view, place): (&PairView<'_>, &Place<'_>),
+        worker: &mut Worker,
+    ) -> Real {
+        let distance = renew_convex_manifold(pair, &mut self.manifolds, &mut worker.scratch);
+        let colliders = [self.collider1, self.collider2];
+        if let Some(manifold) = self.manifolds.first_mut().filter(|one| !one.contacts().is_empty())
+        {
+            let fault = complete(manifold, colliders, view, place);
+            worker.faults.extend(fault.map(|fault| (colliders, fault)));
+        }
+        distance
+    }
+
+    /// Computes any number of manifolds. Returns a bound of the shapes' distance.
+    fn compute_manifolds(
+        &mut self,
+        pair: &ShapePair<'_>,
+        (view, place): (&PairView<'_>, &Place<'_>),
+        worker: &mut Worker,
+    ) -> Real {
+        let Worker { scratch, fresh, faults, .. } = worker;
+        let (old, colliders) = (&self.manifolds, [self.collider1, self.collider2]);
+        let distance = compute_manifolds(pair, old, Some(&mut self.nearby), scratch, fresh);
+        inherit_impulses(fresh, old);
+        for manifold in fresh.iter_mut() {
+            let fault = complete(manifold, colliders, view, place);
+            faults.extend(fault.map(|fault| (colliders, fault)));
+        }
+        fresh.retain(|manifold| !manifold.contacts().is_empty());
+        self.replace_manifolds(fresh);
+        distance
     }
 
     fn replace_manifolds(&mut self, fresh: &mut SmallVec<[ContactManifold; 1]>) {
@@ -222,6 +272,23 @@ impl ContactPair {
             surplus.data.points.clear();
         }
     }
+}
+
+/// Completes a manifold whose points are known, and leaves out what cannot be calculated with.
+fn complete(
+    manifold: &mut ContactManifold,
+    [collider1, collider2]: [ColliderHandle; 2],
+    view: &PairView<'_>,
+    place: &Place<'_>,
+) -> Option<QuarantineCause> {
+    finish(manifold, view);
+    place.put(manifold);
+    modify(manifold, collider1, collider2, view);
+    let fault = faults::leave_out(manifold);
+    if !manifold.is_solved() {
+        manifold.data.forget_impulses();
+    }
+    fault
 }
 
 /// Completes a manifold with what the solver needs to know of materials and bodies.

@@ -5,8 +5,7 @@
 //! on. A point that lags behind by `δ` lets the normal force `N` turn the body with the torque `N δ`.
 
 use crate::dim::math::Real;
-use crate::dim::shapes::has_curved_surface;
-use parry::shape::{Shape, TypedShape};
+use crate::model::collider::ShapeForm;
 
 /// Share of the recycle distance for which the points of round surfaces ride along.
 ///
@@ -15,23 +14,9 @@ use parry::shape::{Shape, TypedShape};
 /// 0.1 %; the full distance changed it by 2.5 %.
 const ROUND_SHARE: Real = 0.02;
 
-/// How far (length units) any point of the two shapes may move against the other shape before contacts
+/// How far (length units) any point of two shapes may move against the other shape before contacts
 /// must be computed again, if `distance` is right for shapes with flat sides.
-pub(super) fn recycle_distance(shapes: [&dyn Shape; 2], distance: Real) -> Real {
-    if shapes.into_iter().any(is_round) { distance * ROUND_SHARE } else { distance }
-}
-
-/// Can the shape roll?
-fn is_round(shape: &dyn Shape) -> bool {
-    match shape.as_typed_shape() {
-        TypedShape::Ball(_)
-        | TypedShape::Capsule(_)
-        | TypedShape::RoundCuboid(_)
-        | TypedShape::RoundTriangle(_)
-        | TypedShape::Custom(_) => true,
-        TypedShape::Compound(compound) => {
-            compound.shapes().iter().any(|(_, part)| is_round(&**part))
-        }
-        other => has_curved_surface(other),
-    }
+pub(super) fn recycle_distance(forms: [ShapeForm; 2], distance: Real) -> Real {
+    let [form1, form2] = forms;
+    if (form1 | form2).contains(ShapeForm::ROUND) { distance * ROUND_SHARE } else { distance }
 }

@@ -75,12 +75,20 @@ pub(super) fn look_again(
             // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
             // of two bodies to none.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
-            if look_alike(members[0].0, ids.iter().filter_map(|&id| pair(id))) {
+            if look_alike(around, members[0].0, ids.iter().filter_map(|&id| Some((id, pair(id)?))))
+            {
                 continue;
             }
             let mut contacts = Contacts::default();
             for &id in ids {
-                contacts.add(around, id, pair(id));
+                let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(around, pair))
+                else {
+                    continue;
+                };
+                // SAFETY: as above, this is a pair of a body and an obstacle.
+                let Some(pair) = (unsafe { pairs.get_mut(id as usize) }) else { continue };
+                around.lanes.tell(id, pair);
+                contacts.add(id, pair, side, &view);
             }
             contacts.take_out_seams(around.params.allowed_linear_error());
             for &(_, index) in members {
@@ -100,12 +108,18 @@ pub(super) fn look_again(
 }
 
 /// Do all contacts of the collider in a slot push it in the same direction? Then none is a seam.
-fn look_alike<'a>(slot: u32, pairs: impl Iterator<Item = &'a ContactPair>) -> bool {
+fn look_alike<'a>(
+    around: Surroundings<'_>,
+    slot: u32,
+    pairs: impl Iterator<Item = (PairId, &'a ContactPair)>,
+) -> bool {
     let mut first = None;
-    for pair in pairs {
+    for (id, pair) in pairs {
         let is_second = pair.collider2.into_raw_parts().0 == slot;
-        for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {
-            let normal = manifold.data.normal * if is_second { 1.0 } else { -1.0 };
+        let manifolds = pair.manifolds.iter().enumerate();
+        for (index, manifold) in manifolds.filter(|(_, manifold)| manifold.is_solved()) {
+            let normal = around.lanes.normal_of(id, index, manifold);
+            let normal = normal * if is_second { 1.0 } else { -1.0 };
             if normal.distance_squared(*first.get_or_insert(normal)) > SAME_NORMAL {
                 return false;
             }
@@ -137,6 +151,16 @@ impl SeamScratch {
     }
 }
 
+/// On which side the obstacle of a pair that touches is, if it has one.
+fn with_obstacle<'a>(
+    around: Surroundings<'a>,
+    pair: &ContactPair,
+) -> Option<(usize, PairView<'a>)> {
+    let view = PairView::of(around, [pair.collider1, pair.collider2]);
+    let view = view.filter(|_| pair.is_touching())?;
+    Some((obstacle_side(&view)?, view))
+}
+
 /// The contacts of one collider with obstacles.
 #[derive(Default)]
 struct Contacts<'a> {
@@ -149,13 +173,8 @@ struct Contacts<'a> {
 }
 
 impl<'a> Contacts<'a> {
-    /// Adds the contacts of a pair, if the other collider is an obstacle.
-    fn add(&mut self, around: Surroundings<'a>, id: PairId, pair: Option<&ContactPair>) {
-        let Some(pair) = pair.filter(|pair| pair.is_touching()) else { return };
-        let view = PairView::of(around, [pair.collider1, pair.collider2]);
-        let Some((side, view)) = view.and_then(|view| Some((obstacle_side(&view)?, view))) else {
-            return;
-        };
+    /// Adds the contacts of a pair with an obstacle on this side.
+    fn add(&mut self, id: PairId, pair: &ContactPair, side: usize, view: &PairView<'a>) {
         let pose = if side == 0 { view.pose12.inverse() } else { view.pose12 };
         let shapes = view.colliders.map(Collider::shape);
         for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {

@@ -4,11 +4,11 @@ use super::update::{Outcome, Update, Worker};
 use super::view::PairView;
 use crate::collide::shapes_intersect;
 use crate::model::collider::ActiveHooks;
-use crate::model::contact::{DUE, IntersectionPair};
+use crate::model::contact::{DUE, IntersectionPair, PairId};
 use crate::step::notes::PairChange;
 
 impl Update for IntersectionPair {
-    fn update(&mut self, view: &PairView<'_>, _: Outcome, _: &mut Worker) -> Outcome {
+    fn update(&mut self, _: PairId, view: &PairView<'_>, _: Outcome, _: &mut Worker) -> Outcome {
         if !view.boxes_overlap() {
             return Outcome::APART;
         }
@@ -24,6 +24,7 @@ impl Update for IntersectionPair {
             change: Some(PairChange::Computed),
             slack: if filtered { DUE } else { 0.0 },
             reports_force: false,
+            is_renewed: false,
             obstacle: None,
         }
     }

@@ -12,7 +12,8 @@ use crate::dim::math::Real;
 use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{
-    ContactManifold, DUE, NarrowPhase, Pair, PairId, PairState, PairStore, StoreParts,
+    ContactLanes, ContactManifold, ContactPair, DUE, IntersectionPair, Pair, PairId, PairState,
+    PairStore, StoreParts,
 };
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
@@ -33,6 +34,8 @@ pub(crate) struct Surroundings<'a> {
     pub bodies: &'a RigidBodySet,
     pub colliders: &'a ColliderSet,
     pub islands: &'a IslandManager,
+    /// What the last step knows of contacts that have not been told.
+    pub lanes: &'a ContactLanes,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
     /// The instructions that kernels run on.
@@ -44,6 +47,8 @@ pub(crate) struct Surroundings<'a> {
 pub(crate) struct NarrowPhaseScratch {
     due: Vec<PairId>,
     outcomes: Vec<Outcome>,
+    /// Who changed, by the slots of the colliders.
+    changes: Vec<([u32; 2], PairId, PairChange)>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
     seams: SeamScratch,
@@ -67,30 +72,30 @@ pub(super) struct Outcome {
     pub slack: Real,
     /// Does somebody want to hear of strong contact forces?
     pub reports_force: bool,
+    /// Is anything not as it was that the solver reads?
+    pub is_renewed: bool,
     /// Which of the two colliders is an obstacle, if contacts with it were computed.
     pub obstacle: Option<usize>,
 }
 
 impl Outcome {
     /// The pair is as it was, and stays so for this far.
-    pub fn unchanged(slack: Real, reports_force: bool) -> Self {
-        Self { change: None, slack, reports_force, obstacle: None }
+    pub const fn unchanged(slack: Real, reports_force: bool) -> Self {
+        Self { change: None, slack, reports_force, is_renewed: false, obstacle: None }
     }
 
     /// The boxes no longer overlap.
-    pub const APART: Self =
-        Self { change: Some(PairChange::Apart), slack: DUE, reports_force: false, obstacle: None };
+    pub const APART: Self = Self { change: Some(PairChange::Apart), ..Self::unchanged(DUE, false) };
 }
 
 /// Brings all awake pairs up to date.
 pub(crate) fn update(
     tasks: Tasks<'_>,
     around: Surroundings<'_>,
-    narrow_phase: &mut NarrowPhase,
+    (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) {
-    let NarrowPhase { contacts, intersections, .. } = narrow_phase;
     let look = AssertUnwindSafe(|| {
         update_store(tasks, around, contacts, scratch, &mut notes.contacts);
         update_store(tasks, around, intersections, scratch, &mut notes.intersections);
@@ -108,7 +113,13 @@ pub(crate) fn update(
 
 /// A kind of pair, and how it is computed.
 pub(super) trait Update: Pair + Sized + Send + Sync {
-    fn update(&mut self, view: &PairView<'_>, last: Outcome, worker: &mut Worker) -> Outcome;
+    fn update(
+        &mut self,
+        id: PairId,
+        view: &PairView<'_>,
+        last: Outcome,
+        worker: &mut Worker,
+    ) -> Outcome;
 
     /// Goes over the pairs that were computed once all of them are known.
     fn look_again(
@@ -129,23 +140,28 @@ fn update_store<P: Update>(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
 ) {
-    let NarrowPhaseScratch { due, outcomes, workers, seams } = scratch;
+    let NarrowPhaseScratch { due, outcomes, changes, workers, seams } = scratch;
     list_due(around, store, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
     P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
+    changes.clear();
     for (&id, outcome) in due.iter().zip(outcomes.iter()) {
         let state = store.state_mut(id);
         state.slack = outcome.slack;
         state.reports_force = outcome.reports_force;
+        if outcome.is_renewed {
+            store.renew(id);
+        }
         if let Some(change) = outcome.change {
-            notes.push((id, change));
+            changes.push((store.collider_slots(id), id, change));
         }
     }
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
-    notes.sort_unstable_by_key(|&(id, _)| store[id].colliders());
+    changes.sort_unstable_by_key(|&(slots, ..)| slots);
+    notes.extend(changes.iter().map(|&(_, id, change)| (id, change)));
 }
 
 /// Lists the awake pairs whose slack is used up.
@@ -177,13 +193,13 @@ fn look_at_all<P: Update>(
         let ahead = Ahead { around, states, due: &due[range.clone()], pairs };
         for (turn, index) in range.enumerate() {
             ahead.of(turn);
-            let id = due[index] as usize;
-            let PairState { slack, reports_force, .. } = states[id];
+            let id = due[index];
+            let PairState { slack, reports_force, .. } = states[id as usize];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
-            let (pair, result) = unsafe { (pairs.get_mut(id), results.get_mut(index)) };
+            let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(slack, reports_force);
-            *result = look_at(around, pair, last, &mut worker);
+            *result = look_at(around, (id, pair), last, &mut worker);
         }
         workers.put(worker);
     });
@@ -220,6 +236,7 @@ impl<P: Update> Ahead<'_, P> {
         if let Some(&id) = self.due.get(turn + 1) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
+            pair.iter().for_each(|pair| pair.prefetch_report(id, self.around.lanes));
             pair.iter().for_each(|pair| pair.prefetch(true));
         }
     }
@@ -227,12 +244,12 @@ impl<P: Update> Ahead<'_, P> {
 
 fn look_at<P: Update>(
     around: Surroundings<'_>,
-    pair: &mut P,
+    (id, pair): (PairId, &mut P),
     last: Outcome,
     worker: &mut Worker,
 ) -> Outcome {
     match PairView::of(around, pair.colliders()) {
-        Some(view) => pair.update(&view, last, worker),
+        Some(view) => pair.update(id, &view, last, worker),
         None => Outcome::APART,
     }
 }

@@ -4,7 +4,7 @@ use super::recycle::recycle_distance;
 use super::update::Surroundings;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBody;
-use crate::model::collider::{ActiveEvents, ActiveHooks, Collider, ColliderHandle};
+use crate::model::collider::{ActiveEvents, ActiveHooks, Collider, ColliderHandle, ShapeForm};
 use crate::model::hooks::PairFilterContext;
 use crate::model::island::NONE;
 use parry::bounding_volume::BoundingVolume;
@@ -37,6 +37,12 @@ impl<'a> PairView<'a> {
         let diameter =
             |body: Option<&RigidBody>| body.map_or(Real::INFINITY, |body| 2.0 * body.extent);
         diameter(self.bodies[0]).min(diameter(self.bodies[1]))
+    }
+
+    /// Are both shapes convex?
+    pub fn are_convex(&self) -> bool {
+        let [c1, c2] = self.colliders;
+        (c1.form & c2.form).contains(ShapeForm::CONVEX)
     }
 
     pub fn wants_events(&self, events: ActiveEvents) -> bool {
@@ -92,8 +98,8 @@ impl<'a> PairView<'a> {
 
     /// How far a touching pair may move before its contacts are computed again.
     pub fn recycle_distance(&self) -> Real {
-        let shapes = self.colliders.map(Collider::shape);
-        recycle_distance(shapes, self.around.params.contact_recycle_distance())
+        let forms = self.colliders.map(|collider| collider.form);
+        recycle_distance(forms, self.around.params.contact_recycle_distance())
     }
 
     pub fn skin(&self) -> Real {

@@ -8,11 +8,14 @@ use super::overflow::OverflowOrder;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
+use crate::dim::contact::{self, ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
-use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::model::contact::{
+    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, NarrowPhase, PairStore,
+    Rooms,
+};
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -27,7 +30,9 @@ const FILLED_PER_TASK: usize = 8;
 pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
-    inputs: Vec<ContactInput>,
+    lanes: ContactLanes,
+    /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
+    starts: Vec<u32>,
     /// Friction per point of each block; empty with the standard friction model.
     coulomb: Vec<CoulombBlock>,
     layout: Layout<ManifoldRef>,
@@ -47,54 +52,111 @@ impl SolverContacts {
         self.point_count
     }
 
-    /// Fills the inputs from the manifolds of the bodies that are solved: whole lanes of a colour, and of the overflow what does
+    /// There are none.
+    pub fn clear(&mut self) {
+        self.layout.clear();
+        self.starts.clear();
+        self.point_count = 0;
+    }
+
+    /// Fills the lanes from the manifolds of the bodies that are solved: whole lanes of a colour, and of the overflow what does
     /// not notice each other. Those of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
-        narrow_phase: &NarrowPhase,
-        bodies: &SolverBodies,
+        narrow_phase: &mut NarrowPhase,
+        (bodies, is_only_group): (&SolverBodies, bool),
         multibodies: &mut SolverMultibodies,
         tasks: Tasks<'_>,
     ) {
+        let are_all = is_only_group && multibodies.move_nobody();
+        let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
+        let rooms = is_only_group.then_some(&mut lanes.rooms);
+        self.lay_out((graph, contacts, rooms), (bodies, are_all), multibodies);
+        // What stands elsewhere than before learns from its manifold, which must have been told by then.
+        if !is_only_group || narrow_phase.lanes.starts() != self.starts {
+            narrow_phase.settle_all();
+        }
+        // Who is solved with whom may change from step to step: of several groups none knows what the others did.
+        if is_only_group {
+            self.lanes = core::mem::take(&mut narrow_phase.lanes);
+        } else {
+            narrow_phase.lanes.forget();
+            self.lanes.forget();
+        }
+        let count = self.layout.block_count();
+        self.lanes.resize(count);
+        self.blocks.reserve_exact(count.saturating_sub(self.blocks.len()));
+        self.blocks.resize_with(count, || ContactBlock::EMPTY);
+        self.point_count = self.fill_lanes(narrow_phase, bodies, tasks);
+        self.impacts.load(&self.lanes, self.layout.colors(), bodies);
+    }
+
+    /// Says which manifold stands in which lane: all of the graph, or those of the bodies that are solved.
+    fn lay_out(
+        &mut self,
+        (graph, contacts, mut rooms): (
+            &ConstraintGraph,
+            &PairStore<ContactPair>,
+            Option<&mut Rooms>,
+        ),
+        (bodies, are_all): (&SolverBodies, bool),
+        multibodies: &mut SolverMultibodies,
+    ) {
         self.layout.clear();
-        let are_all = bodies.are_one_group() && multibodies.move_nobody();
-        for (color, list) in graph.in_solving_order() {
-            let members = list.iter().copied().filter(|&manifold| {
-                let slots = || narrow_phase.contacts.bodies(manifold.pair);
-                are_all || !multibodies.take_over(manifold, slots()) && bodies.has_one_of(slots())
+        self.starts.clear();
+        for (color, list) in graph.all_in_solving_order() {
+            let first = self.layout.block_count();
+            let slots = |at: ManifoldRef| contacts.bodies(at.pair);
+            let members = list.iter().copied().filter(|&at| {
+                are_all || !multibodies.take_over(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
-                let members = members.map(|at| (at, narrow_phase.contacts.bodies(at.pair)));
+                let members = members.map(|at| (at, slots(at)));
                 self.layout.add_side_by_side(members, &mut self.overflow);
             } else {
                 self.layout.add(color, members);
+                self.starts.push(first as u32);
+            }
+            if let Some(rooms) = &mut rooms {
+                self.layout.keep_room(first, &mut rooms[color as usize]);
             }
         }
-        let count = self.layout.block_count();
-        self.inputs.resize_with(count, || ContactInput::EMPTY);
-        self.blocks.resize_with(count, || ContactBlock::EMPTY);
-        self.point_count = self.fill_inputs(narrow_phase, bodies, tasks);
-        self.impacts.load(&self.inputs, self.layout.colors(), bodies);
+        if !are_all {
+            self.starts.clear();
+        }
+    }
+
+    /// Nothing of the step is to be stored.
+    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase, is_only_group: bool) {
+        if is_only_group {
+            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+        }
     }
 
     /// Returns the number of points.
-    fn fill_inputs(
+    fn fill_lanes(
         &mut self,
         narrow_phase: &NarrowPhase,
         bodies: &SolverBodies,
         tasks: Tasks<'_>,
     ) -> usize {
-        let (layout, inputs) = (&self.layout, DisjointMut::new(&mut self.inputs));
+        let (layout, lanes) = (&self.layout, DisjointMut::new(&mut self.lanes.blocks));
         let point_count = AtomicUsize::new(0);
         tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
-            let fill_one = |index: usize| {
-                // SAFETY: each block has an input, and belongs to one task.
-                let input = unsafe { inputs.get_mut(index) };
-                let soon = layout.block_or_none(index + 1);
-                fill(input, [layout.block(index), soon], narrow_phase, bodies)
-            };
-            point_count.fetch_add(range.map(fill_one).sum(), Ordering::Relaxed);
+            let mut count = 0;
+            for index in range.clone() {
+                if index + 1 < range.end {
+                    // SAFETY: each block has lanes, and belongs to one task.
+                    let soon = unsafe { lanes.get(index + 1) };
+                    prefetch(soon, layout.block(index + 1), narrow_phase);
+                }
+                // SAFETY: as above.
+                let block = unsafe { lanes.get_mut(index) };
+                fill(block, layout.block(index), narrow_phase, bodies);
+                count += block.point_count();
+            }
+            point_count.fetch_add(count, Ordering::Relaxed);
         });
         point_count.into_inner()
     }
@@ -112,10 +174,10 @@ impl SolverContacts {
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let prediction = params.prediction_distance();
         let (poses, states, _) = bodies.shared();
-        let inputs = DisjointMut::new(&mut self.inputs);
+        let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Prepare { range, inputs, blocks, poses, states, prediction });
+            simd.run(Prepare { range, lanes, blocks, poses, states, prediction });
         });
     }
 
@@ -168,136 +230,106 @@ impl SolverContacts {
         self.impacts.run(blocks, bodies, around, pass);
     }
 
-    /// Writes impulses, and where the contacts were, back to the manifolds.
-    pub fn store(&self, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
+    /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
+    pub fn store(
+        &mut self,
+        narrow_phase: &mut NarrowPhase,
+        is_only_group: bool,
+        simd: Simd,
+        tasks: Tasks<'_>,
+    ) {
+        self.impacts.recall(&mut self.blocks);
+        let lanes = DisjointMut::new(&mut self.lanes.blocks);
+        let reports = DisjointMut::new(&mut self.lanes.reports);
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
+            simd.run(Keep { range, lanes, reports, blocks });
+        });
+        self.lanes.are_rough = !self.coulomb.is_empty();
+        for color in self.layout.colors().iter().take_while(|color| self.must_tell(color)) {
+            self.tell(color.clone(), narrow_phase, tasks);
+        }
+        if is_only_group {
+            self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
+            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+        }
+    }
+
+    /// Must the blocks of a colour tell their manifolds now? Those of the overflow stand at its beginning, in an order of their own.
+    fn must_tell(&self, color: &Range<usize>) -> bool {
+        self.starts.first().is_none_or(|&first| color.start < first as usize)
+    }
+
+    fn tell(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
         let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
-        for_each_color(self.layout.colors(), tasks, |range| {
-            for index in range {
+        tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
+            for index in color.start + range.start..color.start + range.end {
                 let soon = self.layout.block_or_none(index + 1);
+                soon.iter().for_each(|later| pairs.prefetch(later.pair as usize));
                 for (lane, at) in self.layout.block(index).iter().enumerate() {
-                    if let Some(later) = soon.get(lane) {
-                        pairs.prefetch(later.pair as usize);
-                    }
                     // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
-                    let pair = unsafe { pairs.get_mut(at.pair as usize) };
-                    let Some(pair) = pair else { continue };
-                    self.store_lane(index, lane, &mut pair.manifolds[at.manifold as usize]);
+                    if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
+                        let manifold = &mut pair.manifolds[at.manifold as usize];
+                        self.lanes.tell_manifold(index, lane, manifold);
+                    }
                 }
             }
         });
     }
+}
 
-    fn store_lane(&self, index: usize, lane: usize, manifold: &mut ContactManifold) {
-        store_lane(&self.blocks[index], &self.inputs[index], lane, manifold);
-        let Some(coulomb) = self.coulomb.get(index) else { return };
-        for (k, point) in manifold.data.points.iter_mut().enumerate() {
-            let impulse = coulomb.impulse(k, lane);
-            let sound = impulse.iter().all(|value| value.is_finite());
-            point.warmstart_tangent_impulse = if sound { impulse } else { [0.0; _] };
+/// Asks for the manifolds with which lanes will be filled: pairs are spread over memory.
+fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase) {
+    for (lane, &at) in chunk.iter().enumerate() {
+        if !lanes.is_seated(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {
+            narrow_phase.contacts.prefetch(at.pair);
         }
     }
 }
 
-/// Fills one input, lane by lane, and asks for what the next one needs: pairs are spread over memory. Returns the number
-/// of points.
+/// Fills the lanes of a block that do not know their manifolds yet, and tells all of them where their bodies are.
 fn fill(
-    input: &mut ContactInput,
-    [chunk, soon]: [&[ManifoldRef]; 2],
+    block: &mut LaneBlock,
+    chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
     bodies: &SolverBodies,
-) -> usize {
-    let mut point_count = 0;
-    if chunk.len() < LANES {
-        *input = ContactInput::EMPTY;
-    }
-    for (lane, at) in chunk.iter().enumerate() {
-        if let Some(later) = soon.get(lane) {
-            narrow_phase.contacts.prefetch(later.pair);
-        }
-        let slots = narrow_phase.contacts.bodies(at.pair);
-        let indices = slots.map(|slot| bodies.index_of(slot));
-        let pair = &narrow_phase.contacts[at.pair];
-        load_bodies(input, lane, indices);
-        let manifold = &pair.manifolds[at.manifold as usize];
-        load_manifold(input, lane, manifold, bodies.share(indices));
-        let creep = pair.placement.may_hold && indices.iter().all(|&index| bodies.creeps(index));
-        let data = &manifold.data;
-        let held = if creep { Placement::held_turn(data.friction) } else { 0.0 };
-        input.placement.set_lane(lane, &pair.placement, data.placed_normal, held);
-        point_count += manifold.contacts().len();
-    }
-    point_count
-}
-
-fn load_bodies(input: &mut ContactInput, lane: usize, indices: [u32; 2]) {
-    let world = BodyPose::WORLD_INDEX;
-    for (side, index) in indices.into_iter().enumerate() {
-        input.bodies[side][lane] = index;
-        input.is_world[side].0[lane] = if index == world { 1.0 } else { 0.0 };
-    }
-}
-
-/// `share` is that of its impulses with which the step begins.
-fn load_manifold(input: &mut ContactInput, lane: usize, manifold: &ContactManifold, share: Real) {
-    let data = &manifold.data;
-    input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
-    input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
-    input.friction.0[lane] = data.friction;
-    input.restitution.0[lane] = data.restitution;
-    input.tangent_velocity.set_lane(lane, data.tangent_velocity);
-    input.friction_impulse.set_lane(lane, data.warmstart_friction * share);
-    input.set_twist_impulse(lane, data.warmstart_twist * share);
-    for k in 0..input.present.len() {
-        let Some(point) = data.points.get(k) else {
-            input.present[k].0[lane] = 0.0;
-            input.impulses[k].0[lane] = 0.0;
-            input.set_tangent_impulse(k, lane, [0.0; _]);
-            continue;
-        };
-        input.levers[k].set_lane(lane, point.lever);
-        input.placed_separations[k].0[lane] = point.placed_dist;
-        input.present[k].0[lane] = 1.0;
-        input.impulses[k].0[lane] = point.warmstart_impulse * share;
-        let tangent = point.warmstart_tangent_impulse.map(|impulse| impulse * share);
-        input.set_tangent_impulse(k, lane, tangent);
-    }
-}
-
-fn store_lane(
-    block: &ContactBlock,
-    input: &ContactInput,
-    lane: usize,
-    manifold: &mut ContactManifold,
 ) {
-    let data = &mut manifold.data;
-    if !lane_is_sound(block, input, lane, data.points.len()) {
-        return data.forget_impulses();
+    let contacts = &narrow_phase.contacts;
+    for (lane, &at) in chunk.iter().enumerate() {
+        if block.seat(lane, Some(at)) || contacts.is_renewed(at.pair) {
+            block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
+        }
     }
-    data.normal = input.world_normal.lane(lane);
-    data.warmstart_friction = block.friction_impulse(lane);
-    data.warmstart_twist = block.twist_impulse(lane);
-    for (k, point) in data.points.iter_mut().enumerate() {
-        point.point = input.points[k].lane(lane);
-        point.dist = input.separations[k].0[lane];
-        point.impulse = block.totals[k].0[lane];
-        point.warmstart_impulse = block.points[k].impulse.0[lane];
+    for lane in chunk.len()..LANES {
+        block.clear(lane);
+    }
+    for lane in 0..chunk.len() {
+        seat_bodies(block, lane, bodies);
+    }
+    if bodies.any_share() {
+        scale_impulses(&mut block.input, bodies);
     }
 }
 
-/// Did the numbers of a manifold stay finite? Otherwise its impulses must not start the next step: the
-/// bodies would never get rid of them.
-fn lane_is_sound(block: &ContactBlock, input: &ContactInput, lane: usize, count: usize) -> bool {
-    // Stays zero unless a number is not finite: 0·∞ and 0·NaN are NaN.
-    let mut probe = 0.0 * input.world_normal.lane(lane).element_sum();
-    probe += 0.0 * block.friction_impulse(lane).element_sum();
-    probe += 0.0 * block.twist_impulse(lane);
-    for k in 0..count {
-        probe += 0.0 * input.points[k].lane(lane).element_sum();
-        probe += 0.0 * input.separations[k].0[lane];
-        probe += 0.0 * block.totals[k].0[lane];
-        probe += 0.0 * block.points[k].impulse.0[lane];
+fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
+    let (index1, creeps1) = bodies.find(block.slots[0][lane]);
+    let (index2, creeps2) = bodies.find(block.slots[1][lane]);
+    let input = &mut block.input;
+    (input.bodies[0][lane], input.bodies[1][lane]) = (index1, index2);
+    for (side, index) in [index1, index2].into_iter().enumerate() {
+        input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
     }
-    probe == 0.0
+    input.placement.set_creeps(lane, creeps1 && creeps2);
+}
+
+/// Has all lanes start with the share of their impulses with which their bodies do.
+fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies) {
+    for lane in 0..LANES {
+        let share = bodies.share([input.bodies[0][lane], input.bodies[1][lane]]);
+        if share != 1.0 {
+            input.scale_impulses(lane, share);
+        }
+    }
 }
 
 /// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
@@ -341,7 +373,7 @@ impl<'a> Blocks<'a> {
 /// See [`contact::prepare`].
 struct Prepare<'a> {
     range: Range<usize>,
-    inputs: DisjointMut<'a, ContactInput>,
+    lanes: &'a [LaneBlock],
     blocks: Blocks<'a>,
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
@@ -359,9 +391,34 @@ impl Kernel for Prepare<'_> {
             // that is not read-only.
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
-                let input = self.inputs.get_mut(index);
+                let input = &self.lanes[index].input;
                 let surroundings = contact::Surroundings { poses, states: &states };
                 contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
+            }
+        }
+    }
+}
+
+/// See [`contact::keep`].
+struct Keep<'a> {
+    range: Range<usize>,
+    lanes: DisjointMut<'a, LaneBlock>,
+    reports: DisjointMut<'a, [ContactReport; LANES]>,
+    blocks: Blocks<'a>,
+}
+
+impl Kernel for Keep<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task.
+            unsafe {
+                let (block, coulomb) = self.blocks.get(index);
+                let input = &mut self.lanes.get_mut(index).input;
+                let reports = self.reports.get_mut(index);
+                contact::keep::<W>(block, coulomb.as_deref(), input, reports);
             }
         }
     }

@@ -6,6 +6,9 @@ use crate::base::wide::LANES;
 use crate::model::constraint_graph::OVERFLOW;
 use core::ops::Range;
 
+/// So many empty blocks a colour may keep, however few it needs.
+const SPARE: usize = 8;
+
 /// The constraints (as `T` names them) of all blocks.
 pub(super) struct Layout<T> {
     /// Block by block, and where those of each block begin.
@@ -70,6 +73,18 @@ impl<T> Layout<T> {
         } else if !blocks.is_empty() {
             self.colors.push(blocks);
         }
+    }
+
+    /// Adds empty blocks to those of the colour that was added last, so that it has as many as in earlier steps and those of the next
+    /// colours stay where they were.
+    ///
+    /// Its blocks begin with the `first`, and `room` says how many it has. If it needs more it gets an eighth more than that, seldom.
+    pub fn keep_room(&mut self, first: usize, room: &mut usize) {
+        let used = self.starts.len() - first;
+        if used > *room || 4 * used + SPARE < *room {
+            *room = used + used / 8;
+        }
+        self.starts.resize(first + *room, self.members.len());
     }
 
     /// Number of constraints.

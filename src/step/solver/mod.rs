@@ -98,6 +98,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     constraints.iter_mut().for_each(|of_group| of_group.multibodies.claim(trees, bodies));
     states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
+    let is_only_group = groups.iter().len() == 1;
+    constraints.iter_mut().for_each(|of_group| of_group.contacts.clear());
     let mut calm = true;
     counters.nlimited_bodies = 0;
     for (group, constraints) in groups.iter().zip(&mut *constraints) {
@@ -109,7 +111,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.begin(bodies, gravity, pass.substep);
         let from = Sources { islands, world: bodies, bodies: states, multibodies };
         joints.load(set, from, &pass, tasks);
-        contacts.load(&islands.graph, narrow_phase, states, multibodies, tasks);
+        contacts.load(&islands.graph, narrow_phase, (states, is_only_group), multibodies, tasks);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
@@ -130,15 +132,27 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     }
     counters.velocity_writeback_time.resume();
     if lost.is_empty() {
+        if groups.iter().len() > 0 {
+            narrow_phase.contacts.forget_renewed();
+        }
         let world = World { narrow_phase, set, trees, islands, bodies };
         let Scene { fast, courses, broken, .. } = scene;
         let mut notes = Notes { fast, courses, broken };
-        store_constraints(constraints, world, &mut notes, params, (counters, tasks));
+        store_constraints(
+            (constraints, is_only_group),
+            world,
+            &mut notes,
+            params,
+            (counters, simd, tasks),
+        );
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
         islands.strained = !calm || states.any_far || groups.are_strained();
     } else {
-        constraints.iter_mut().for_each(|of_group| of_group.multibodies.give_back(trees));
+        for of_group in constraints {
+            of_group.multibodies.give_back(trees);
+            of_group.contacts.give_back(narrow_phase, is_only_group);
+        }
     }
     counters.velocity_writeback_time.pause();
 }
@@ -171,16 +185,16 @@ struct Notes<'a> {
 
 /// Writes impulses to manifolds and joints, and multibodies to their links; breaks joints that bear too much.
 fn store_constraints(
-    constraints: &mut [Constraints],
+    (constraints, is_only_group): (&mut [Constraints], bool),
     world: World<'_>,
     Notes { fast, courses, broken }: &mut Notes<'_>,
     params: &IntegrationParameters,
-    (counters, tasks): (&mut SolverCounters, Tasks<'_>),
+    (counters, simd, tasks): (&mut SolverCounters, Simd, Tasks<'_>),
 ) {
     let World { narrow_phase, set, trees, islands, bodies } = world;
     (counters.nconstraints, counters.ncontacts) = (0, 0);
     for Constraints { joints, contacts, multibodies } in constraints {
-        contacts.store(narrow_phase, tasks);
+        contacts.store(narrow_phase, is_only_group, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         let ways = (&mut **fast, &mut **courses);

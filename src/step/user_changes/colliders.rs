@@ -2,7 +2,7 @@
 
 use super::Digest;
 use crate::model::body::RigidBodyHandle;
-use crate::model::collider::{ColliderChanges, ColliderHandle, may_interact};
+use crate::model::collider::{ColliderChanges, ColliderHandle, ShapeForm, may_interact};
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 
 impl Digest<'_> {
@@ -15,6 +15,9 @@ impl Digest<'_> {
         let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
         collider.replace_broken_shape();
         let changes = std::mem::take(&mut collider.changes);
+        if changes.contains(ColliderChanges::SHAPE) {
+            collider.form = ShapeForm::of(&*collider.shape);
+        }
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
         self.tree.note_wishes(collider, body);
@@ -58,32 +61,27 @@ impl Digest<'_> {
                 if pair.is_touching() {
                     self.structure.wake_sleepers_of(id);
                 }
-                let pair = self.structure.remove_contact_pair(id);
-                if pair.start_event_emitted {
-                    let flags = CollisionEventFlags::empty();
-                    self.events.push(CollisionEvent::Stopped(
-                        pair.collider1,
-                        pair.collider2,
-                        flags,
-                    ));
-                }
+                let told = self.structure.remove_contact_pair(id);
+                self.tell_end(told, CollisionEventFlags::empty());
             }
         }
         let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
         for id in intersections {
             let pair = &self.structure.narrow_phase.intersections[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
-                let pair = self.structure.narrow_phase.intersections.remove(id);
-                if pair.start_event_emitted {
-                    let flags = CollisionEventFlags::SENSOR;
-                    self.events.push(CollisionEvent::Stopped(
-                        pair.collider1,
-                        pair.collider2,
-                        flags,
-                    ));
-                }
+                let told = self.structure.remove_intersection_pair(id);
+                self.tell_end(told, CollisionEventFlags::SENSOR);
             }
         }
+    }
+
+    /// Notes that two colliders stopped touching, for whoever was told that they began to.
+    pub(super) fn tell_end(
+        &mut self,
+        told: Option<[ColliderHandle; 2]>,
+        flags: CollisionEventFlags,
+    ) {
+        self.events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
     }
 
     fn may_interact(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> bool {

@@ -2,7 +2,7 @@
 
 use super::Digest;
 use crate::model::body::RigidBodyHandle;
-use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::event::CollisionEventFlags;
 use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled, JointForm, JointLink};
 
 impl Digest<'_> {
@@ -113,12 +113,8 @@ impl Digest<'_> {
             };
             let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
             for id in ids {
-                let pair = digest.structure.remove_contact_pair(id);
-                if pair.start_event_emitted {
-                    let flags = CollisionEventFlags::empty();
-                    let (first, second) = (pair.collider1, pair.collider2);
-                    digest.events.push(CollisionEvent::Stopped(first, second, flags));
-                }
+                let told = digest.structure.remove_contact_pair(id);
+                digest.tell_end(told, CollisionEventFlags::empty());
             }
         });
     }

@@ -131,17 +131,12 @@ impl Digest<'_> {
             self.structure.wake_touching(slot);
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
-            let pair = self.structure.remove_contact_pair(id);
-            if pair.start_event_emitted {
-                self.events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, flags));
-            }
+            let told = self.structure.remove_contact_pair(id);
+            self.tell_end(told, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
-            let pair = self.structure.narrow_phase.intersections.remove(id);
-            if pair.start_event_emitted {
-                let flags = flags | CollisionEventFlags::SENSOR;
-                self.events.push(CollisionEvent::Stopped(pair.collider1, pair.collider2, flags));
-            }
+            let told = self.structure.remove_intersection_pair(id);
+            self.tell_end(told, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

@@ -1,15 +1,16 @@
 //! From bodies to the places that the solver knows them by: once per step, on several threads.
 
 use super::motion::motion_of;
-use super::{SolverBodies, WORLD};
+use super::{CREEPS, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
 use crate::dim::mass::inv_inertia_on_the_way;
-use crate::dim::math::{AngularInertia, Real, Rotation, Vector};
+use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_squared};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use crate::model::contact::Placement;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::groups::Groups;
@@ -37,6 +38,7 @@ impl SolverBodies {
             let members = (order, group.members.clone());
             self.any_far |= self.load_members(members, bodies, &around, h, tasks);
         }
+        self.any_share = self.shares.iter().any(|&share| share != 1.0);
     }
 
     /// Makes places for some bodies, who fill all of them, and for the world.
@@ -203,6 +205,10 @@ impl Places<'_> {
         let flags = if body.link.island == NONE { READ_ONLY } else { 0 };
         // SAFETY: the caller's promise.
         unsafe {
+            let bears_weight = self.motions.get(index).bears_weight();
+            let creeps =
+                bears_weight && Placement::creeps(ang_length_squared(body.angvel), flags == 0);
+            let flags = if creeps { flags | CREEPS } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;
         }

@@ -9,12 +9,11 @@ use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
-use crate::dim::math::{Real, ang_length_squared};
+use crate::dim::math::Real;
 use crate::dim::motion::FreeMotion;
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::BODIES_PER_TASK;
-use crate::model::contact::Placement;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use core::ops::Range;
@@ -30,13 +29,14 @@ pub(super) struct SolverBodies {
     /// Velocities before any impulse of the current substep.
     pub before: Vec<BodyState>,
     motions: Vec<FreeMotion>,
-    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body. The
-    /// world's for bodies that are not awake.
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`CREEPS`]. The world's for
+    /// bodies that are not awake.
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
-    /// By index: with what share of its last impulses a substep begins.
+    /// By index: with what share of its last impulses a substep begins; and is there any but 1?
     shares: Vec<Real>,
+    any_share: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
@@ -45,7 +45,9 @@ pub(super) struct SolverBodies {
     pub any_far: bool,
 }
 
-const WORLD: u32 = BodyPose::WORLD_INDEX;
+const WORLD: u32 = BodyPose::WORLD_INDEX | CREEPS;
+/// On indices: is this a body of a pile that [creeps](Placement), or what a pile stands on?
+const CREEPS: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
     /// From now on this group is solved; the others stand still.
@@ -58,11 +60,6 @@ impl SolverBodies {
         self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
     }
 
-    /// Does the group that is solved have all bodies?
-    pub fn are_one_group(&self) -> bool {
-        self.moving[1] == (1..self.states.len())
-    }
-
     /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
     pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
         let [_, members] = &self.moving;
@@ -70,6 +67,11 @@ impl SolverBodies {
             let index = self.index_of(slot);
             index & READ_ONLY == 0 && members.contains(&(index as usize))
         })
+    }
+
+    /// Does any body begin with but a [share](Self::share) of its impulses?
+    pub fn any_share(&self) -> bool {
+        self.any_share
     }
 
     /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
@@ -95,21 +97,21 @@ impl SolverBodies {
 
     /// The solver's index of the body in a slot ([`NONE`]: no body).
     pub fn index_of(&self, slot: u32) -> u32 {
-        if slot == NONE { WORLD } else { self.indices.get(slot as usize).copied().unwrap_or(WORLD) }
+        self.find(slot).0
+    }
+
+    /// The same, and does the body creep?
+    #[inline]
+    pub fn find(&self, slot: u32) -> (u32, bool) {
+        // There is no body in the slot `NONE`.
+        let index = self.indices.get(slot as usize).copied().unwrap_or(WORLD);
+        (index & !CREEPS, index & CREEPS != 0)
     }
 
     /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
     /// it.
     pub fn inv_mass_of(&self, index: u32) -> Real {
         self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
-    }
-
-    /// Is this a body of a pile that creeps, or what a pile stands on ([`Placement`])?
-    pub fn creeps(&self, index: u32) -> bool {
-        let at = (index & !READ_ONLY) as usize;
-        let (_, angvel) = self.states[at].velocity();
-        self.motions[at].bears_weight()
-            && Placement::creeps(ang_length_squared(angvel), index & READ_ONLY == 0)
     }
 
     /// The states, to be shared among constraints of one colour.

@@ -85,11 +85,11 @@ use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::ContactInput;
+use crate::dim::contact::ContactBlock;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::body::RigidBodySet;
-use crate::model::contact::NarrowPhase;
+use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
 pub(super) use points::NormalRows;
@@ -164,20 +164,16 @@ pub(super) struct Around<'a> {
 
 impl Impacts {
     /// Finds the contacts with restitution among the blocks of each colour.
-    pub fn load(
-        &mut self,
-        inputs: &[ContactInput],
-        colors: &[Range<usize>],
-        bodies: &SolverBodies,
-    ) {
+    pub fn load(&mut self, lanes: &ContactLanes, colors: &[Range<usize>], bodies: &SolverBodies) {
         self.blocks.clear();
         self.colors.clear();
         for color in colors {
             let start = self.blocks.len();
-            for at in color.clone().filter(|&at| inputs[at].restitution != Lane::ZERO) {
-                let [first, second] = &inputs[at].bodies;
+            for at in color.clone().filter(|&at| lanes.blocks[at].input.restitution != Lane::ZERO) {
+                let ContactInput { bodies: [first, second], restitution, .. } =
+                    &lanes.blocks[at].input;
                 let islands = core::array::from_fn(|k| bodies.island_of([first[k], second[k]]));
-                self.blocks.push(ImpactBlock::new(at, inputs[at].restitution, islands));
+                self.blocks.push(ImpactBlock::new(at, *restitution, islands));
             }
             if start < self.blocks.len() {
                 self.colors.push(start..self.blocks.len());
@@ -226,6 +222,11 @@ impl Impacts {
         }
         around.links.0.end_impact();
         swap_velocities(bodies);
+    }
+
+    /// Takes back what the last substep has put aside.
+    pub fn recall(&mut self, contacts: &mut [ContactBlock]) {
+        self.blocks.iter_mut().for_each(|impact| impact.recall(&mut contacts[impact.at]));
     }
 
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the

@@ -1,6 +1,6 @@
 //! Friction: slows what slides, holds what rests, and never does more than the cone allows.
 
-use super::scene::{Body, Contact, LANE, SUBSTEP, Scene, random_direction, random_vector};
+use super::scene::{Body, Contact, SUBSTEP, Scene, random_direction, random_vector};
 use crate::base::random::Random;
 use crate::dim::contact::CoulombBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector};
@@ -66,7 +66,7 @@ fn what_lies_within_the_cone_stays_where_it_is() {
             substep(&mut scene, pull - normal * GRAVITY);
             assert!(scene.velocity(1).0.length() < ROUNDING, "{}", scene.velocity(1).0);
         }
-        let impulse = scene.block.friction_impulse(LANE);
+        let impulse = scene.friction_impulse();
         assert!((impulse + pull * SUBSTEP).length() < ROUNDING);
     }
 }
@@ -97,7 +97,7 @@ fn the_impulse_never_leaves_the_cone() {
         for _ in 0..10 {
             let pull = random_vector(&mut random, 20.0);
             let limit = FRICTION * substep(&mut scene, pull);
-            let friction = scene.block.friction_impulse(LANE);
+            let friction = scene.friction_impulse();
             assert!(friction.length() <= limit * (1.0 + 8.0 * Real::EPSILON));
             assert!(friction.dot(contact.normal).abs() <= ROUNDING * limit);
         }

@@ -162,12 +162,13 @@ fn levers_keep_their_digits_far_from_the_origin() {
             let mut away = Scene::new(bodies, &contact);
             step(&mut near);
             step(&mut away);
+            let places = [&mut near, &mut away].map(|scene| {
+                let places = core::mem::take(&mut scene.block.places);
+                places[0].lane(LANE)
+            });
             assert_eq!(format!("{:?}", near.block), format!("{:?}", away.block));
             assert_eq!(format!("{:?}", near.states), format!("{:?}", away.states));
-            let there = away.input.points[0].lane(LANE);
-            assert!(
-                (near.input.points[0].lane(LANE) + far - there).length() < 1.0e5 * Real::EPSILON
-            );
+            assert!((places[0] + far - places[1]).length() < 1.0e5 * Real::EPSILON);
         }
     }
 }
@@ -181,11 +182,13 @@ fn points_and_separations_are_reported() {
         let contact = random_manifold(&mut random);
         let mut scene = Scene::new(bodies, &contact);
         scene.prepare();
-        let input = &scene.input;
-        assert!((input.world_normal.lane(LANE) - contact.normal).length() < ROUNDING);
+        scene.keep();
+        let report = &scene.reports[LANE];
+        assert!(report.is_sound());
+        assert!((report.normal() - contact.normal).length() < ROUNDING);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
-            assert!((input.points[k].lane(LANE) - point).length() < ROUNDING);
-            assert!((input.separations[k].0[LANE] - separation).abs() < ROUNDING);
+            assert!((report.point(k) - point).length() < ROUNDING);
+            assert!((report.separation(k) - separation).abs() < ROUNDING);
         }
     }
 }
@@ -256,12 +259,12 @@ fn contacts_that_are_not_held_are_as_if_placed_now() {
                 (found_at.separation.0[LANE] - expected_at.separation.0[LANE]).abs() < ROUNDING
             );
             assert!((found_at.mass.0[LANE] - expected_at.mass.0[LANE]).abs() < ROUNDING);
-            let points = [&found, &expected].map(|scene| scene.input.points[k].lane(LANE));
+            let points = [&found, &expected].map(|scene| scene.block.places[k].lane(LANE));
             assert!((points[0] - points[1]).length() < ROUNDING);
         }
         let offsets = [&found, &expected].map(|scene| scene.block.offset.lane(LANE));
         assert!((offsets[0] - offsets[1]).length() < ROUNDING);
-        assert!((found.input.world_normal.lane(LANE) - moved.now.normal).length() < ROUNDING);
+        assert!((found.block.normal.lane(LANE) - moved.now.normal).length() < ROUNDING);
     }
 }
 
@@ -277,7 +280,7 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
         for (k, &(point, separation)) in moved.placed.points.iter().enumerate() {
             assert_eq!(placed.block.points[k].x, found.block.points[k].x);
             // The surfaces are where they are, and seen along the normal as it was.
-            let along = found.input.separations[k].0[LANE] - separation;
+            let along = found.block.points[k].separation.0[LANE] - separation;
             let (before, now) = (point, moved.now.points[k].0);
             let at = |body: &Option<Body>, other: &Option<Body>| match (body, other) {
                 (Some(old), Some(new)) => {
@@ -290,7 +293,7 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
                 [at(&moved.before[0], &moved.after[0]), at(&moved.before[1], &moved.after[1])];
             let expected = moved.placed.normal.dot(surfaces[1] - surfaces[0]);
             assert!((along - expected).abs() < ROUNDING, "{along} instead of {expected}");
-            assert!((found.input.points[k].lane(LANE) - now).length() < ROUNDING);
+            assert!((found.block.places[k].lane(LANE) - now).length() < ROUNDING);
         }
         assert_eq!(placed.block.offset, found.block.offset);
         assert_eq!(placed.block.normal, found.block.normal);
@@ -309,12 +312,9 @@ fn warm_starting_repeats_the_impulses() {
         for _ in 0..3 {
             first.relax();
         }
+        first.keep();
         let mut second = Scene::new(bodies, &contact);
-        second.input.friction_impulse.set_lane(LANE, first.block.friction_impulse(LANE));
-        second.input.set_twist_impulse(LANE, first.block.twist_impulse(LANE));
-        for k in 0..MAX_MANIFOLD_POINTS {
-            second.input.impulses[k].0[LANE] = first.block.points[k].impulse.0[LANE];
-        }
+        second.input = first.input.clone();
         second.prepare();
         for body in 1..=2 {
             let ((v1, w1), (v2, w2)) = (first.velocity(body), second.velocity(body));

@@ -3,14 +3,14 @@
 use crate::base::disjoint::DisjointMut;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, ContactInput, CoulombBlock};
+use crate::dim::contact::{self, ContactBlock, CoulombBlock};
 use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
 };
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::contact::Placement;
+use crate::model::contact::{ContactInput, ContactReport, Placement};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
 use crate::step::solver::impacts::{ImpactBlock, NormalRows};
 use parry::shape::{Cuboid, Shape};
@@ -137,6 +137,7 @@ pub struct Scene {
     pub states: Vec<BodyState>,
     pub before: Vec<BodyState>,
     pub input: ContactInput,
+    pub reports: [ContactReport; LANES],
     pub block: ContactBlock,
     /// Friction per point, if that is wanted.
     pub coulomb: Option<CoulombBlock>,
@@ -153,6 +154,7 @@ impl Scene {
             states: vec![BodyState::default()],
             before: vec![BodyState::default()],
             input: ContactInput::EMPTY,
+            reports: [ContactReport::EMPTY; LANES],
             block: ContactBlock::EMPTY,
             coulomb: None,
             pass: ContactPass {
@@ -192,6 +194,7 @@ impl Scene {
             may_hold: true,
         };
         self.input.placement.set_lane(lane, &placement, contact.normal, contact.held_turn);
+        self.input.placement.set_creeps(lane, true);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
             self.input.levers[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
             self.input.placed_separations[k].0[lane] = separation;
@@ -236,6 +239,11 @@ impl Scene {
         self.run(Pass::Relax);
     }
 
+    /// What the lanes start the next step with.
+    pub fn keep(&mut self) {
+        self.run(Pass::Keep);
+    }
+
     /// A round of an impact of all lanes.
     pub fn bounce(&mut self) {
         self.run(Pass::Bounce);
@@ -253,6 +261,12 @@ impl Scene {
     /// The sum of the normal impulses of the one contact.
     pub fn normal_impulse(&self) -> Real {
         self.block.points.iter().map(|point| point.impulse.0[LANE]).sum()
+    }
+
+    /// The friction impulse of the one contact, in world space.
+    pub fn friction_impulse(&mut self) -> Vector {
+        self.keep();
+        self.input.friction_impulse.lane(LANE)
     }
 
     /// Velocity of the second body relative to the first at a point of the one contact.
@@ -273,6 +287,7 @@ enum Pass {
     Prepare,
     Solve,
     Relax,
+    Keep,
     Bounce,
 }
 
@@ -286,8 +301,8 @@ impl Kernel for Run<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        let Scene { poses, states, before, input, block, coulomb, pass, prediction, .. } =
-            self.scene;
+        let Scene { poses, states, before, input, reports, block, coulomb, pass, .. } = self.scene;
+        let prediction = self.scene.prediction;
         let loaded = states.to_vec();
         let states = DisjointMut::new(states);
         // SAFETY: no other thread knows these states.
@@ -295,10 +310,12 @@ impl Kernel for Run<'_> {
             match self.pass {
                 Pass::Prepare => {
                     let around = contact::Surroundings { poses, states: &states };
-                    contact::prepare::<W>(input, block, coulomb.as_mut(), around, *prediction);
+                    let coulomb = coulomb.as_mut();
+                    contact::prepare::<W>(input, block, coulomb, around, prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
+                Pass::Keep => contact::keep::<W>(block, coulomb.as_ref(), input, reports),
                 Pass::Bounce => {
                     let pass = ImpactPass {
                         step: SUBSTEP,

@@ -83,7 +83,7 @@ impl Pins {
             for &slot in layout.block_or_none(index + 1) {
                 joints.prefetch(slot);
                 if let Some(link) = islands.joints.get(slot) {
-                    link.body_slots().into_iter().for_each(|body| world.prefetch_front(body));
+                    link.body_slots().into_iter().for_each(|body| world.prefetch(body));
                 }
             }
             for (lane, &slot) in layout.block(index).iter().enumerate() {

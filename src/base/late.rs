@@ -1,0 +1,68 @@
+//! A value that is completed when somebody looks at it, behind a shared reference.
+
+use core::cell::UnsafeCell;
+
+/// A value of which a part may be written late: by whoever has it for himself, or, by promise, behind a shared reference before
+/// anybody looks.
+#[derive(Debug, Default)]
+#[repr(transparent)]
+pub struct Late<T>(UnsafeCell<T>);
+
+// SAFETY: through a shared `Late` a thread can get at a value that another thread made (`T: Send`), and several threads at the same
+// one for reading (`T: Sync`). That nobody reads while it is written is the contract of `write`.
+unsafe impl<T: Send + Sync> Sync for Late<T> {}
+
+impl<T: Clone> Clone for Late<T> {
+    fn clone(&self) -> Self {
+        Self::new(self.get().clone())
+    }
+}
+
+#[cfg(feature = "serde-serialize")]
+impl<T: serde::Serialize> serde::Serialize for Late<T> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.get().serialize(serializer)
+    }
+}
+
+#[cfg(feature = "serde-serialize")]
+impl<'de, T: serde::Deserialize<'de>> serde::Deserialize<'de> for Late<T> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        T::deserialize(deserializer).map(Self::new)
+    }
+}
+
+impl<T> Late<T> {
+    /// A value as far as it is known.
+    pub fn new(value: T) -> Self {
+        Self(UnsafeCell::new(value))
+    }
+
+    /// The value as it is.
+    #[inline(always)]
+    pub fn get(&self) -> &T {
+        // SAFETY: who writes behind a shared reference promises that nobody reads.
+        unsafe { &*self.0.get() }
+    }
+
+    /// The value, for oneself.
+    #[inline(always)]
+    pub fn get_mut(&mut self) -> &mut T {
+        self.0.get_mut()
+    }
+
+    /// Writes to the value behind a shared reference.
+    ///
+    /// # Safety
+    /// Nobody may have a reference to the value, or ask for one, until `write` returns.
+    pub unsafe fn write(&self, write: impl FnOnce(&mut T)) {
+        // SAFETY: the caller's promise.
+        write(unsafe { &mut *self.0.get() });
+    }
+
+    /// Several values, for oneself.
+    pub fn slice_mut(slice: &mut [Self]) -> &mut [T] {
+        // SAFETY: `Late<T>` has the layout of `T`, and the slice is ours alone.
+        unsafe { &mut *(core::ptr::from_mut(slice) as *mut [T]) }
+    }
+}

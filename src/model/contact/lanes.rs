@@ -1,0 +1,283 @@
+//! What the solver knows of contact manifolds from step to step, lane by lane.
+//!
+//! In a pile that has settled hardly a manifold is computed in a step. What the solver reads of the others is what it read in the
+//! last step, and the impulses are its own; and a pair is large, and may stand anywhere. So the lanes stay filled: a lane learns from
+//! its manifold only if it stood for another one before, or if the pair was [renewed](super::PairStore::renew).
+//!
+//! For the same reason a manifold is not told by each step what became of it. Lanes are *ahead* of their pairs until somebody wants
+//! to know: the user, who looks at a pair or hears of it, or the narrow phase, which computes it anew. Then the pair is told, and once.
+//! Who takes a manifold out of its colour, or moves it to another place there, tells it before: the lane will be another's.
+//!
+//! The alternative, all pairs told in each step, was a seventh of the step of a large pyramid.
+
+use super::input::ContactInput;
+use super::manifold::{ContactManifold, ContactManifoldData};
+use super::pair::ContactPair;
+use super::placement::Placement;
+use super::report::ContactReport;
+use super::store::PairId;
+use crate::base::wide::{LANES, prefetch};
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Vector};
+use crate::model::constraint_graph::{COLORS, ColorSlot, ManifoldRef};
+use crate::model::island::NONE;
+use core::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// In a lane that is empty.
+const NOBODY: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
+
+/// A block's worth of manifolds.
+#[derive(Clone, Debug)]
+pub(crate) struct LaneBlock {
+    /// What the lanes were filled from.
+    members: [ManifoldRef; LANES],
+    /// Slots of their two bodies.
+    pub slots: [[u32; LANES]; 2],
+    /// How many points each has.
+    counts: [u8; LANES],
+    pub input: ContactInput,
+}
+
+impl LaneBlock {
+    const EMPTY: Self = Self {
+        members: [NOBODY; LANES],
+        slots: [[NONE; LANES]; 2],
+        counts: [0; LANES],
+        input: ContactInput::EMPTY,
+    };
+
+    /// Has a lane stand for a manifold, or for none. Returns whether it did not do so before.
+    pub fn seat(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
+        let manifold = manifold.unwrap_or(NOBODY);
+        core::mem::replace(&mut self.members[lane], manifold) != manifold
+    }
+
+    /// Has a lane stand for no manifold.
+    pub fn clear(&mut self, lane: usize) {
+        if self.seat(lane, None) {
+            [self.slots[0][lane], self.slots[1][lane]] = [NONE; 2];
+            self.counts[lane] = 0;
+            self.input.clear(lane);
+        }
+    }
+
+    /// Number of points in all lanes.
+    pub fn point_count(&self) -> usize {
+        self.counts.iter().map(|&count| usize::from(count)).sum()
+    }
+
+    /// Does a lane stand for this manifold?
+    pub fn is_seated(&self, lane: usize, manifold: ManifoldRef) -> bool {
+        self.members[lane] == manifold
+    }
+
+    /// Fills a lane from a manifold of a pair of bodies in these slots.
+    pub fn learn(&mut self, lane: usize, manifold: u32, pair: &ContactPair, slots: [u32; 2]) {
+        let input = &mut self.input;
+        let data = &pair.manifolds[manifold as usize].data;
+        [self.slots[0][lane], self.slots[1][lane]] = slots;
+        self.counts[lane] = data.points.len() as u8;
+        let held = if pair.placement.may_hold { Placement::held_turn(data.friction) } else { 0.0 };
+        input.placement.set_lane(lane, &pair.placement, data.placed_normal, held);
+        input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
+        input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
+        input.friction.0[lane] = data.friction;
+        input.restitution.0[lane] = data.restitution;
+        input.tangent_velocity.set_lane(lane, data.tangent_velocity);
+        input.friction_impulse.set_lane(lane, data.warmstart_friction);
+        input.twist_impulse.0[lane] = data.warmstart_twist;
+        for k in 0..MAX_MANIFOLD_POINTS {
+            let Some(point) = data.points.get(k) else {
+                input.leave_out(k, lane);
+                continue;
+            };
+            input.levers[k].set_lane(lane, point.lever);
+            input.placed_separations[k].0[lane] = point.placed_dist;
+            input.present[k].0[lane] = 1.0;
+            input.impulses[k].0[lane] = point.warmstart_impulse;
+            input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);
+        }
+    }
+}
+
+/// Writes what is told of a manifold to it.
+fn tell(report: &ContactReport, data: &mut ContactManifoldData) {
+    if !report.is_sound() {
+        return data.forget_impulses();
+    }
+    data.normal = report.normal();
+    data.warmstart_friction = report.friction_impulse();
+    data.warmstart_twist = report.twist_impulse();
+    for (k, point) in data.points.iter_mut().enumerate() {
+        point.point = report.point(k);
+        point.dist = report.separation(k);
+        point.impulse = report.total(k);
+        point.warmstart_impulse = report.impulse(k);
+    }
+}
+
+/// By colour, the overflow last: a number of blocks.
+pub(crate) type Rooms = [usize; COLORS as usize + 1];
+
+/// All lanes; see the [module](self).
+#[derive(Debug)]
+pub(crate) struct ContactLanes {
+    pub blocks: Vec<LaneBlock>,
+    /// What the last step that was stored tells of them.
+    pub reports: Vec<[ContactReport; LANES]>,
+    /// Has each point friction of its own?
+    pub are_rough: bool,
+    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
+    starts: Vec<u32>,
+    /// How many blocks there are for each colour, though some be empty.
+    pub rooms: Rooms,
+    /// How often lanes were stored.
+    turn: u32,
+    /// By pair: the turn of which it was told last. Pairs beyond the end, that are younger, have nothing to be told.
+    told: Vec<AtomicU32>,
+    /// Held by who tells a pair behind a shared reference.
+    telling: Mutex<()>,
+}
+
+impl Default for ContactLanes {
+    fn default() -> Self {
+        Self {
+            blocks: Vec::new(),
+            reports: Vec::new(),
+            are_rough: false,
+            starts: Vec::new(),
+            rooms: [0; _],
+            turn: 0,
+            told: Vec::new(),
+            telling: Mutex::default(),
+        }
+    }
+}
+
+impl Clone for ContactLanes {
+    fn clone(&self) -> Self {
+        let told = self.told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire)));
+        Self {
+            blocks: self.blocks.clone(),
+            reports: self.reports.clone(),
+            are_rough: self.are_rough,
+            starts: self.starts.clone(),
+            rooms: self.rooms,
+            turn: self.turn,
+            told: told.collect(),
+            telling: Mutex::default(),
+        }
+    }
+}
+
+impl ContactLanes {
+    /// Makes room for so many blocks. Lanes of earlier ones stay filled.
+    pub fn resize(&mut self, block_count: usize) {
+        // Blocks are large, and rooms grow seldom: no more memory than that.
+        let missing = block_count.saturating_sub(self.blocks.len());
+        self.blocks.reserve_exact(missing);
+        self.blocks.resize_with(block_count, || LaneBlock::EMPTY);
+        self.reports.reserve_exact(block_count.saturating_sub(self.reports.len()));
+        self.reports.resize(block_count, [ContactReport::EMPTY; LANES]);
+    }
+
+    /// Must all be filled again. None may be ahead of its pair.
+    pub fn forget(&mut self) {
+        debug_assert!(!self.are_ahead());
+        self.blocks.clear();
+    }
+
+    /// May lanes be ahead of their pairs?
+    pub fn are_ahead(&self) -> bool {
+        !self.starts.is_empty()
+    }
+
+    /// By colour, the first block of lanes that may be ahead; nothing if none are.
+    pub fn starts(&self) -> &[u32] {
+        &self.starts
+    }
+
+    /// All pairs have been told.
+    pub fn fall_back(&mut self) {
+        self.starts.clear();
+    }
+
+    /// The lanes know more than their pairs now. Those of a colour, in the order of the graph, begin at one of `starts`; if there are
+    /// none, all pairs were told. `ids` is above the ids of all pairs.
+    pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
+        self.starts.clear();
+        self.starts.extend_from_slice(starts);
+        self.turn = self.turn.wrapping_add(1);
+        self.told.resize_with(ids, AtomicU32::default);
+    }
+
+    /// Has `tell` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
+    pub fn settle(&self, id: PairId, tell: impl FnOnce()) {
+        if !self.is_told(id) {
+            let _telling = self.telling.lock().unwrap_or_else(PoisonError::into_inner);
+            if !self.is_told(id) {
+                tell();
+            }
+        }
+    }
+
+    /// Tells a pair what became of it, unless it knows.
+    pub fn tell(&self, id: PairId, pair: &mut ContactPair) {
+        if self.is_told(id) {
+            return;
+        }
+        for (index, manifold) in pair.manifolds.iter_mut().enumerate() {
+            let at = ManifoldRef { pair: id, manifold: index as u32 };
+            if let Some((block, lane)) = self.find(at, manifold) {
+                self.tell_manifold(block, lane, manifold);
+            }
+        }
+        self.told[id as usize].store(self.turn, Ordering::Release);
+    }
+
+    /// The normal of a manifold of a pair, as of the last step whether or not it has been told.
+    pub fn normal_of(&self, id: PairId, index: usize, manifold: &ContactManifold) -> Vector {
+        let at = ManifoldRef { pair: id, manifold: index as u32 };
+        let ahead = if self.is_told(id) { None } else { self.find(at, manifold) };
+        let report = ahead.map(|(block, lane)| &self.reports[block][lane]);
+        report
+            .filter(|report| report.is_sound())
+            .map_or(manifold.data.normal, ContactReport::normal)
+    }
+
+    /// Tells the manifold that a lane stands for what became of it.
+    pub fn tell_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
+        let data = &mut manifold.data;
+        tell(&self.reports[block][lane], data);
+        if self.are_rough {
+            let input = &self.blocks[block].input;
+            for (k, point) in data.points.iter_mut().enumerate() {
+                point.warmstart_tangent_impulse = input.tangent_impulse(k, lane);
+            }
+        }
+    }
+
+    /// Asks for what a pair will be told.
+    pub fn prefetch(&self, id: PairId, pair: &ContactPair) {
+        let at = ManifoldRef { pair: id, manifold: 0 };
+        let first = pair.manifolds.first().filter(|_| !self.is_told(id));
+        if let Some((block, lane)) = first.and_then(|manifold| self.find(at, manifold)) {
+            prefetch(&self.reports[block][lane]);
+        }
+    }
+
+    #[inline]
+    fn is_told(&self, id: PairId) -> bool {
+        let turn = self.told.get(id as usize);
+        !self.are_ahead() || turn.is_none_or(|turn| turn.load(Ordering::Acquire) == self.turn)
+    }
+
+    /// The block and the lane in it that stands for a manifold.
+    fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
+        let ColorSlot { color, position } = manifold.slot?;
+        let start = *self.starts.get(color as usize)? as usize;
+        let (block, lane) = (start + position as usize / LANES, position as usize % LANES);
+        let is_there = self.blocks.get(block)?.is_seated(lane, at) && block < self.reports.len();
+        is_there.then_some((block, lane))
+    }
+}

@@ -1,0 +1,69 @@
+//! Touching pairs in the structure: they hold islands together, and their manifolds have colours while one of their bodies is awake.
+
+use super::Structure;
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::PairId;
+
+impl Structure<'_> {
+    /// A pair began to touch: its bodies share an island from now on, and its manifolds get colours.
+    /// A sleeping island that an awake dynamic body touches wakes.
+    pub fn attach(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        self.narrow_phase.contacts[id].attached = true;
+        if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
+            self.link(slot1, slot2);
+        }
+        self.update_colors(id);
+    }
+
+    /// A pair no longer touches, or is about to go.
+    pub fn detach(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        let pair = &mut self.narrow_phase.contacts[id];
+        if !core::mem::replace(&mut pair.attached, false) {
+            return;
+        }
+        for manifold in 0..self.narrow_phase.contacts[id].manifolds.len() {
+            self.uncolor(ManifoldRef { pair: id, manifold: manifold as u32 });
+        }
+        if let [Some(slot1), Some(_)] = self.dynamic_slots(slots)
+            && let Some(island) = self.body(slot1).map(|body| body.link.island)
+        {
+            self.islands.island_mut(island).is_cut = true;
+        }
+    }
+
+    /// Gives colours to those manifolds of a pair that should have one, and takes the others' away.
+    pub fn update_colors(&mut self, id: PairId) {
+        let slots = self.narrow_phase.contacts.bodies(id);
+        let dynamic = self.dynamic_slots(slots);
+        let awake = dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
+        let wanted = awake && self.narrow_phase.contacts[id].attached;
+        for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
+            let manifold = ManifoldRef { pair: id, manifold: index as u32 };
+            let state = &self.narrow_phase.contacts[id].manifolds[index];
+            if !(wanted && state.is_solved()) {
+                self.uncolor(manifold);
+            } else if state.slot.is_none() {
+                self.narrow_phase.settle(id);
+                let slot = self.islands.graph.add(manifold, dynamic);
+                self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
+            }
+        }
+    }
+
+    /// Takes a manifold out of the constraint graph, if it is there.
+    pub fn uncolor(&mut self, manifold: ManifoldRef) {
+        let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
+        let manifolds = &self.narrow_phase.contacts[manifold.pair].manifolds;
+        let Some(slot) = manifolds[manifold.manifold as usize].slot else { return };
+        self.narrow_phase.settle(manifold.pair);
+        let pair = &mut self.narrow_phase.contacts[manifold.pair];
+        pair.manifolds[manifold.manifold as usize].slot = None;
+        if let Some(moved) = self.islands.graph.remove(slot, bodies) {
+            self.narrow_phase.settle(moved.pair);
+            let pair = &mut self.narrow_phase.contacts[moved.pair];
+            pair.manifolds[moved.manifold as usize].slot = Some(slot);
+        }
+    }
+}
