@@ -21,8 +21,10 @@ pub struct Contest {
 
 /// What an engine has achieved.
 pub struct Score {
-    /// How long each step took (ms), for each round.
+    /// How long each step but the first took (ms), for each round.
     pub rounds: Vec<Vec<f64>>,
+    /// How long it took to make the world and to take the first step (ms), for each round: some engines do at once what others do then.
+    pub setups: Vec<f64>,
     /// The world after the last round.
     pub stats: Stats,
     /// Bytes that the world held at the end.
@@ -49,6 +51,11 @@ impl Score {
         self.mean_of_steps(|sorted| sorted[0])
     }
 
+    /// The fastest of all rounds to make the world and take the first step (ms).
+    pub fn setup(&self) -> f64 {
+        self.setups.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
     /// Mean over the steps of what `choose` makes of the step's sorted durations in all rounds.
     fn mean_of_steps(&self, choose: impl Fn(&[f64]) -> f64) -> f64 {
         let steps = self.rounds[0].len();
@@ -71,7 +78,8 @@ impl Contest {
 /// Lets the engines take turns.
 pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
     let template = (scene.build)();
-    let steps = options.steps.unwrap_or(scene.steps);
+    // The first step belongs to the making of the world.
+    let steps = options.steps.unwrap_or(scene.steps).max(2);
     let mut results: Vec<(Kind, Result<Score, Unsupported>)> = Vec::new();
     for round in 0..options.rounds {
         for (position, &kind) in options.engines.iter().enumerate() {
@@ -87,6 +95,7 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
                 Some((_, Ok(so_far))) => {
                     if let Ok(score) = play(&*template, kind, threads, steps, &label) {
                         so_far.rounds.extend(score.rounds);
+                        so_far.setups.extend(score.setups);
                         so_far.stats = score.stats;
                         so_far.bytes = score.bytes;
                     }
@@ -110,8 +119,11 @@ fn play(
     let mut progress = Progress::new(label, label.len(), steps);
     let mut durations = Vec::with_capacity(steps);
     let bytes_before = live_bytes();
+    let clock = Clock::start(threads);
     let mut engine = template.start(kind, threads)?;
-    for done in 1..=steps {
+    engine.step();
+    let setup = clock.milliseconds();
+    for done in 2..=steps {
         let clock = Clock::start(threads);
         engine.step();
         durations.push(clock.milliseconds());
@@ -119,7 +131,8 @@ fn play(
     }
     progress.clear();
     let bytes = live_bytes().saturating_sub(bytes_before) + engine.foreign_bytes();
-    Ok(Score { rounds: vec![durations], stats: engine.stats(), bytes })
+    let (rounds, setups) = (vec![durations], vec![setup]);
+    Ok(Score { rounds, setups, stats: engine.stats(), bytes })
 }
 
 #[cfg(test)]
@@ -128,7 +141,7 @@ mod tests {
 
     fn score(rounds: &[&[f64]]) -> Score {
         let rounds = rounds.iter().map(|round| round.to_vec()).collect();
-        Score { rounds, stats: Stats::default(), bytes: 0 }
+        Score { rounds, setups: vec![2.0, 1.0], stats: Stats::default(), bytes: 0 }
     }
 
     #[test]
@@ -136,6 +149,7 @@ mod tests {
         let score = score(&[&[3.0, 90.0], &[80.0, 5.0], &[3.5, 7.0]]);
         assert_eq!(score.median(), (3.5 + 7.0) / 2.0);
         assert_eq!(score.best(), (3.0 + 5.0) / 2.0);
+        assert_eq!(score.setup(), 1.0);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use gallery::{Table, grouped};
 use std::io::{self, Write};
 use std::path::Path;
 
-const HEADINGS: [&str; 13] = [
+const HEADINGS: [&str; 14] = [
     "scene",
     "threads",
     "engine",
@@ -16,6 +16,7 @@ const HEADINGS: [&str; 13] = [
     "ratio",
     "best ms",
     "ratio",
+    "setup ms",
     "pairs",
     "points",
     "overlap",
@@ -29,8 +30,9 @@ const PAGE: &str = "docs/benchmarks/latest.md";
 
 /// What the columns mean, and the rules.
 const LEGEND: &str = "\
-ms/step: mean over all steps of the step's median over the rounds. best ms: the same with the step's
-fastest round. With one thread it is time on the processor, with more it is time on the wall.
+ms/step: mean over all steps but the first of the step's median over the rounds. best ms: the same with
+the step's fastest round. setup ms: to make the world and take the first step, in the fastest round;
+some engines take in new bodies at once, others in the next step. With one thread it is time on the processor, with more it is time on the wall.
 ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
 overlap: deepest overlap of any pair at the end, measured in the same way for all.
@@ -107,6 +109,7 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
         ratio(Score::median),
         format!("{:.3}", score.best()),
         ratio(Score::best),
+        format!("{:.1}", score.setup()),
         grouped(stats.pairs),
         grouped(stats.points),
         format!("{:.4}", stats.overlap),
@@ -152,7 +155,12 @@ mod tests {
     use crate::engine::{Stats, Unsupported};
 
     fn contest() -> Contest {
-        let score = |ms| Score { rounds: vec![vec![ms]], stats: Stats::default(), bytes: 3000 };
+        let score = |ms| Score {
+            rounds: vec![vec![ms]],
+            setups: vec![7.0],
+            stats: Stats::default(),
+            bytes: 3000,
+        };
         Contest {
             scene: "3d/tower".into(),
             dynamic_bodies: 30,
@@ -171,7 +179,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[0][4].as_str(), rows[0][6].as_str()), ("", ""));
         assert_eq!((rows[1][4].as_str(), rows[1][6].as_str()), ("2.00", "2.00"));
-        assert_eq!(rows[1][12], "100");
+        assert_eq!((rows[1][7].as_str(), rows[1][13].as_str()), ("7.0", "100"));
     }
 
     #[test]

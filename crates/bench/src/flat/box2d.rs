@@ -1,8 +1,8 @@
 //! Box2D, through the crate that builds it from its C sources.
 //!
-//! Box2D knows circles, capsules and convex polygons of up to 8 corners; what else it knows the benchmark
-//! does not transcribe. Left to itself it mixes
-//! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+//! Box2D knows circles, capsules, convex polygons of up to 8 corners, with a round rim or without, and chains of segments, which
+//! height fields become. A half-space becomes a box as large as the scene. What else it knows the benchmark does not transcribe. Left
+//! to itself it mixes the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
 
 use super::ours::prelude::*;
 use super::overlap::deepest_overlap;
@@ -13,6 +13,9 @@ use boxdd_sys::ffi::*;
 
 /// Box2D's own limit.
 const MAX_POLYGON_VERTICES: usize = 8;
+
+/// Half the size of the box that stands for a half-space.
+const ENDLESS: f32 = 1000.0;
 
 /// A world in Box2D.
 pub struct Box2d<'t> {
@@ -163,6 +166,25 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
                 let polygon = b2MakeOffsetBox(half.x, half.y, center, turn);
                 b2CreatePolygonShape(body, &definition, &polygon);
             }
+            TypedShape::RoundCuboid(round) => {
+                let half = round.inner_shape.half_extents;
+                let (center, turn) = (vector(local.translation), rotation(&local.rotation));
+                let radius = round.border_radius;
+                let polygon = b2MakeOffsetRoundedBox(half.x, half.y, center, turn, radius);
+                b2CreatePolygonShape(body, &definition, &polygon);
+            }
+            TypedShape::HalfSpace(half_space) => {
+                let up = half_space.normal;
+                let turn = Rotation { re: up.y, im: -up.x };
+                let polygon = b2MakeOffsetBox(
+                    ENDLESS,
+                    ENDLESS,
+                    at(up * -ENDLESS),
+                    rotation(&(local.rotation * turn)),
+                );
+                b2CreatePolygonShape(body, &definition, &polygon);
+            }
+            TypedShape::HeightField(field) => create_chain(body, &definition, field, &at),
             TypedShape::ConvexPolygon(polygon) => {
                 let points: Vec<b2Vec2> = polygon.points().iter().map(|&p| at(p)).collect();
                 if points.len() > MAX_POLYGON_VERTICES {
@@ -182,6 +204,38 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
         }
     }
     Ok(())
+}
+
+/// The surface of a height field, solid from above.
+///
+/// # Safety
+/// The body must be live.
+unsafe fn create_chain(
+    body: b2BodyId,
+    shape: &b2ShapeDef,
+    field: &HeightField,
+    at: &impl Fn(Vector) -> b2Vec2,
+) {
+    // What is to the right of the way along the points is outside, and the first and the last segment are not solid.
+    let mut points: Vec<Vector> =
+        field.segments().next().map(|first| first.a).into_iter().collect();
+    points.extend(field.segments().map(|segment| segment.b));
+    points.reverse();
+    if let [first, .., last] = points[..] {
+        points.insert(0, first + Vector::X);
+        points.push(last - Vector::X);
+    }
+    let points: Vec<b2Vec2> = points.into_iter().map(at).collect();
+    // SAFETY: the caller's promise; the definition and what it points to outlive the call, which copies them.
+    unsafe {
+        let mut definition = b2DefaultChainDef();
+        definition.points = points.as_ptr();
+        definition.count = points.len() as i32;
+        definition.materials = &shape.material;
+        definition.materialCount = 1;
+        definition.filter = shape.filter;
+        b2CreateChain(body, &definition);
+    }
 }
 
 fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {

@@ -1,8 +1,7 @@
 //! Box3D, through the crate that builds it from its C sources.
 //!
-//! Box3D knows spheres, capsules, convex hulls (boxes are hulls) and meshes; what else it knows, such as
-//! height fields, the benchmark does not transcribe. Left to itself it mixes
-//! the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+//! Box3D knows spheres, capsules, convex hulls (boxes are hulls) and meshes, which height fields become. A cylinder becomes a prism, a
+//! half-space a box as large as the scene. Left to itself it mixes the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
 
 mod joints;
 
@@ -16,6 +15,12 @@ use box3d_sys::*;
 
 /// Box3D's own limit.
 const MAX_HULL_VERTICES: usize = 128;
+
+/// Corners of the prism that stands for a cylinder: it has no round ones.
+const CYLINDER_SIDES: usize = 16;
+
+/// Half the size of the box that stands for a half-space.
+const ENDLESS: f32 = 1000.0;
 
 /// A world in Box3D.
 pub struct Box3d<'t> {
@@ -210,15 +215,36 @@ fn create_shape(
                 if points.len() > MAX_HULL_VERTICES {
                     return Err(Unsupported::because("a hull has too many vertices"));
                 }
-                let hull = b3CreateHull(points.as_ptr(), points.len() as i32, points.len() as i32);
-                if hull.is_null() {
-                    return Err(Unsupported::because("it refuses a hull"));
-                }
-                b3CreateHullShape(body, &definition, hull);
-                b3DestroyHull(hull);
+                create_hull(body, &definition, &points)?;
+            }
+            TypedShape::Cylinder(cylinder) => {
+                let sides: Vec<b3Vec3> = (0..2 * CYLINDER_SIDES)
+                    .map(|k| {
+                        let angle = (k / 2) as f32 / CYLINDER_SIDES as f32 * std::f32::consts::TAU;
+                        let height = cylinder.half_height * if k % 2 == 0 { 1.0 } else { -1.0 };
+                        let (sin, cos) = angle.sin_cos();
+                        at(Vector::new(cos * cylinder.radius, height, sin * cylinder.radius))
+                    })
+                    .collect();
+                create_hull(body, &definition, &sides)?;
+            }
+            TypedShape::HalfSpace(half_space) => {
+                let turn = Rotation::from_rotation_arc(Vector::Y, half_space.normal);
+                let frame = b3Transform {
+                    p: at(half_space.normal * -ENDLESS),
+                    q: quaternion(&(local.rotation * turn)),
+                };
+                let hull = b3MakeTransformedBoxHull(ENDLESS, ENDLESS, ENDLESS, frame);
+                b3CreateHullShape(body, &definition, &hull.base);
+            }
+            TypedShape::HeightField(field) => {
+                let (vertices, triangles) = field.to_trimesh();
+                let mesh = create_mesh(&vertices, &triangles, local)?;
+                b3CreateMeshShape(body, &definition, mesh.0, vector(Vector::ONE));
+                meshes.push(mesh);
             }
             TypedShape::TriMesh(mesh) => {
-                let mesh = create_mesh(mesh, local)?;
+                let mesh = create_mesh(mesh.vertices(), mesh.indices(), local)?;
                 let scale = vector(Vector::ONE);
                 b3CreateMeshShape(body, &definition, mesh.0, scale);
                 meshes.push(mesh);
@@ -232,18 +258,40 @@ fn create_shape(
     Ok(())
 }
 
+/// # Safety
+/// The body must be live.
+unsafe fn create_hull(
+    body: b3BodyId,
+    definition: &b3ShapeDef,
+    points: &[b3Vec3],
+) -> Result<(), Unsupported> {
+    // SAFETY: the caller's promise; definitions and geometry outlive the calls, which copy them.
+    unsafe {
+        let hull = b3CreateHull(points.as_ptr(), points.len() as i32, points.len() as i32);
+        if hull.is_null() {
+            return Err(Unsupported::because("it refuses a hull"));
+        }
+        b3CreateHullShape(body, definition, hull);
+        b3DestroyHull(hull);
+    }
+    Ok(())
+}
+
 /// A mesh whose edges are marked, so that bodies do not catch on those between flat triangles.
-fn create_mesh(mesh: &TriMesh, local: &Pose) -> Result<Mesh, Unsupported> {
-    let mut vertices: Vec<b3Vec3> = mesh.vertices().iter().map(|&v| vector(*local * v)).collect();
-    let mut indices: Vec<i32> =
-        mesh.indices().iter().flatten().map(|&index| index as i32).collect();
+fn create_mesh(
+    vertices: &[Vector],
+    triangles: &[[u32; 3]],
+    local: &Pose,
+) -> Result<Mesh, Unsupported> {
+    let mut vertices: Vec<b3Vec3> = vertices.iter().map(|&v| vector(*local * v)).collect();
+    let mut indices: Vec<i32> = triangles.iter().flatten().map(|&index| index as i32).collect();
     let definition = b3MeshDef {
         vertices: vertices.as_mut_ptr(),
         indices: indices.as_mut_ptr(),
         materialIndices: core::ptr::null_mut(),
         weldTolerance: 0.0,
         vertexCount: vertices.len() as i32,
-        triangleCount: mesh.indices().len() as i32,
+        triangleCount: triangles.len() as i32,
         weldVertices: false,
         useMedianSplit: false,
         identifyEdges: true,
