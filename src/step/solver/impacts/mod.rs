@@ -108,7 +108,34 @@ pub(super) struct Impacts {
     /// Those of one colour stand together.
     blocks: Vec<ImpactBlock>,
     colors: Vec<Range<usize>>,
+    struck: Struck,
     memory: Memory,
+}
+
+/// What a round is about, often little of all that could be hit.
+#[derive(Default)]
+struct Struck {
+    /// The blocks with a contact that hits; those of one colour stand together.
+    blocks: Vec<u32>,
+    colors: Vec<Range<usize>>,
+    /// The islands that they are in.
+    islands: Vec<u32>,
+}
+
+impl Struck {
+    fn clear(&mut self) {
+        self.blocks.clear();
+        self.colors.clear();
+        self.islands.clear();
+    }
+
+    /// Includes an island.
+    fn strike(&mut self, island: u32, account: &mut Account) {
+        if !account.is_struck {
+            account.is_struck = true;
+            self.islands.push(island);
+        }
+    }
 }
 
 /// What is known of bodies, by their index, or of islands.
@@ -257,32 +284,45 @@ impl Impacts {
 
     /// Finds the islands where something hits, as long as they have visits left. Is there any?
     fn find_struck(&mut self, links: &mut SolverMultibodies) -> bool {
-        let accounts = &mut self.memory.accounts;
+        let Self { blocks, colors, struck, memory } = self;
+        let accounts = &mut memory.accounts;
         for account in accounts.iter_mut() {
             (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
         }
-        let mut any = false;
-        for block in &mut self.blocks {
-            for lane in lanes(block.struck) {
-                let account = &mut accounts[block.islands[lane] as usize];
-                if account.visits > 0 {
-                    (account.is_struck, any) = (true, true);
-                } else {
-                    block.let_be(lane);
-                    block.struck &= !(1 << lane);
+        struck.clear();
+        for color in &*colors {
+            let start = struck.blocks.len();
+            for index in color.clone() {
+                let block = &mut blocks[index];
+                for lane in lanes(block.struck) {
+                    let island = block.islands[lane];
+                    let account = &mut accounts[island as usize];
+                    if account.visits > 0 {
+                        struck.strike(island, account);
+                    } else {
+                        block.let_be(lane);
+                        block.struck &= !(1 << lane);
+                    }
                 }
+                if block.struck != 0 {
+                    struck.blocks.push(index as u32);
+                }
+            }
+            if start < struck.blocks.len() {
+                struck.colors.push(start..struck.blocks.len());
             }
         }
         for contact in links.struck() {
-            let account = &mut accounts[contact.strike.island as usize];
+            let island = contact.strike.island;
+            let account = &mut accounts[island as usize];
             if account.visits > 0 {
-                (account.is_struck, any) = (true, true);
+                struck.strike(island, account);
             } else {
                 contact.let_be();
                 contact.strike.struck = false;
             }
         }
-        any
+        !struck.islands.is_empty()
     }
 
     /// Parts the contacts that hit.
@@ -313,7 +353,8 @@ impl Impacts {
             joints.project(states, is_moving, add_work, joint_pass, (*simd, *tasks));
         }
         self.pass(Stage::End, contacts, bodies, around, pass);
-        for block in &self.blocks {
+        for &index in &self.struck.blocks {
+            let block = &self.blocks[index as usize];
             for lane in lanes(block.struck) {
                 let account = &mut self.memory.accounts[block.islands[lane] as usize];
                 account.stopped += block.stopped.0[lane];
@@ -345,7 +386,8 @@ impl Impacts {
             }
         }
         let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
-        for block in &mut self.blocks {
+        for &index in &self.struck.blocks {
+            let block = &mut self.blocks[index as usize];
             let (struck, islands) = (block.struck, block.islands);
             lanes(struck).for_each(|lane| block.settle(lane, share(islands[lane])));
         }
@@ -359,12 +401,15 @@ impl Impacts {
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
     /// Is there any?
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
-        let accounts = &mut self.memory.accounts;
-        for account in accounts.iter_mut() {
+        let Self { blocks, struck, memory, .. } = self;
+        let accounts = &mut memory.accounts;
+        for &island in &struck.islands {
+            let account = &mut accounts[island as usize];
             account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
             account.is_moving = false;
         }
-        for block in &self.blocks {
+        for &index in &struck.blocks {
+            let block = &blocks[index as usize];
             let moving = block.struck & block.moving;
             lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
         }
@@ -372,7 +417,8 @@ impl Impacts {
             accounts[contact.strike.island as usize].is_moving = true;
         }
         let mut any = false;
-        for block in &mut self.blocks {
+        for &index in &struck.blocks {
+            let block = &mut blocks[index as usize];
             for lane in lanes(block.struck) {
                 let account = &mut accounts[block.islands[lane] as usize];
                 if account.is_moving {
@@ -417,8 +463,12 @@ impl Impacts {
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
         let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
-        for_each_color(&self.colors, around.tasks, |range| {
-            simd.run(Run { stage, range, contacts, impacts, states, delays, known, pass });
+        let (colors, order) = match stage {
+            Stage::Visit | Stage::End => (&self.struck.colors, Some(&self.struck.blocks[..])),
+            _ => (&self.colors, None),
+        };
+        for_each_color(colors, around.tasks, |range| {
+            simd.run(Run { stage, range, order, contacts, impacts, states, delays, known, pass });
         });
     }
 
@@ -474,6 +524,8 @@ enum Stage {
 struct Run<'a> {
     stage: Stage,
     range: Range<usize>,
+    /// Which blocks these are, if not all are wanted.
+    order: Option<&'a [u32]>,
     contacts: Blocks<'a>,
     impacts: DisjointMut<'a, ImpactBlock>,
     states: DisjointMut<'a, BodyState>,
@@ -488,7 +540,8 @@ impl Kernel for Run<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        for index in self.range.clone() {
+        for position in self.range.clone() {
+            let index = self.order.map_or(position, |order| order[position] as usize);
             // SAFETY: each block belongs to one task, the constraints of one colour share no body that is not
             // read-only, and one colour is done before the next begins.
             unsafe { self.run_block::<W>(index) };
@@ -508,7 +561,6 @@ impl Run<'_> {
             let (block, coulomb) = self.contacts.get(impact.at);
             match self.stage {
                 Stage::Begin => impact.recall(block),
-                Stage::Visit | Stage::End if impact.struck == 0 => return,
                 Stage::PutAside => return impact.put_aside(block),
                 Stage::Rub if impact.was_struck => return impact.rub::<W>(block, coulomb, states),
                 Stage::Rub => return,
