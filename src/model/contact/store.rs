@@ -88,7 +88,7 @@ pub(crate) struct PairStore<P> {
     states: Vec<PairState>,
     places: Vec<Place>,
     free: Vec<PairId>,
-    known: FastHashMap<(u32, u32), PairId>,
+    known: FastHashMap<u64, PairId>,
     of_collider: Vec<Vec<PairId>>,
     awake: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
@@ -114,8 +114,9 @@ fn slot(handle: ColliderHandle) -> u32 {
     handle.into_raw_parts().0
 }
 
-fn key(slot1: u32, slot2: u32) -> (u32, u32) {
-    (slot1.min(slot2), slot1.max(slot2))
+/// Two slots in one word, which is hashed at once.
+fn key(slot1: u32, slot2: u32) -> u64 {
+    u64::from(slot1.min(slot2)) << 32 | u64::from(slot1.max(slot2))
 }
 
 impl<P: Pair> PairStore<P> {
