@@ -50,12 +50,15 @@ pub mod spinner;
 pub mod compounds;
 pub mod smash;
 pub mod downpour;
+pub mod junkyard;
+pub mod ragdolls;
+pub mod washer;
 pub mod joint_grid;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 51] = [
+pub const SCENES: [SceneInfo; 54] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -106,5 +109,8 @@ pub const SCENES: [SceneInfo; 51] = [
     compounds::INFO,
     smash::INFO,
     downpour::INFO,
+    junkyard::INFO,
+    ragdolls::INFO,
+    washer::INFO,
     joint_grid::INFO,
 ];

@@ -32,20 +32,24 @@ pub fn build() -> Scene {
     add_fixed(&mut world, Vector::new(-3.0, 0.5 * height), landing);
     for i in 0..3 {
         let place = Vector::new(2.2 * i as Real, height + 1.2 - 0.6 * i as Real);
-        for body in add_ragdoll(&mut world, place) {
+        for body in add_ragdoll(&mut world, place, Some(3.0)) {
             world.bodies[body].set_linvel(Vector::new(3.0, 1.0), true);
         }
     }
     Scene::new(world, View::flat()).focusing(Vector::new(-4.0, -0.3), Vector::new(10.0, 6.2))
 }
 
-/// Somebody who stands upright and looks along x, with the hips at a place.
-fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
+/// Somebody who stands upright and looks along x, with the hips at a place, and with muscles that slow the limbs down or without.
+pub(super) fn add_ragdoll(
+    world: &mut PhysicsWorld,
+    hips: Vector,
+    muscles: Option<Real>,
+) -> Vec<RigidBodyHandle> {
     let middle = hips + Vector::Y * 0.3;
     let chest = add(world, middle, ColliderBuilder::cuboid(0.14, 0.28));
     let head = add(world, hips + Vector::Y * 0.78, ColliderBuilder::ball(0.14));
     let neck = (Vector::Y * 0.3, Vector::Y * -0.18);
-    join(world, (chest, neck.0), (head, neck.1), [-0.7, 0.5]);
+    join(world, (chest, neck.0), (head, neck.1), [-0.7, 0.5], muscles);
     let mut bodies = vec![chest, head];
     // By limb: where it begins, half its length and its radius, how far it swings and how far it bends.
     let arm = (Vector::Y * 0.22, 0.17, 0.06, [-1.2, 2.8], [0.0, 2.4]);
@@ -55,8 +59,8 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
         let near = add(world, middle + root - Vector::Y * reach, shape.clone());
         let far = add(world, middle + root - Vector::Y * (3.0 * reach), shape);
         let end = Vector::Y * reach;
-        join(world, (chest, root), (near, end), swing);
-        join(world, (near, -end), (far, end), bend);
+        join(world, (chest, root), (near, end), swing, muscles);
+        join(world, (near, -end), (far, end), bend, muscles);
         bodies.extend([near, far]);
     }
     // The limbs of one doll pass each other; so flat a person has them all in one place.
@@ -70,18 +74,19 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
     bodies
 }
 
-/// A hinge with limits, and muscles that slow it down.
+/// A hinge with limits, and muscles that slow it down, if there are any.
 fn join(
     world: &mut PhysicsWorld,
     (body1, anchor1): (RigidBodyHandle, Vector),
     (body2, anchor2): (RigidBodyHandle, Vector),
     limits: [Real; 2],
+    muscles: Option<Real>,
 ) {
-    let joint = hinge()
-        .local_anchor1(anchor1)
-        .local_anchor2(anchor2)
-        .limits(limits)
-        .motor_velocity(0.0, 3.0)
-        .contacts_enabled(false);
+    let joint = hinge().local_anchor1(anchor1).local_anchor2(anchor2).limits(limits);
+    let joint = joint.contacts_enabled(false);
+    let joint = match muscles {
+        Some(damping) => joint.motor_velocity(0.0, damping),
+        None => joint,
+    };
     world.insert_impulse_joint(body1, body2, joint);
 }

@@ -56,11 +56,13 @@ pub mod cobbles;
 pub mod glide;
 pub mod joint_grid;
 pub mod ragdolls;
+pub mod ragdoll_rain;
+pub mod trees;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 57] = [
+pub const SCENES: [SceneInfo; 61] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -118,4 +120,8 @@ pub const SCENES: [SceneInfo; 57] = [
     glide::ON_BOX,
     joint_grid::INFO,
     ragdolls::INFO,
+    ragdoll_rain::INFO,
+    trees::TREES100,
+    trees::TREES50,
+    trees::TREES25,
 ];

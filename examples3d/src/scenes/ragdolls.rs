@@ -29,11 +29,14 @@ pub fn build() -> Scene {
         let place = Vector::new(along(x), 2.0 + 2.0 * layer as Real, along(z));
         let axis = Vector::new(dice.between(-1.0, 1.0), 1.0, dice.between(-1.0, 1.0)).normalize();
         let turn = axis * dice.between(0.0, 2.0 * HALF_TURN);
-        let mut person =
-            Ragdoll { world: &mut world, at: Pose::new(place, turn), spin: axis * 4.0 };
-        person.build();
+        add_ragdoll(&mut world, Pose::new(place, turn), axis * 4.0);
     }
     Scene::new(world, View::orbit(25.0, 30.0))
+}
+
+/// Adds a person whose pelvis is here, and who spins.
+pub(super) fn add_ragdoll(world: &mut PhysicsWorld, at: Pose, spin: AngVector) {
+    Ragdoll { world, at, spin }.build();
 }
 
 /// A person that is being put together, standing with its arms spread.

@@ -51,7 +51,7 @@ fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsu
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
-const SCENES: [(&str, bool); 13] = [
+const SCENES: [(&str, bool); 16] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
     ("smash", false),
@@ -59,6 +59,9 @@ const SCENES: [(&str, bool); 13] = [
     ("spinner", false),
     ("compounds", false),
     ("downpour", false),
+    ("junkyard", false),
+    ("ragdolls", false),
+    ("washer", false),
     ("tower30", false),
     ("pyramid20", false),
     ("card_house", false),

@@ -51,7 +51,7 @@ fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsu
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
-const SCENES: [(&str, bool); 19] = [
+const SCENES: [(&str, bool); 23] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
     ("convex_pile", true),
@@ -71,6 +71,10 @@ const SCENES: [(&str, bool); 19] = [
     ("glide_box", false),
     ("joint_grid", false),
     ("ragdolls", false),
+    ("ragdoll_rain", false),
+    ("trees100", false),
+    ("trees50", false),
+    ("trees25", false),
 ];
 
 /// The scenes in 3D.

@@ -218,14 +218,7 @@ fn create_shape(
                 create_hull(body, &definition, &points)?;
             }
             TypedShape::Cylinder(cylinder) => {
-                let sides: Vec<b3Vec3> = (0..2 * CYLINDER_SIDES)
-                    .map(|k| {
-                        let angle = (k / 2) as f32 / CYLINDER_SIDES as f32 * std::f32::consts::TAU;
-                        let height = cylinder.half_height * if k % 2 == 0 { 1.0 } else { -1.0 };
-                        let (sin, cos) = angle.sin_cos();
-                        at(Vector::new(cos * cylinder.radius, height, sin * cylinder.radius))
-                    })
-                    .collect();
+                let sides: Vec<b3Vec3> = prism(cylinder).map(at).collect();
                 create_hull(body, &definition, &sides)?;
             }
             TypedShape::HalfSpace(half_space) => {
@@ -256,6 +249,15 @@ fn create_shape(
         }
     }
     Ok(())
+}
+
+/// The corners of a prism in the place of a cylinder.
+fn prism(cylinder: &Cylinder) -> impl Iterator<Item = Vector> {
+    (0..2 * CYLINDER_SIDES).map(|k| {
+        let angle = (k / 2) as f32 / CYLINDER_SIDES as f32 * std::f32::consts::TAU;
+        let height = cylinder.half_height * if k % 2 == 0 { 1.0 } else { -1.0 };
+        Vector::new(angle.cos() * cylinder.radius, height, angle.sin() * cylinder.radius)
+    })
 }
 
 /// # Safety
