@@ -1,6 +1,7 @@
 //! A value that is completed when somebody looks at it, behind a shared reference.
 
 use core::cell::UnsafeCell;
+use std::panic::RefUnwindSafe;
 
 /// A value of which a part may be written late: by whoever has it for himself, or, by promise, behind a shared reference before
 /// anybody looks.
@@ -11,6 +12,9 @@ pub struct Late<T>(UnsafeCell<T>);
 // SAFETY: through a shared `Late` a thread can get at a value that another thread made (`T: Send`), and several threads at the same
 // one for reading (`T: Sync`). That nobody reads while it is written is the contract of `write`.
 unsafe impl<T: Send + Sync> Sync for Late<T> {}
+
+// A panic within `write` may leave a part unwritten, as it may behind a mutable reference.
+impl<T: RefUnwindSafe> RefUnwindSafe for Late<T> {}
 
 impl<T: Clone> Clone for Late<T> {
     fn clone(&self) -> Self {

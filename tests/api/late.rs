@@ -40,8 +40,13 @@ impl Heap {
                 assert!(world.insert_multibody_joint(one, two, joint).is_some());
             }
             30 => world.bodies[chosen].apply_impulse(vec(20.0, 5.0), true),
+            33 => world.integration_parameters.dt = 1.0 / 100.0,
+            37 => world.integration_parameters.dt = 1.0 / 60.0,
             _ => {}
         }
+        let is_rough = (8..17).contains(&(self.step % 40));
+        let model = if is_rough { FrictionModel::Coulomb } else { FrictionModel::Standard };
+        world.integration_parameters.friction_model = model;
         world.step();
         self.step += 1;
     }
@@ -66,6 +71,7 @@ fn numbers(pair: &ContactPair) -> Vec<Real> {
         for contact in manifold.contacts() {
             numbers.extend([contact.impulse, contact.warmstart_impulse, contact.dist]);
             numbers.extend(contact.point.to_array());
+            numbers.extend(contact.warmstart_tangent_impulse);
         }
     }
     numbers
@@ -97,19 +103,24 @@ fn who_looks_changes_nothing() {
     assert_eq!(never.contacts(), always.contacts());
 }
 
-/// Several threads may look at the same contacts at the same time, each for the first time.
+/// Several threads may look at the same contacts at the same time, each for the first time, or copy them.
 #[test]
 fn several_may_look_at_once() {
     let mut heap = Heap::new();
     for _ in 0..60 {
         heap.step();
         let start = std::sync::Barrier::new(4);
-        let look = || {
+        let (heap, start) = (&heap, &start);
+        let look = move |copies: bool| {
             start.wait();
-            heap.contacts()
+            if !copies {
+                return heap.contacts();
+            }
+            let copy = heap.world.narrow_phase.clone();
+            copy.contact_pairs().flat_map(|(.., pair)| numbers(pair)).collect()
         };
         let found: Vec<_> = std::thread::scope(|scope| {
-            let lookers: Vec<_> = (0..4).map(|_| scope.spawn(look)).collect();
+            let lookers: Vec<_> = (0..4).map(|k| scope.spawn(move || look(k % 2 == 1))).collect();
             lookers.into_iter().map(|looker| looker.join().expect("no panic")).collect()
         });
         assert!(found.iter().all(|contacts| *contacts == found[0]));

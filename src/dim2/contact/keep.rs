@@ -13,7 +13,7 @@ use crate::model::contact::{ContactInput, ContactReport};
 #[inline(always)]
 pub(crate) fn keep<W: Wide>(
     block: &ContactBlock,
-    _coulomb: Option<&CoulombBlock>,
+    coulomb: Option<&CoulombBlock>,
     input: &mut ContactInput,
     reports: &mut [ContactReport; LANES],
 ) {
@@ -41,6 +41,10 @@ pub(crate) fn keep<W: Wide>(
     for k in 0..MAX_MANIFOLD_POINTS {
         let impulse = W::load(&block.points[k].impulse);
         W::select(is_sound, impulse, zero).store(&mut input.impulses[k]);
+    }
+    // Links of multibodies have some, whatever the dimension.
+    if coulomb.is_some() {
+        input.tangent_impulses = Default::default();
     }
     scatter(numbers, reports.each_mut().map(|report| Some(report.numbers_mut())));
 }

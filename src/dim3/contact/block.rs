@@ -1,4 +1,4 @@
-//! The memory of contact constraints: what goes in, and what the passes read and write.
+//! The memory of contact constraints: what the passes read and write.
 
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
@@ -34,7 +34,7 @@ impl PointRow {
 /// [`LANES`] contact constraints of one colour.
 ///
 /// The order of the fields is the order of use: the solve pass reads up to `inv_inertia`, the relax
-/// pass the rest.
+/// pass the rest but for the places, which nobody reads until the end.
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub(crate) struct ContactBlock {

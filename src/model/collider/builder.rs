@@ -176,7 +176,7 @@ impl ColliderBuilder {
             if self.enabled { ColliderEnabled::Enabled } else { ColliderEnabled::Disabled };
         Collider {
             shape: self.shape.clone(),
-            form: ShapeForm::empty(),
+            form: ShapeForm::UNKNOWN,
             pose: normalized(self.position),
             parent: None,
             parent_type: None,

@@ -16,6 +16,9 @@ bitflags::bitflags! {
 }
 
 impl ShapeForm {
+    /// Of a shape that somebody may be changing: nothing is taken for granted until the next step has looked.
+    pub const UNKNOWN: Self = Self::ROUND;
+
     /// The form of a shape.
     pub fn of(shape: &dyn Shape) -> Self {
         let has_parts = shape.as_composite_shape().is_some()

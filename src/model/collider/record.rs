@@ -30,7 +30,7 @@ pub struct Collider {
     /// Collider frame → world.
     pub(crate) pose: Pose,
     pub(crate) contact_skin: Real,
-    /// Of the shape that the last step knew.
+    /// What is known of the shape without going to it.
     pub(crate) form: ShapeForm,
     pub(crate) sensor: bool,
     /// The type of the parent, for queries that do not see the bodies.

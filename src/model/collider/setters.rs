@@ -5,6 +5,7 @@
 //! warning with the new one.
 
 use super::check::{check_margin, check_pose, check_shape};
+use super::form::ShapeForm;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
     ColliderChanges, ColliderEnabled, ColliderFlags, ColliderMassProps, InteractionGroups,
@@ -211,6 +212,7 @@ impl Collider {
     /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
     pub fn set_shape(&mut self, shape: SharedShape) {
         if accepts("set_shape", check_shape(&*shape)) {
+            self.form = ShapeForm::of(&*shape);
             self.shape = shape;
             self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
             self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
@@ -225,6 +227,7 @@ impl Collider {
         self.changes |= ColliderChanges::SHAPE
             | ColliderChanges::UNCHECKED_SHAPE
             | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.form = ShapeForm::UNKNOWN;
         self.shape.make_mut()
     }
 

@@ -95,10 +95,10 @@ impl ContactInput {
         (0..MAX_MANIFOLD_POINTS).for_each(|point| self.leave_out(point, lane));
     }
 
-    /// Multiplies the impulses with which one lane starts.
-    pub fn scale_impulses(&mut self, lane: usize, factor: Real) {
+    /// Multiplies the impulses with which one lane starts, and those of the points along the tangents if they act.
+    pub fn scale_impulses(&mut self, lane: usize, factor: Real, per_point: bool) {
         self.friction_impulse.set_lane(lane, self.friction_impulse.lane(lane) * factor);
-        let tangents = self.tangent_impulses.iter_mut().flatten();
+        let tangents = self.tangent_impulses.iter_mut().flatten().filter(|_| per_point);
         let all = self.impulses.iter_mut().chain(tangents).chain([&mut self.twist_impulse]);
         all.for_each(|impulse| impulse.0[lane] *= factor);
     }

@@ -61,6 +61,11 @@ impl LaneBlock {
         }
     }
 
+    /// Do all lanes stand for nobody?
+    pub fn is_empty(&self) -> bool {
+        self.members == [NOBODY; LANES]
+    }
+
     /// Number of points in all lanes.
     pub fn point_count(&self) -> usize {
         self.counts.iter().map(|&count| usize::from(count)).sum()

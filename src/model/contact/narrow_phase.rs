@@ -12,7 +12,7 @@ use crate::model::seal::Seal;
 /// [`IntersectionPair`]. Both are there from the first overlap of the colliders' enlarged boxes, so a
 /// pair may well exist without touching: see [`ContactPair::has_any_active_contact`] and
 /// [`IntersectionPair::intersecting`].
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Deserialize))]
 pub struct NarrowPhase {
     pub(crate) contacts: PairStore<ContactPair>,
@@ -20,6 +20,30 @@ pub struct NarrowPhase {
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) lanes: ContactLanes,
     pub(crate) seal: Seal,
+}
+
+impl Clone for NarrowPhase {
+    fn clone(&self) -> Self {
+        // Somebody else may look for the first time meanwhile: once all are told nobody writes.
+        self.settle_all_shared();
+        Self {
+            contacts: self.contacts.clone(),
+            intersections: self.intersections.clone(),
+            lanes: self.lanes.clone(),
+            seal: self.seal,
+        }
+    }
+}
+
+impl core::fmt::Debug for NarrowPhase {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let contacts: Vec<_> = self.contact_pairs().map(|(.., pair)| pair).collect();
+        let intersections: Vec<_> = self.intersections.iter().collect();
+        f.debug_struct("NarrowPhase")
+            .field("contacts", &contacts)
+            .field("intersections", &intersections)
+            .finish_non_exhaustive()
+    }
 }
 
 /// As a derived one would, but for pairs that have not been told yet what became of them.
@@ -33,9 +57,7 @@ impl serde::Serialize for NarrowPhase {
             intersections: &'a PairStore<IntersectionPair>,
             seal: Seal,
         }
-        for id in self.contacts.awake() {
-            self.settled(id);
-        }
+        self.settle_all_shared();
         let Self { contacts, intersections, seal, .. } = self;
         Saved { contacts, intersections, seal: *seal }.serialize(serializer)
     }
@@ -75,6 +97,13 @@ impl NarrowPhase {
             unsafe { self.contacts.write(id, |pair| self.lanes.tell(id, pair)) }
         });
         &self.contacts[id]
+    }
+
+    /// As [`Self::settled`], of all.
+    fn settle_all_shared(&self) {
+        self.contacts.ids().for_each(|id| {
+            self.settled(id);
+        });
     }
 
     /// Tells a contact pair what became of it in the last step.

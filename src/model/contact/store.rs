@@ -247,6 +247,11 @@ impl<P: Pair> PairStore<P> {
         self.renewed.insert(id);
     }
 
+    /// Has the solver read all pairs anew that are awake.
+    pub fn renew_all(&mut self) {
+        self.renewed = self.awake.clone();
+    }
+
     /// Is a pair not what the solver last saw of it?
     #[inline]
     pub fn is_renewed(&self, id: PairId) -> bool {

@@ -210,11 +210,13 @@ impl ContactPair {
         Computed { gap, left: place.left(&self.placement, self.least_friction()) }
     }
 
-    /// Is there no more than one manifold now and before, of shapes that are their own only parts?
+    /// Is there no more than one manifold now and before, of shapes that are their own only parts, and of which no hook will hear that
+    /// may panic half-way?
     fn is_plain(&self, view: &PairView<'_>, neighbors: [&[Neighbor<'_>]; 2]) -> bool {
         let is_whole =
             |manifold: &ContactManifold| [manifold.subshape1, manifold.subshape2] == [0; 2];
         view.are_convex()
+            && !view.has_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS)
             && neighbors.iter().all(|list| list.is_empty())
             && self.manifolds.len() <= 1
             && self.manifolds.iter().all(is_whole)

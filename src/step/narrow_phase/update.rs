@@ -106,6 +106,7 @@ pub(crate) fn update(
     if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
         contacts.invalidate_all();
+        contacts.renew_all();
         intersections.invalidate_all();
         resume_unwind(panic);
     }

@@ -25,12 +25,23 @@ const BLOCKS_PER_TASK: usize = 8;
 /// Blocks that are worth being filled by another thread: their manifolds are spread over memory.
 const FILLED_PER_TASK: usize = 8;
 
+/// What contacts are loaded for.
+#[derive(Copy, Clone)]
+pub(super) struct LoadKind {
+    /// Are all bodies that move solved together?
+    pub is_only_group: bool,
+    /// Has each point friction of its own?
+    pub per_point: bool,
+}
+
 /// All contact constraints of a step.
 #[derive(Default)]
 pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
     lanes: ContactLanes,
+    /// Do they begin with but a share of the last impulses?
+    lanes_are_scaled: bool,
     /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
     starts: Vec<u32>,
     /// Friction per point of each block; empty with the standard friction model.
@@ -65,19 +76,24 @@ impl SolverContacts {
         &mut self,
         graph: &ConstraintGraph,
         narrow_phase: &mut NarrowPhase,
-        (bodies, is_only_group): (&SolverBodies, bool),
+        (bodies, kind): (&SolverBodies, LoadKind),
         multibodies: &mut SolverMultibodies,
         tasks: Tasks<'_>,
     ) {
+        let LoadKind { is_only_group, per_point } = kind;
         let are_all = is_only_group && multibodies.move_nobody();
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let rooms = is_only_group.then_some(&mut lanes.rooms);
         self.lay_out((graph, contacts, rooms), (bodies, are_all), multibodies);
-        // What stands elsewhere than before learns from its manifold, which must have been told by then.
-        if !is_only_group || narrow_phase.lanes.starts() != self.starts {
+        // What stands elsewhere than before learns from its manifold, which must have been told by then. So must those be whose
+        // impulses are about to change before they act.
+        let lanes = &narrow_phase.lanes;
+        let stay = is_only_group && lanes.starts() == self.starts;
+        if !stay || lanes.are_rough != per_point || bodies.any_share() {
             narrow_phase.settle_all();
         }
         // Who is solved with whom may change from step to step: of several groups none knows what the others did.
+        self.lanes_are_scaled = bodies.any_share();
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
         } else {
@@ -88,7 +104,7 @@ impl SolverContacts {
         self.lanes.resize(count);
         self.blocks.reserve_exact(count.saturating_sub(self.blocks.len()));
         self.blocks.resize_with(count, || ContactBlock::EMPTY);
-        self.point_count = self.fill_lanes(narrow_phase, bodies, tasks);
+        self.point_count = self.fill_lanes(narrow_phase, (bodies, per_point), tasks);
         self.impacts.load(&self.lanes, self.layout.colors(), bodies);
     }
 
@@ -129,6 +145,9 @@ impl SolverContacts {
 
     /// Nothing of the step is to be stored.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase, is_only_group: bool) {
+        if self.lanes_are_scaled {
+            self.lanes.forget();
+        }
         if is_only_group {
             narrow_phase.lanes = core::mem::take(&mut self.lanes);
         }
@@ -138,7 +157,7 @@ impl SolverContacts {
     fn fill_lanes(
         &mut self,
         narrow_phase: &NarrowPhase,
-        bodies: &SolverBodies,
+        bodies: (&SolverBodies, bool),
         tasks: Tasks<'_>,
     ) -> usize {
         let (layout, lanes) = (&self.layout, DisjointMut::new(&mut self.lanes.blocks));
@@ -242,7 +261,7 @@ impl SolverContacts {
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
+        for_each_color(self.layout.colors(), tasks, |range| {
             simd.run(Keep { range, lanes, reports, blocks });
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
@@ -292,8 +311,11 @@ fn fill(
     block: &mut LaneBlock,
     chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
-    bodies: &SolverBodies,
+    (bodies, per_point): (&SolverBodies, bool),
 ) {
+    if chunk.is_empty() && block.is_empty() {
+        return;
+    }
     let contacts = &narrow_phase.contacts;
     for (lane, &at) in chunk.iter().enumerate() {
         if block.seat(lane, Some(at)) || contacts.is_renewed(at.pair) {
@@ -307,7 +329,7 @@ fn fill(
         seat_bodies(block, lane, bodies);
     }
     if bodies.any_share() {
-        scale_impulses(&mut block.input, bodies);
+        scale_impulses(&mut block.input, bodies, per_point);
     }
 }
 
@@ -323,11 +345,11 @@ fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
 }
 
 /// Has all lanes start with the share of their impulses with which their bodies do.
-fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies) {
+fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
     for lane in 0..LANES {
         let share = bodies.share([input.bodies[0][lane], input.bodies[1][lane]]);
         if share != 1.0 {
-            input.scale_impulses(lane, share);
+            input.scale_impulses(lane, share, per_point);
         }
     }
 }

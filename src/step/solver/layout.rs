@@ -7,7 +7,7 @@ use crate::model::constraint_graph::OVERFLOW;
 use core::ops::Range;
 
 /// So many empty blocks a colour may keep, however few it needs.
-const SPARE: usize = 8;
+const SPARE: usize = 2;
 
 /// The constraints (as `T` names them) of all blocks.
 pub(super) struct Layout<T> {

@@ -37,10 +37,12 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Course, MultibodyJointSet};
-use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
+use crate::model::params::{
+    ContactPass, FrictionModel, ImpactPass, IntegrationParameters, JointPass,
+};
 use crate::step::notes::{FastMotion, Lost};
 use bodies::SolverBodies;
-use contacts::SolverContacts;
+use contacts::{LoadKind, SolverContacts};
 use groups::Groups;
 use impacts::Around;
 use joints::{SolverJoints, Sources};
@@ -111,7 +113,9 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         multibodies.begin(bodies, gravity, pass.substep);
         let from = Sources { islands, world: bodies, bodies: states, multibodies };
         joints.load(set, from, &pass, tasks);
-        contacts.load(&islands.graph, narrow_phase, (states, is_only_group), multibodies, tasks);
+        let per_point = params.friction_model == FrictionModel::Coulomb;
+        let kind = LoadKind { is_only_group, per_point };
+        contacts.load(&islands.graph, narrow_phase, (states, kind), multibodies, tasks);
         let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
@@ -183,7 +187,7 @@ struct Notes<'a> {
     broken: &'a mut Vec<JointBreakEvent>,
 }
 
-/// Writes impulses to manifolds and joints, and multibodies to their links; breaks joints that bear too much.
+/// Keeps the impulses of contacts, writes those of joints, and multibodies to their links; breaks joints that bear too much.
 fn store_constraints(
     (constraints, is_only_group): (&mut [Constraints], bool),
     world: World<'_>,
