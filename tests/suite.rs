@@ -4,6 +4,7 @@
 //! vocabulary `dim` of its dimension. So what stands here is written once and runs four times: in 2D and
 //! 3D, in single and double precision.
 
+mod allocations;
 mod determinism;
 mod api;
 pub mod ghosts;

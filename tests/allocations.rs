@@ -1,0 +1,63 @@
+//! Steps in which nothing new happens ask for no memory.
+
+use crate::dim::{self, cuboid, vec};
+use allocation_counter::measure;
+use rapier::prelude::*;
+
+/// How often memory is asked for in a second, once the world has had some seconds for itself.
+fn allocations(mut world: PhysicsWorld) -> u64 {
+    (0..300).for_each(|_| world.step());
+    let awake = world.active_bodies().len();
+    assert!(awake > 0, "all sleep");
+    measure(|| (0..60).for_each(|_| world.step())).count_total
+}
+
+fn world_with_floor() -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(cuboid(60.0, 1.0).translation(vec(0.0, -1.0)), None);
+    world
+}
+
+/// A body that stays awake.
+fn body(at: Vector) -> RigidBodyBuilder {
+    RigidBodyBuilder::dynamic().translation(at).can_sleep(false)
+}
+
+/// A pyramid of boxes.
+fn pyramid(can_sleep: bool) -> PhysicsWorld {
+    let mut world = world_with_floor();
+    for row in 0..12_u8 {
+        for column in 0..12 - row {
+            let x = Real::from(column) - 0.5 * Real::from(11 - row);
+            let cube = body(vec(x, 0.5 + Real::from(row))).can_sleep(can_sleep);
+            world.insert(cube, cuboid(0.5, 0.5));
+        }
+    }
+    world
+}
+
+#[test]
+fn a_pile_asks_for_no_memory() {
+    assert_eq!(allocations(pyramid(false)), 0);
+}
+
+/// Boxes and balls at rest on a floor of many pieces.
+#[test]
+fn what_lies_on_a_mesh_asks_for_no_memory() {
+    let mut world = PhysicsWorld::new();
+    dim::grounds::GROUNDS[1].1(&mut world, Pose::IDENTITY, 0.5);
+    for k in 0..10_u8 {
+        let collider = if k % 2 == 0 { cuboid(0.3, 0.2) } else { ColliderBuilder::ball(0.3) };
+        world.insert(body(vec(0.5 + Real::from(k), 0.5)), collider.friction(1.0));
+    }
+    assert_eq!(allocations(world), 0);
+}
+
+/// A world whose bodies sleep.
+#[test]
+fn sleepers_ask_for_no_memory() {
+    let mut world = pyramid(true);
+    (0..600).for_each(|_| world.step());
+    assert_eq!(world.active_bodies().len(), 0);
+    assert_eq!(measure(|| (0..60).for_each(|_| world.step())).count_total, 0);
+}
