@@ -68,6 +68,28 @@ pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Rea
     }
 }
 
+/// So many directions, evenly spread over the circle, each as an angle (rad) and a unit vector.
+pub(crate) fn directions(count: usize) -> impl Iterator<Item = (Real, Vector)> {
+    (0..count).map(move |i| {
+        let angle = 2.0 * HALF_TURN * i as Real / count as Real;
+        (angle, Vector::new(angle.cos(), angle.sin()))
+    })
+}
+
+/// Blocks in a circle, with this radius inside and this half thickness.
+pub(crate) fn ring(
+    radius: Real,
+    pieces: usize,
+    half_thickness: Real,
+) -> impl Iterator<Item = ColliderBuilder> {
+    let half_width = radius * (HALF_TURN / pieces as Real).tan();
+    directions(pieces).map(move |(angle, outward)| {
+        ColliderBuilder::cuboid(half_thickness, half_width + 0.1)
+            .translation(outward * (radius + half_thickness))
+            .rotation(angle)
+    })
+}
+
 /// A square with this half extent.
 pub(crate) fn square(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_extent, half_extent)

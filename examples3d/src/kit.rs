@@ -14,6 +14,11 @@ pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     world
 }
 
+/// Gentle hills: their height somewhere, if the broad ones are this high.
+pub(crate) fn hills(high: Real, x: Real, z: Real) -> Real {
+    high * (0.31 * x).sin() * (0.23 * z).cos() + 0.3 * (0.9 * x + 0.4 * z).sin()
+}
+
 /// A mesh over a square in the middle of the world: so many smaller squares along each side, of two triangles
 /// each, and their corners at a height.
 pub(crate) fn surface(

@@ -15,6 +15,7 @@ mod capsule;
 mod convex;
 mod floors;
 mod footing;
+mod form;
 mod manifolds;
 mod matching;
 mod neighbor;
@@ -30,6 +31,7 @@ mod sweep;
 mod tests;
 mod voxels;
 
+pub(crate) use form::form_of;
 pub(crate) use manifolds::{
     ManifoldScratch, ShapePair, compute_manifolds, renew_convex_manifold, shapes_intersect,
 };

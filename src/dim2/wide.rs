@@ -89,6 +89,12 @@ impl<W: Wide> WideVector<W> {
         Self { x: W::load(&from.x), y: W::load(&from.y) }
     }
 
+    /// Its components, in their order.
+    #[inline(always)]
+    pub fn components(self) -> [W; 2] {
+        [self.x, self.y]
+    }
+
     /// Writes a vector per lane to memory.
     #[inline(always)]
     pub fn store(self, to: &mut WideVector<Lane>) {

@@ -118,6 +118,12 @@ impl<W: Wide> WideVector<W> {
         Self { x: W::load(&from.x), y: W::load(&from.y), z: W::load(&from.z) }
     }
 
+    /// Its components, in their order.
+    #[inline(always)]
+    pub fn components(self) -> [W; 3] {
+        [self.x, self.y, self.z]
+    }
+
     /// Writes a vector per lane to memory.
     #[inline(always)]
     pub fn store(self, to: &mut WideVector<Lane>) {

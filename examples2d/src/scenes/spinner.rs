@@ -1,7 +1,7 @@
 //! A blade in a round pit: fast contacts at its tips, a slow pile below.
 
 use crate::common::{Scene, SceneInfo};
-use crate::kit::{HALF_TURN, add, square};
+use crate::kit::{add, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -51,14 +51,7 @@ pub fn build_sized(count: usize) -> Scene {
 /// A fixed body of blocks in a circle, so thick that nothing flies through.
 fn add_rim(world: &mut PhysicsWorld) {
     let rim = world.insert_body(RigidBodyBuilder::fixed());
-    let half_width = PIT * (HALF_TURN / PIECES as Real).tan();
-    for i in 0..PIECES {
-        let angle = 2.0 * HALF_TURN * i as Real / PIECES as Real;
-        let outward = Vector::new(angle.cos(), angle.sin());
-        let block = ColliderBuilder::cuboid(2.0, half_width + 0.1)
-            .translation(outward * (PIT + 2.0))
-            .rotation(angle)
-            .friction(0.1);
-        world.insert_collider(block, Some(rim));
+    for block in ring(PIT, PIECES, 2.0) {
+        world.insert_collider(block.friction(0.1), Some(rim));
     }
 }

@@ -1,7 +1,7 @@
 //! A turning drum with paddles: everything moves all the time.
 
 use crate::common::{Scene, SceneInfo};
-use crate::kit::{HALF_TURN, add, square};
+use crate::kit::{HALF_TURN, add, directions, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -14,8 +14,9 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Boards around the drum.
+/// Boards around the drum, and paddles on them.
 const BOARDS: usize = 48;
+const PADDLES: usize = 6;
 /// Distance of neighbours in the beginning, and half the size of a box.
 const CELL: Real = 0.5;
 const HALF: Real = 0.2;
@@ -41,22 +42,15 @@ pub fn build_sized(count: usize) -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// A kinematic body of boards in a circle, some of them with a paddle.
+/// A kinematic body of boards in a circle, and of paddles.
 fn add_drum(world: &mut PhysicsWorld, radius: Real) {
     let drum = world.insert_body(RigidBodyBuilder::kinematic_velocity_based().angvel(0.4));
-    let half_width = radius * (HALF_TURN / BOARDS as Real).tan();
-    for i in 0..BOARDS {
-        let angle = 2.0 * HALF_TURN * i as Real / BOARDS as Real;
-        let outward = Vector::new(angle.cos(), angle.sin());
-        let board = ColliderBuilder::cuboid(0.5, half_width + 0.1)
-            .translation(outward * (radius + 0.5))
-            .rotation(angle);
+    for board in ring(radius, BOARDS, 0.5) {
         world.insert_collider(board, Some(drum));
-        if i % 8 == 0 {
-            let paddle = ColliderBuilder::cuboid(1.5, 0.2)
-                .translation(outward * (radius - 1.5))
-                .rotation(angle);
-            world.insert_collider(paddle, Some(drum));
-        }
+    }
+    for (angle, outward) in directions(PADDLES) {
+        let paddle =
+            ColliderBuilder::cuboid(1.5, 0.2).translation(outward * (radius - 1.5)).rotation(angle);
+        world.insert_collider(paddle, Some(drum));
     }
 }

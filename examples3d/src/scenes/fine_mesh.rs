@@ -1,7 +1,7 @@
 //! A thousand boxes on a mesh of two hundred thousand triangles.
 
 use crate::common::{Scene, SceneInfo};
-use crate::kit::{add, surface};
+use crate::kit::{add, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -33,7 +33,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-24.0, -2.0, -20.0), Vector::new(24.0, 4.0, 24.0))
 }
 
-/// Gentle hills.
+/// The ground.
 fn height(x: Real, z: Real) -> Real {
-    0.8 * (0.31 * x).sin() * (0.23 * z).cos() + 0.3 * (0.9 * x + 0.4 * z).sin()
+    hills(0.8, x, z)
 }

@@ -2,7 +2,7 @@
 
 use super::ragdolls::add_ragdoll;
 use crate::common::{Dice, Scene, SceneInfo};
-use crate::kit::{HALF_TURN, surface};
+use crate::kit::{HALF_TURN, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -41,7 +41,7 @@ pub fn build_sized(people: usize) -> Scene {
     Scene::new(world, View::orbit(28.0, 40.0))
 }
 
-/// Hills.
+/// The ground.
 fn height(x: Real, z: Real) -> Real {
-    1.2 * (0.31 * x).sin() * (0.23 * z).cos() + 0.3 * (0.9 * x + 0.4 * z).sin()
+    hills(1.2, x, z)
 }

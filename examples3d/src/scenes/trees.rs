@@ -1,7 +1,7 @@
 //! Felled trees roll down hills that are made of ever finer triangles.
 
 use crate::common::{Dice, Scene, SceneInfo};
-use crate::kit::{HALF_TURN, surface};
+use crate::kit::{HALF_TURN, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -51,7 +51,7 @@ fn add_tree(world: &mut PhysicsWorld, at: Pose) {
     }
 }
 
-/// Gentle hills.
+/// The ground.
 fn height(x: Real, z: Real) -> Real {
-    0.8 * (0.31 * x).sin() * (0.23 * z).cos() + 0.3 * (0.9 * x + 0.4 * z).sin()
+    hills(0.8, x, z)
 }

@@ -3,7 +3,8 @@
 //! All points of a manifold lie on one line and slide along it, so one tangential row whose limit is `μ`
 //! times the sum of the normal impulses is the exact cone already.
 
-use crate::dim2::math::Real;
+use crate::base::wide::{Lane, Wide};
+use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 
 /// Nothing. In 3D: the rows of each point.
 #[derive(Clone, Debug)]
@@ -15,4 +16,9 @@ impl CoulombBlock {
 
     /// Nothing.
     pub fn scale_impulses(&mut self, _factor: Real) {}
+
+    /// No impulses: the manifold has one as a whole. (Points of links have some, whatever the dimension.)
+    pub fn keep<W: Wide>(&self, impulses: &mut [[Lane; 1]; MAX_MANIFOLD_POINTS]) {
+        *impulses = Default::default();
+    }
 }

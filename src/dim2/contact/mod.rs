@@ -40,7 +40,6 @@
 mod block;
 mod coulomb;
 mod friction;
-mod keep;
 mod prepare;
 mod rows;
 mod solve;
@@ -49,7 +48,6 @@ mod tests;
 
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use keep::keep;
 pub(crate) use prepare::{Surroundings, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
 pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};

@@ -3,7 +3,7 @@
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::READ_ONLY;
-use crate::dim3::wide::WideVector;
+use crate::dim3::wide::{WideVector, cross};
 
 /// Pairs of different points of one manifold.
 pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
@@ -121,5 +121,13 @@ impl ContactBlock {
                 *impulse *= factor;
             }
         }
+    }
+
+    /// The friction impulses, in world space, and those of twist friction about the normals.
+    #[inline(always)]
+    pub fn friction_impulses<W: Wide>(&self) -> (WideVector<W>, W) {
+        let (n, t1) = (WideVector::<W>::load(&self.normal), WideVector::load(&self.tangent));
+        let [x, y, twist] = &self.friction.impulse;
+        (t1 * W::load(x) + cross(n, t1) * W::load(y), W::load(twist))
     }
 }

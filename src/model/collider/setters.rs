@@ -212,8 +212,7 @@ impl Collider {
     /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
     pub fn set_shape(&mut self, shape: SharedShape) {
         if accepts("set_shape", check_shape(&*shape)) {
-            self.form = ShapeForm::of(&*shape);
-            self.shape = shape;
+            (self.shape, self.form) = (shape, ShapeForm::UNKNOWN);
             self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
             self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
         }

@@ -17,5 +17,5 @@ pub use narrow_phase::NarrowPhase;
 pub(crate) use nearby::Nearby;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use placement::{MotionSince, Placement};
-pub(crate) use report::ContactReport;
+pub(crate) use report::{ContactReport, WideReport};
 pub(crate) use store::{DUE, Pair, PairId, PairState, PairStore, StoreParts};

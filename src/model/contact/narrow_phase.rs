@@ -78,7 +78,7 @@ impl NarrowPhase {
     /// is kept.
     pub(crate) fn forget_step_impulses(&mut self) {
         self.settle_all();
-        self.contacts.for_each_awake_pair(|pair| {
+        self.contacts.for_each_awake_pair(|_, pair| {
             let manifolds = pair.manifolds.iter_mut();
             for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
                 contact.impulse = 0.0;
@@ -114,8 +114,7 @@ impl NarrowPhase {
     /// Tells all contact pairs.
     pub(crate) fn settle_all(&mut self) {
         if self.lanes.are_ahead() {
-            let ids: Vec<PairId> = self.contacts.awake().collect();
-            ids.into_iter().for_each(|id| self.settle(id));
+            self.contacts.for_each_awake_pair(|id, pair| self.lanes.tell(id, pair));
             self.lanes.fall_back();
         }
     }

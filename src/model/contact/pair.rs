@@ -131,6 +131,10 @@ impl Pair for ContactPair {
         [self.collider1, self.collider2]
     }
 
+    fn began(&self) -> bool {
+        self.start_event_emitted
+    }
+
     fn prefetch_report(&self, id: PairId, lanes: &ContactLanes) {
         lanes.prefetch(id, self);
     }
@@ -148,5 +152,9 @@ impl Pair for ContactPair {
 impl Pair for IntersectionPair {
     fn colliders(&self) -> [ColliderHandle; 2] {
         [self.collider1, self.collider2]
+    }
+
+    fn began(&self) -> bool {
+        self.start_event_emitted
     }
 }

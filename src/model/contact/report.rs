@@ -1,6 +1,8 @@
 //! What the solver tells of contact manifolds, one after the other.
 
+use crate::base::wide::{LANES, Wide, scatter};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::dim::wide::WideVector;
 
 /// Where what stands in a report, behind the normal at 0.
 const FRICTION: usize = DIM;
@@ -20,19 +22,10 @@ pub(crate) struct ContactReport([Real; Self::LEN]);
 
 impl ContactReport {
     /// Numbers in a report.
-    pub const LEN: usize = POINTS + MAX_MANIFOLD_POINTS * POINT_LEN;
+    const LEN: usize = POINTS + MAX_MANIFOLD_POINTS * POINT_LEN;
 
     /// Nothing.
     pub const EMPTY: Self = Self([0.0; Self::LEN]);
-
-    /// The numbers, for who knows their order: normal, friction impulse, twist impulse, are all finite; then point by point place,
-    /// separation, total impulse, last impulse.
-    pub fn numbers_mut(&mut self) -> &mut [Real; Self::LEN] {
-        &mut self.0
-    }
-
-    /// Where among the numbers it stands whether all are finite.
-    pub const IS_SOUND: usize = IS_SOUND;
 
     /// Did all numbers stay finite?
     pub fn is_sound(&self) -> bool {
@@ -76,5 +69,51 @@ impl ContactReport {
 
     fn of_point(&self, point: usize) -> &[Real] {
         &self.0[POINTS + point * POINT_LEN..]
+    }
+}
+
+/// A report per lane, while it is written.
+pub(crate) struct WideReport<W> {
+    numbers: [W; ContactReport::LEN],
+}
+
+impl<W: Wide> WideReport<W> {
+    /// Of manifolds with these normals, and with these impulses of friction and of twist friction.
+    #[inline(always)]
+    pub fn new(normal: WideVector<W>, friction: WideVector<W>, twist: W) -> Self {
+        let mut numbers = [W::zero(); ContactReport::LEN];
+        numbers[..FRICTION].copy_from_slice(&normal.components());
+        numbers[FRICTION..TWIST].copy_from_slice(&friction.components());
+        numbers[TWIST] = twist;
+        Self { numbers }
+    }
+
+    /// Of a point: where it is, its separation, and the impulses of all substeps and of the last.
+    #[inline(always)]
+    pub fn set_point(&mut self, k: usize, place: WideVector<W>, separation: W, impulses: [W; 2]) {
+        let numbers = &mut self.numbers[POINTS + k * POINT_LEN..][..POINT_LEN];
+        numbers[..SEPARATION].copy_from_slice(&place.components());
+        numbers[SEPARATION] = separation;
+        [numbers[TOTAL], numbers[IMPULSE]] = impulses;
+    }
+
+    /// Finds out, and reports, in which lanes all numbers stayed finite.
+    #[inline(always)]
+    pub fn find_sound(&mut self) -> W::Mask {
+        let zero = W::zero();
+        // Stays zero unless a number is not finite: 0·∞ and 0·NaN are NaN.
+        let mut probe = zero;
+        for number in self.numbers {
+            probe = probe + zero * number;
+        }
+        let is_sound = probe.le(zero);
+        self.numbers[IS_SOUND] = W::select(is_sound, W::splat(1.0), zero);
+        is_sound
+    }
+
+    /// Writes the report of each lane.
+    #[inline(always)]
+    pub fn write(self, reports: &mut [ContactReport; LANES]) {
+        scatter(self.numbers, reports.each_mut().map(|report| Some(&mut report.0)));
     }
 }

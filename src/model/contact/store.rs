@@ -31,6 +31,9 @@ pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
     fn colliders(&self) -> [ColliderHandle; 2];
 
+    /// Was it reported as started, and not yet as stopped?
+    fn began(&self) -> bool;
+
     /// Is it the pair of these two, in either order?
     fn is_of(&self, [one, two]: [ColliderHandle; 2]) -> bool {
         let colliders = self.colliders();
@@ -204,9 +207,10 @@ impl<P: Pair> PairStore<P> {
         self.of_collider[slot].len() as u32 - 1
     }
 
-    /// Takes a pair out.
-    pub fn remove(&mut self, id: PairId) {
+    /// Takes a pair out. Returns the two if somebody has heard that they began to touch, and not yet that they do not any more.
+    pub fn remove(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.sleep(id);
+        let heard = self[id].began().then(|| self[id].colliders());
         // Where it is: a pair is some hundred bytes.
         *self.pairs[id as usize].get_mut() = None;
         self.free.push(id);
@@ -216,6 +220,7 @@ impl<P: Pair> PairStore<P> {
         for side in 0..2 {
             self.unlist(slots[side], positions[side], id);
         }
+        heard
     }
 
     /// Swap-removes a pair from a collider's list and repairs the place of the one that took its place.
@@ -303,9 +308,9 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// The same, pairs and all.
-    pub fn for_each_awake_pair(&mut self, mut visit: impl FnMut(&mut P)) {
+    pub fn for_each_awake_pair(&mut self, mut visit: impl FnMut(PairId, &mut P)) {
         for id in self.awake.iter() {
-            self.pairs[id as usize].get_mut().iter_mut().for_each(&mut visit);
+            self.pairs[id as usize].get_mut().iter_mut().for_each(|pair| visit(id, pair));
         }
     }
 

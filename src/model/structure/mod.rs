@@ -405,21 +405,10 @@ impl Structure<'_> {
 
     /// Two colliders are too far apart to be watched, or one of them goes.
     ///
-    /// Returns them if somebody has heard that they began to touch, and not yet that they do not any more.
+    /// Returns them if somebody has heard that they began to touch.
     pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.detach(id);
-        let pair = &self.narrow_phase.contacts[id];
-        let told = pair.start_event_emitted.then_some([pair.collider1, pair.collider2]);
-        self.narrow_phase.contacts.remove(id);
-        told
-    }
-
-    /// The same for a pair with a sensor.
-    pub fn remove_intersection_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
-        let pair = &self.narrow_phase.intersections[id];
-        let told = pair.start_event_emitted.then_some([pair.collider1, pair.collider2]);
-        self.narrow_phase.intersections.remove(id);
-        told
+        self.narrow_phase.contacts.remove(id)
     }
 
     /// A pair was computed: its manifolds may be more or fewer, its bodies may have begun or stopped

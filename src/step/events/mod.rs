@@ -1,7 +1,7 @@
 //! # Events — tell the user
 //!
 //! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
-//! Writes:  nothing but what the user's handler does
+//! Writes:  what pairs are told of the step, and what the user's handler does
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes the world
 

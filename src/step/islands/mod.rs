@@ -42,8 +42,8 @@ fn follow_contact(
 ) {
     let none = CollisionEventFlags::empty();
     if change == PairChange::Apart {
-        let told = structure.remove_contact_pair(id);
-        return events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
+        let heard = structure.remove_contact_pair(id);
+        return events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
     }
     structure.follow_contact(id);
     let pair = &mut structure.narrow_phase.contacts[id];
@@ -60,8 +60,8 @@ fn follow_intersection(
 ) {
     let sensor = CollisionEventFlags::SENSOR;
     if change == PairChange::Apart {
-        let told = structure.remove_intersection_pair(id);
-        return events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, sensor)));
+        let heard = structure.narrow_phase.intersections.remove(id);
+        return events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, sensor)));
     }
     let pair = &mut structure.narrow_phase.intersections[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.intersecting);

@@ -2,6 +2,7 @@
 
 use super::bodies::SolverBodies;
 use super::impacts::{Around, Impacts};
+use super::keep::keep;
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use super::overflow::OverflowOrder;
@@ -22,8 +23,6 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
-/// Blocks that are worth being filled by another thread: their manifolds are spread over memory.
-const FILLED_PER_TASK: usize = 8;
 
 /// What contacts are loaded for.
 #[derive(Copy, Clone)]
@@ -39,7 +38,9 @@ pub(super) struct LoadKind {
 pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
+    /// Those of the narrow phase while they are on loan, else its own.
     lanes: ContactLanes,
+    are_on_loan: bool,
     /// Do they begin with but a share of the last impulses?
     lanes_are_scaled: bool,
     /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
@@ -67,6 +68,7 @@ impl SolverContacts {
     pub fn clear(&mut self) {
         self.layout.clear();
         self.starts.clear();
+        self.are_on_loan = false;
         self.point_count = 0;
     }
 
@@ -94,6 +96,7 @@ impl SolverContacts {
         }
         // Who is solved with whom may change from step to step: of several groups none knows what the others did.
         self.lanes_are_scaled = bodies.any_share();
+        self.are_on_loan = is_only_group;
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
         } else {
@@ -144,11 +147,11 @@ impl SolverContacts {
     }
 
     /// Nothing of the step is to be stored.
-    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase, is_only_group: bool) {
+    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
             self.lanes.forget();
         }
-        if is_only_group {
+        if self.are_on_loan {
             narrow_phase.lanes = core::mem::take(&mut self.lanes);
         }
     }
@@ -162,7 +165,7 @@ impl SolverContacts {
     ) -> usize {
         let (layout, lanes) = (&self.layout, DisjointMut::new(&mut self.lanes.blocks));
         let point_count = AtomicUsize::new(0);
-        tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
+        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
             let mut count = 0;
             for index in range.clone() {
                 if index + 1 < range.end {
@@ -250,25 +253,20 @@ impl SolverContacts {
     }
 
     /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
-    pub fn store(
-        &mut self,
-        narrow_phase: &mut NarrowPhase,
-        is_only_group: bool,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn store(&mut self, narrow_phase: &mut NarrowPhase, simd: Simd, tasks: Tasks<'_>) {
         self.impacts.recall(&mut self.blocks);
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), tasks, |range| {
-            simd.run(Keep { range, lanes, reports, blocks });
+        let layout = &self.layout;
+        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
+            simd.run(Keep { range, layout, lanes, reports, blocks });
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
         for color in self.layout.colors().iter().take_while(|color| self.must_tell(color)) {
             self.tell(color.clone(), narrow_phase, tasks);
         }
-        if is_only_group {
+        if self.are_on_loan {
             self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
             narrow_phase.lanes = core::mem::take(&mut self.lanes);
         }
@@ -421,9 +419,10 @@ impl Kernel for Prepare<'_> {
     }
 }
 
-/// See [`contact::keep`].
+/// See [`keep`].
 struct Keep<'a> {
     range: Range<usize>,
+    layout: &'a Layout<ManifoldRef>,
     lanes: DisjointMut<'a, LaneBlock>,
     reports: DisjointMut<'a, [ContactReport; LANES]>,
     blocks: Blocks<'a>,
@@ -434,13 +433,13 @@ impl Kernel for Keep<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        for index in self.range {
+        for index in self.range.filter(|&index| !self.layout.block(index).is_empty()) {
             // SAFETY: each block belongs to one task.
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &mut self.lanes.get_mut(index).input;
                 let reports = self.reports.get_mut(index);
-                contact::keep::<W>(block, coulomb.as_deref(), input, reports);
+                keep::<W>(block, coulomb.as_deref(), input, reports);
             }
         }
     }

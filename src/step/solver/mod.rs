@@ -1,7 +1,7 @@
 //! # Solver — make velocities obey
 //!
 //! Reads:   manifolds, joints, multibodies, the constraint graphs, parameters
-//! Writes:  velocities and poses of awake bodies, impulses of manifolds and joints; breaks joints
+//! Writes:  velocities and poses of awake bodies, impulses of contacts and joints; breaks joints
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
@@ -21,6 +21,7 @@ mod contacts;
 mod groups;
 mod impacts;
 mod joints;
+mod keep;
 mod layout;
 mod multibodies;
 mod overflow;
@@ -142,20 +143,14 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let world = World { narrow_phase, set, trees, islands, bodies };
         let Scene { fast, courses, broken, .. } = scene;
         let mut notes = Notes { fast, courses, broken };
-        store_constraints(
-            (constraints, is_only_group),
-            world,
-            &mut notes,
-            params,
-            (counters, simd, tasks),
-        );
+        store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
         islands.strained = !calm || states.any_far || groups.are_strained();
     } else {
         for of_group in constraints {
             of_group.multibodies.give_back(trees);
-            of_group.contacts.give_back(narrow_phase, is_only_group);
+            of_group.contacts.give_back(narrow_phase);
         }
     }
     counters.velocity_writeback_time.pause();
@@ -189,7 +184,7 @@ struct Notes<'a> {
 
 /// Keeps the impulses of contacts, writes those of joints, and multibodies to their links; breaks joints that bear too much.
 fn store_constraints(
-    (constraints, is_only_group): (&mut [Constraints], bool),
+    constraints: &mut [Constraints],
     world: World<'_>,
     Notes { fast, courses, broken }: &mut Notes<'_>,
     params: &IntegrationParameters,
@@ -198,7 +193,7 @@ fn store_constraints(
     let World { narrow_phase, set, trees, islands, bodies } = world;
     (counters.nconstraints, counters.ncontacts) = (0, 0);
     for Constraints { joints, contacts, multibodies } in constraints {
-        contacts.store(narrow_phase, is_only_group, simd, tasks);
+        contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
         let ways = (&mut **fast, &mut **courses);

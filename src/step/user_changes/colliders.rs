@@ -1,8 +1,9 @@
 //! Colliders that are new or were edited.
 
 use super::Digest;
+use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
-use crate::model::collider::{ColliderChanges, ColliderHandle, ShapeForm, may_interact};
+use crate::model::collider::{ColliderChanges, ColliderHandle, may_interact};
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 
 impl Digest<'_> {
@@ -16,7 +17,7 @@ impl Digest<'_> {
         collider.replace_broken_shape();
         let changes = std::mem::take(&mut collider.changes);
         if changes.contains(ColliderChanges::SHAPE) {
-            collider.form = ShapeForm::of(&*collider.shape);
+            collider.form = form_of(&*collider.shape);
         }
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
@@ -61,27 +62,27 @@ impl Digest<'_> {
                 if pair.is_touching() {
                     self.structure.wake_sleepers_of(id);
                 }
-                let told = self.structure.remove_contact_pair(id);
-                self.tell_end(told, CollisionEventFlags::empty());
+                let heard = self.structure.remove_contact_pair(id);
+                self.tell_end(heard, CollisionEventFlags::empty());
             }
         }
         let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
         for id in intersections {
             let pair = &self.structure.narrow_phase.intersections[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
-                let told = self.structure.remove_intersection_pair(id);
-                self.tell_end(told, CollisionEventFlags::SENSOR);
+                let heard = self.structure.narrow_phase.intersections.remove(id);
+                self.tell_end(heard, CollisionEventFlags::SENSOR);
             }
         }
     }
 
-    /// Notes that two colliders stopped touching, for whoever was told that they began to.
+    /// Notes that two colliders stopped touching, for whoever has heard that they began to.
     pub(super) fn tell_end(
         &mut self,
-        told: Option<[ColliderHandle; 2]>,
+        heard: Option<[ColliderHandle; 2]>,
         flags: CollisionEventFlags,
     ) {
-        self.events.extend(told.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
+        self.events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
     }
 
     fn may_interact(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> bool {

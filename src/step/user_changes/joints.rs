@@ -113,8 +113,8 @@ impl Digest<'_> {
             };
             let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
             for id in ids {
-                let told = digest.structure.remove_contact_pair(id);
-                digest.tell_end(told, CollisionEventFlags::empty());
+                let heard = digest.structure.remove_contact_pair(id);
+                digest.tell_end(heard, CollisionEventFlags::empty());
             }
         });
     }

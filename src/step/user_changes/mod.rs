@@ -131,12 +131,12 @@ impl Digest<'_> {
             self.structure.wake_touching(slot);
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
-            let told = self.structure.remove_contact_pair(id);
-            self.tell_end(told, flags);
+            let heard = self.structure.remove_contact_pair(id);
+            self.tell_end(heard, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
-            let told = self.structure.remove_intersection_pair(id);
-            self.tell_end(told, flags | CollisionEventFlags::SENSOR);
+            let heard = self.structure.narrow_phase.intersections.remove(id);
+            self.tell_end(heard, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{ContactInput, ContactReport, Placement};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
 use crate::step::solver::impacts::{ImpactBlock, NormalRows};
+use crate::step::solver::keep::keep;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -315,7 +316,7 @@ impl Kernel for Run<'_> {
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
-                Pass::Keep => contact::keep::<W>(block, coulomb.as_ref(), input, reports),
+                Pass::Keep => keep::<W>(block, coulomb.as_ref(), input, reports),
                 Pass::Bounce => {
                     let pass = ImpactPass {
                         step: SUBSTEP,

@@ -1,0 +1,29 @@
+//! What kind of shape a shape is.
+
+use super::parts::Parts;
+use crate::dim::shapes::has_curved_surface;
+use crate::model::collider::ShapeForm;
+use parry::shape::{Shape, TypedShape};
+
+/// What the narrow phase asks of a shape in each step.
+pub(crate) fn form_of(shape: &dyn Shape) -> ShapeForm {
+    let mut form = ShapeForm::empty();
+    form.set(ShapeForm::CONVEX, Parts::of(shape).is_convex());
+    form.set(ShapeForm::ROUND, is_round(shape));
+    form
+}
+
+/// Can it roll?
+fn is_round(shape: &dyn Shape) -> bool {
+    match shape.as_typed_shape() {
+        TypedShape::Ball(_)
+        | TypedShape::Capsule(_)
+        | TypedShape::RoundCuboid(_)
+        | TypedShape::RoundTriangle(_)
+        | TypedShape::Custom(_) => true,
+        TypedShape::Compound(compound) => {
+            compound.shapes().iter().any(|(_, part)| is_round(&**part))
+        }
+        other => has_curved_surface(other),
+    }
+}
