@@ -12,6 +12,7 @@ pub(crate) mod hash;
 pub(crate) mod held;
 pub(crate) mod id_set;
 pub(crate) mod late;
+pub(crate) mod marks;
 pub(crate) mod measure;
 pub mod nearest;
 pub mod segments;

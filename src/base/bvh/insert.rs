@@ -5,9 +5,9 @@
 //! B-tree (and the R-tree: Guttman, "R-Trees: A Dynamic Index Structure for Spatial Searching", 1984), and no order of
 //! insertions makes the tree deep.
 
-use super::node::{Child, Entry, Node, Place, Target};
+use super::node::{Child, Entry, Node, Place, Planes, Target};
 use super::{BoxTree, measure};
-use crate::base::wide::LANES;
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
@@ -15,6 +15,9 @@ use parry::math::{DIM, Real};
 /// How much the growth of a box counts against its size, when a new box looks for its place: what the box holds
 /// already will be looked at in vain as often as it grows, what is new as often as it is large.
 const WEIGHT_OF_GROWTH: Real = 4.0;
+/// How large the box around a node may become before a child that makes it grow is put elsewhere: this share of the measures of its
+/// children, together. Eight squares side by side are a third, as many cubes a half.
+const LOOSENESS: Real = 0.8;
 
 /// The children of a full node, and one more.
 type Overfull = [Entry; LANES + 1];
@@ -23,8 +26,8 @@ impl BoxTree {
     /// Gives a slot its box, whether or not it had one.
     pub fn insert(&mut self, aabb: &Aabb, slot: u32) {
         if let Some(place) = self.place(slot) {
-            if self.stays_within_its_node(place, aabb) {
-                self.nodes[place.node()].set_box(place.lane(), aabb);
+            self.nodes[place.node()].set_box(place.lane(), aabb);
+            if self.may_stay(place, aabb) {
                 return self.tighten(place.node());
             }
             self.detach(place);
@@ -51,36 +54,23 @@ impl BoxTree {
         }
     }
 
-    fn stays_within_its_node(&self, place: Place, aabb: &Aabb) -> bool {
-        let parent = self.nodes[place.node()].parent;
-        parent.is_none_or(|up| self.nodes[up.node()].lane_box(up.lane()).contains(aabb))
+    /// May a box that has changed stay in its node? It may if the box around the node need not grow for it, or is small all the same:
+    /// what moves together stays together, and finding a new place is ten times the work.
+    /// (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
+    fn may_stay(&mut self, place: Place, aabb: &Aabb) -> bool {
+        let node = &self.nodes[place.node()];
+        let Some(up) = node.parent else { return true };
+        if self.nodes[up.node()].lane_box(up.lane()).contains(aabb) {
+            return true;
+        }
+        let is_small = measure(&node.around()) <= LOOSENESS * node.measure_of_children();
+        self.wear += usize::from(is_small);
+        is_small
     }
 
     /// The node that a box should go into. The boxes on the way there grow.
     fn descend(&mut self, aabb: &Aabb) -> usize {
-        let mut at = 0;
-        while let Some((lane, below)) = self.cheapest(at, aabb) {
-            let merged = self.nodes[at].lane_box(lane).merged(aabb);
-            self.nodes[at].set_box(lane, &merged);
-            at = below;
-        }
-        at
-    }
-
-    /// The child that a box should go down to, and its lane; `None` where all children are leaves.
-    fn cheapest(&self, at: usize, aabb: &Aabb) -> Option<(usize, usize)> {
-        let node = &self.nodes[at];
-        let mut best: Option<(Real, usize, usize)> = None;
-        for lane in 0..node.len() {
-            let Target::Node(below) = node.children[lane].target() else { continue };
-            let lane_box = node.lane_box(lane);
-            let merged = measure(&lane_box.merged(aabb));
-            let cost = merged + WEIGHT_OF_GROWTH * (merged - measure(&lane_box));
-            if best.is_none_or(|(least, ..)| cost < least) {
-                best = Some((cost, lane, below));
-            }
-        }
-        best.map(|(_, lane, below)| (lane, below))
+        Simd::detect().run(Descend { nodes: &mut self.nodes, aabb })
     }
 
     /// Adds a child to a node whose box contains it.
@@ -125,7 +115,7 @@ impl BoxTree {
 
     /// Gives a node these children and no others.
     fn fill(&mut self, node: usize, entries: &[Entry]) {
-        self.nodes[node].count = entries.len() as u32;
+        self.nodes[node].set_len(entries.len());
         for (lane, entry) in entries.iter().enumerate() {
             self.put(Place::new(node, lane), entry);
         }
@@ -149,7 +139,7 @@ impl BoxTree {
             let moved = self.nodes[node].entry(last);
             self.put(place, &moved);
         }
-        self.nodes[node].count -= 1;
+        self.nodes[node].set_len(last);
         match (last, self.nodes[node].parent) {
             (0, Some(parent)) => {
                 self.free.push(node as u32);
@@ -188,6 +178,61 @@ impl BoxTree {
             node = parent.node();
         }
     }
+}
+
+/// The way of a box down to the node that it should go into.
+struct Descend<'a> {
+    nodes: &'a mut [Node],
+    aabb: &'a Aabb,
+}
+
+impl Kernel for Descend<'_> {
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> usize {
+        let mut at = 0;
+        loop {
+            let node = &mut self.nodes[at];
+            let mut costs = Lane::ZERO;
+            cost_of_growth::<W>(&node.planes, self.aabb).store(&mut costs);
+            let mut best: Option<(Real, usize, usize)> = None;
+            for lane in 0..node.len() {
+                let Target::Node(below) = node.children[lane].target() else { continue };
+                if best.is_none_or(|(least, ..)| costs.0[lane] < least) {
+                    best = Some((costs.0[lane], lane, below));
+                }
+            }
+            // Where all children are leaves it has arrived.
+            let Some((_, lane, below)) = best else { return at };
+            node.set_box(lane, &node.lane_box(lane).merged(self.aabb));
+            at = below;
+        }
+    }
+}
+
+/// What it costs to put a box into each child: how large it is then, and how much it grows.
+#[inline(always)]
+fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
+    let (mut before, mut after) = ([W::zero(); DIM], [W::zero(); DIM]);
+    for axis in 0..DIM {
+        let (mins, maxs) = (W::load(&planes[axis]), W::load(&planes[DIM + axis]));
+        before[axis] = maxs - mins;
+        after[axis] = maxs.max(W::splat(aabb.maxs[axis])) - mins.min(W::splat(aabb.mins[axis]));
+    }
+    let (before, after) = (wide_measure(before), wide_measure(after));
+    after + W::splat(WEIGHT_OF_GROWTH) * (after - before)
+}
+
+/// The [measure] of boxes of these extents.
+#[inline(always)]
+fn wide_measure<W: Wide>(extents: [W; DIM]) -> W {
+    let mut sum = W::zero();
+    for axis in 0..DIM {
+        let other = extents[(axis + 1) % DIM];
+        sum = sum + if DIM == 2 { extents[axis] } else { extents[axis] * other };
+    }
+    sum
 }
 
 /// Sorts the children of an overfull node so that it is best divided before the one whose number is the answer.

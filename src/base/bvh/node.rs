@@ -1,11 +1,16 @@
 //! A node: the boxes of its children, a child per lane.
 
+use super::measure;
 use crate::base::wide::{LANES, Lane};
 use parry::bounding_volume::Aabb;
-use parry::math::{DIM, Vector};
+use parry::math::{DIM, Real, Vector};
 
 /// Lower bounds of all children per axis, then upper bounds per axis.
 pub type Planes = [Lane; 2 * DIM];
+
+/// The bounds of a lane without a child: they add nothing to what is around it.
+const NOTHING_ABOVE: Lane = Lane::splat(Real::MAX);
+const NOTHING_BELOW: Lane = Lane::splat(Real::MIN);
 
 /// What a lane leads to: another node, or the slot of a box.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -82,7 +87,9 @@ pub struct Node {
 
 impl Node {
     pub fn empty(parent: Option<Place>) -> Self {
-        Self { planes: [Lane::ZERO; 2 * DIM], children: [Child::NONE; LANES], parent, count: 0 }
+        let mut planes = [NOTHING_ABOVE; 2 * DIM];
+        planes[DIM..].fill(NOTHING_BELOW);
+        Self { planes, children: [Child::NONE; LANES], parent, count: 0 }
     }
 
     /// One bit for each child.
@@ -120,15 +127,41 @@ impl Node {
         self.children[lane] = entry.child;
     }
 
+    /// Says how many children there are. No bounds of others are left.
+    pub fn set_len(&mut self, len: usize) {
+        self.count = len as u32;
+        for lane in len..LANES {
+            self.set_box(lane, &Aabb::new_invalid());
+        }
+    }
+
     /// The box around all children.
     pub fn around(&self) -> Aabb {
-        let mut around = Aabb::new_invalid();
+        let (mut mins, mut maxs) = (Vector::ZERO, Vector::ZERO);
         for axis in 0..DIM {
-            for lane in 0..self.len() {
-                around.mins[axis] = around.mins[axis].min(self.planes[axis].0[lane]);
-                around.maxs[axis] = around.maxs[axis].max(self.planes[DIM + axis].0[lane]);
-            }
+            mins[axis] = least(&self.planes[axis], |a, b| if a < b { a } else { b });
+            maxs[axis] = least(&self.planes[DIM + axis], |a, b| if a > b { a } else { b });
         }
-        around
+        Aabb::new(mins, maxs)
     }
+
+    /// The [measures](measure) of all children, together.
+    pub fn measure_of_children(&self) -> Real {
+        (0..self.len()).map(|lane| measure(&self.lane_box(lane))).sum()
+    }
+}
+
+/// The number of all lanes that is left when the half of them have been compared with the others, and so on: all lanes side by
+/// side, which is a few instructions.
+#[inline(always)]
+fn least(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {
+    let mut left = lane.0;
+    let mut count = LANES;
+    while count > 1 {
+        count /= 2;
+        for index in 0..count {
+            left[index] = of(left[index], left[index + count]);
+        }
+    }
+    left[0]
 }

@@ -175,14 +175,20 @@ impl Clone for ContactLanes {
     }
 }
 
+/// Makes room for so many blocks in all. They are large: where more are needed, an eighth more than that are asked for, and not as many
+/// again.
+pub(crate) fn reserve_blocks<T>(blocks: &mut Vec<T>, count: usize) {
+    if count > blocks.capacity() {
+        blocks.reserve_exact(count + count / 8 - blocks.len());
+    }
+}
+
 impl ContactLanes {
     /// Makes room for so many blocks. Lanes of earlier ones stay filled.
     pub fn resize(&mut self, block_count: usize) {
-        // Blocks are large, and rooms grow seldom: no more memory than that.
-        let missing = block_count.saturating_sub(self.blocks.len());
-        self.blocks.reserve_exact(missing);
+        reserve_blocks(&mut self.blocks, block_count);
         self.blocks.resize_with(block_count, || LaneBlock::EMPTY);
-        self.reports.reserve_exact(block_count.saturating_sub(self.reports.len()));
+        reserve_blocks(&mut self.reports, block_count);
         self.reports.resize(block_count, [ContactReport::EMPTY; LANES]);
     }
 

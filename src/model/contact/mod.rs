@@ -11,7 +11,7 @@ mod report;
 mod store;
 
 pub(crate) use input::ContactInput;
-pub(crate) use lanes::{ContactLanes, LaneBlock, Rooms};
+pub(crate) use lanes::{ContactLanes, LaneBlock, Rooms, reserve_blocks};
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};
 pub use narrow_phase::NarrowPhase;
 pub(crate) use nearby::Nearby;

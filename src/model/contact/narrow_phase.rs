@@ -69,11 +69,6 @@ impl NarrowPhase {
         Self::default()
     }
 
-    /// Do the colliders in these two slots have a pair of either kind?
-    pub(crate) fn knows(&self, slot1: u32, slot2: u32) -> bool {
-        self.contacts.contains(slot1, slot2) || self.intersections.contains(slot1, slot2)
-    }
-
     /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
     /// is kept.
     pub(crate) fn forget_step_impulses(&mut self) {

@@ -5,15 +5,17 @@
 //!
 //! * `pairs`: id → pair, with holes. Large, so who can do without does;
 //! * `states`: id → what is asked in each step of all pairs that are awake, 16 bytes side by side;
-//! * `known`: two collider slots → id, for the broad phase, which asks whether it found something new
-//!   (a hash map, never iterated: its order depends on the hash);
-//! * `of_collider`: collider slot → ids, for edits and for walking islands, and `places`: id → where in these lists;
+//! * `of_collider`: collider slot → ids, for who asks with whom a collider is a pair, and `places`: id → the two colliders, and
+//!   where it stands in their lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
 //!   bodies are not in it;
 //! * `renewed`: the ids of pairs that are not what the solver last saw of them.
+//!
+//! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the same neighbours
+//! step after step, asked it for each of them; now it marks those that a collider has, which are few. The map also had to be told of each
+//! pair that came or went: together a tenth of the step of 9,600 bodies in flight.
 
 use super::lanes::ContactLanes;
-use crate::base::hash::FastHashMap;
 use crate::base::id_set::IdSet;
 use crate::base::late::Late;
 use crate::base::wide::prefetch;
@@ -91,7 +93,6 @@ pub(crate) struct PairStore<P> {
     states: Vec<PairState>,
     places: Vec<Place>,
     free: Vec<PairId>,
-    known: FastHashMap<u64, PairId>,
     of_collider: Vec<Vec<PairId>>,
     awake: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
@@ -105,7 +106,6 @@ impl<P> Default for PairStore<P> {
             states: Vec::new(),
             places: Vec::new(),
             free: Vec::new(),
-            known: FastHashMap::default(),
             of_collider: Vec::new(),
             awake: IdSet::default(),
             renewed: IdSet::default(),
@@ -117,27 +117,32 @@ fn slot(handle: ColliderHandle) -> u32 {
     handle.into_raw_parts().0
 }
 
-/// Two slots in one word, which is hashed at once.
-fn key(slot1: u32, slot2: u32) -> u64 {
-    u64::from(slot1.min(slot2)) << 32 | u64::from(slot1.max(slot2))
-}
-
 impl<P: Pair> PairStore<P> {
     /// Number of pairs.
     pub fn len(&self) -> usize {
-        self.known.len()
-    }
-
-    /// Do these two collider slots have a pair?
-    #[inline]
-    pub fn contains(&self, slot1: u32, slot2: u32) -> bool {
-        self.known.contains_key(&key(slot1, slot2))
+        self.pairs.len() - self.free.len()
     }
 
     /// The pair of what is in the slots of two colliders, in either order. When it was made other colliders may have been there.
+    ///
+    /// Takes as long as the one of the two has partners that has fewer.
     pub fn find(&self, colliders: [ColliderHandle; 2]) -> Option<PairId> {
         let [slot1, slot2] = colliders.map(slot);
-        self.known.get(&key(slot1, slot2)).copied()
+        let is_shorter = self.ids_of(slot1).len() <= self.ids_of(slot2).len();
+        let (few, other) = if is_shorter { (slot1, slot2) } else { (slot2, slot1) };
+        let is_sought = |&&id: &&PairId| self.partner(id, few) == other;
+        self.ids_of(few).iter().find(is_sought).copied()
+    }
+
+    /// The slots of all that the collider in a slot has pairs with.
+    pub fn partners(&self, collider_slot: u32) -> impl ExactSizeIterator<Item = u32> {
+        self.ids_of(collider_slot).iter().map(move |&id| self.partner(id, collider_slot))
+    }
+
+    /// The slot of the other one of a pair.
+    fn partner(&self, id: PairId, collider_slot: u32) -> u32 {
+        let [slot1, slot2] = self.collider_slots(id);
+        if slot1 == collider_slot { slot2 } else { slot1 }
     }
 
     /// Writes to a pair behind a shared reference.
@@ -180,8 +185,10 @@ impl<P: Pair> PairStore<P> {
     pub fn insert(&mut self, pair: P, bodies: [u32; 2]) -> PairId {
         let slots = pair.colliders().map(slot);
         let id = self.free.pop().unwrap_or(self.pairs.len() as u32);
-        let clash = self.known.insert(key(slots[0], slots[1]), id);
-        debug_assert!(clash.is_none(), "colliders {slots:?} already have a pair");
+        debug_assert!(
+            self.find(pair.colliders()).is_none(),
+            "colliders {slots:?} already have a pair"
+        );
         let place = Place { slots, positions: slots.map(|slot| self.list_under(slot, id)) };
         let state = PairState { bodies, slack: DUE, reports_force: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
@@ -216,7 +223,6 @@ impl<P: Pair> PairStore<P> {
         self.free.push(id);
         let Place { slots, positions } =
             core::mem::replace(&mut self.places[id as usize], Place::NOWHERE);
-        self.known.remove(&key(slots[0], slots[1]));
         for side in 0..2 {
             self.unlist(slots[side], positions[side], id);
         }
@@ -341,15 +347,14 @@ impl<P: Pair> PairStore<P> {
     /// Checks that the views agree.
     pub fn validate(&self) {
         let living = self.iter().count();
-        assert_eq!(living, self.known.len());
-        assert_eq!(living + self.free.len(), self.pairs.len());
+        assert_eq!(living, self.len());
         assert_eq!([self.states.len(), self.places.len()], [self.pairs.len(); 2]);
         for (id, pair) in self.pairs.iter().enumerate() {
             assert_eq!(pair.get().is_some(), self.places[id] != Place::NOWHERE);
             let Some(pair) = pair.get() else { continue };
             let Place { slots, positions } = self.places[id];
             assert_eq!(slots, pair.colliders().map(slot));
-            assert_eq!(self.known.get(&key(slots[0], slots[1])), Some(&(id as u32)));
+            assert_eq!(self.find(pair.colliders()), Some(id as u32));
             for side in 0..2 {
                 let list = &self.of_collider[slots[side] as usize];
                 assert_eq!(list[positions[side] as usize], id as u32);

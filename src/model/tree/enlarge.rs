@@ -13,10 +13,10 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 const MARGIN_FRACTION: Real = 0.1;
 /// For how many steps a moving collider gets room ahead. More would sweep falling piles into pairs
 /// with everything below them.
-const STEPS_AHEAD: Real = 3.0;
+const STEPS_AHEAD: Real = 2.0;
 /// Room ahead is no longer than this many half extents: whatever is faster leaves its box in every
 /// step anyway, and a long box would only find more neighbours.
-const AHEAD_MAX: Real = 2.0;
+const AHEAD_MAX: Real = 0.5;
 /// The world ends here (length units). Products of three such lengths and the number of leaves, which
 /// the trees compute, stay within `f32`, and so do the fourth powers in contact generation.
 const BOX_LIMIT: Real = 1.0e10;

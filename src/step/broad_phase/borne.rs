@@ -1,4 +1,4 @@
-//! The pairs of one kind that one collider would have to bear, and which of them are left out.
+//! The new pairs of one kind that one collider would have to bear, and which of them are left out.
 
 use crate::model::collider::ColliderHandle;
 
@@ -39,21 +39,17 @@ impl Borne {
         }
     }
 
-    /// Drops what is too much, and puts the rest into order if anything ever was. Returns whether it was.
-    pub fn settle(&mut self) -> bool {
-        if self.pairs.len() > self.most {
-            self.drop_remote();
-        }
-        let was_full = self.limit.is_some();
-        if was_full {
-            self.pairs.sort_unstable();
-        }
-        was_full
+    /// How many there are, at least: of those that are too many some may have been dropped already.
+    pub fn len(&self) -> usize {
+        self.pairs.len() + usize::from(self.limit.is_some())
     }
 
-    /// What is left.
-    pub fn pairs(&self) -> impl Iterator<Item = HandlePair> {
-        self.pairs.iter().map(|&(_, pair)| pair)
+    /// The nearest ones, so many as there are places for. No particular order if that is all of them.
+    pub fn nearest(&mut self, places: usize) -> impl Iterator<Item = HandlePair> {
+        if self.len() > places {
+            self.pairs.sort_unstable();
+        }
+        self.pairs.iter().map(|&(_, pair)| pair).take(places)
     }
 
     fn drop_remote(&mut self) {

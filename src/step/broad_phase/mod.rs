@@ -18,7 +18,7 @@ mod tests;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::model::collider::{ColliderHandle, ColliderSet};
-use crate::model::contact::{NarrowPhase, Pair};
+use crate::model::contact::NarrowPhase;
 use crate::model::tree::BroadPhaseBvh;
 use search::{Finds, Search};
 
@@ -36,24 +36,20 @@ pub(crate) struct BroadPhaseScratch {
 
 /// What is known of pairs before the search.
 pub(crate) trait KnownPairs: Sync {
-    /// Are colliders at these slots, the lower one first, a pair?
-    fn contains(&self, low: u32, high: u32) -> bool;
-
     /// The slots of all that the collider at this slot has contact pairs with.
     fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32>;
+
+    /// The slots of all that it has pairs with because one of the two is a sensor.
+    fn sensed(&self, slot: u32) -> impl Iterator<Item = u32>;
 }
 
 impl KnownPairs for NarrowPhase {
-    fn contains(&self, low: u32, high: u32) -> bool {
-        self.knows(low, high)
+    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
+        self.contacts.partners(slot)
     }
 
-    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
-        self.contacts.ids_of(slot).iter().map(move |&id| {
-            let [one, other] =
-                self.contacts[id].colliders().map(|handle| handle.into_raw_parts().0);
-            if one == slot { other } else { one }
-        })
+    fn sensed(&self, slot: u32) -> impl Iterator<Item = u32> {
+        self.intersections.partners(slot)
     }
 }
 

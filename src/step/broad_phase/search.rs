@@ -2,6 +2,7 @@
 
 use super::borne::{Borne, HandlePair};
 use super::{COLLIDERS_PER_TASK, KnownPairs};
+use crate::base::marks::Marks;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
@@ -17,6 +18,8 @@ pub(super) struct Finds {
     pub refused: Vec<u32>,
     /// The pairs that one collider would have to bear: with larger ones, and with those of its size.
     borne: [Borne; 2],
+    /// Who has a pair with it already.
+    known: Marks,
 }
 
 /// Where to look, and for what.
@@ -57,16 +60,21 @@ impl<K: KnownPairs> Search<'_, K> {
         });
     }
 
-    /// Adds the new pairs of one collider.
+    /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
     fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
         found.borne.iter_mut().for_each(|borne| borne.clear(self.most));
+        found.known.clear();
+        let partners = self.known.partners(seeker.slot);
+        let partner_count = partners.len();
+        partners.chain(self.known.sensed(seeker.slot)).for_each(|slot| found.known.mark(slot));
+        found.known.mark(seeker.slot);
         for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
             if !self.tree.may_meet(seeker.kind, other_kind) {
                 continue;
             }
             let is_movable = [seeker.kind, other_kind] == [TreeKind::Movable; 2];
             self.tree.for_each_overlapping(other_kind, &seeker.collider.proxy.fat_aabb, |other| {
-                if other != seeker.slot {
+                if !found.known.has(other) {
                     self.meet(seeker, other, is_movable, found);
                 }
             });
@@ -74,19 +82,18 @@ impl<K: KnownPairs> Search<'_, K> {
         let mut is_crowded = false;
         for (is_alike, borne) in [false, true].into_iter().zip(&mut found.borne) {
             let mut places = self.most;
-            if borne.settle() {
-                is_crowded = true;
+            if partner_count + borne.len() > self.most {
                 places -= self.count_borne(seeker.slot, is_alike).min(places);
             }
-            let news = borne.pairs().filter(|&pair| !self.is_known(pair));
-            found.pairs.extend(news.take(places));
+            is_crowded |= borne.len() > places;
+            found.pairs.extend(borne.nearest(places));
         }
         if is_crowded {
             found.refused.push(seeker.slot);
         }
     }
 
-    /// Adds a pair with the collider at another slot if it is to be one.
+    /// Adds a new pair with the collider at another slot, if the two are to be one.
     #[inline]
     fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
         let Seeker { slot, handle, collider, .. } = seeker;
@@ -110,13 +117,9 @@ impl<K: KnownPairs> Search<'_, K> {
             borne.push(remoteness, pair);
         } else if is_counted && self.known.partners(other_slot).len() >= self.most {
             found.late.push(other_slot);
-        } else if !self.is_known(pair) {
+        } else {
             found.pairs.push(pair);
         }
-    }
-
-    fn is_known(&self, (low, high): HandlePair) -> bool {
-        self.known.contains(low.into_raw_parts().0, high.into_raw_parts().0)
     }
 
     fn are_alike(&self, slot: u32, other_slot: u32) -> bool {

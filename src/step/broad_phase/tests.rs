@@ -30,16 +30,16 @@ struct Boxes {
 }
 
 impl KnownPairs for BTreeSet<(u32, u32)> {
-    fn contains(&self, low: u32, high: u32) -> bool {
-        self.contains(&(low, high))
-    }
-
     fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
         let other = |&(low, high): &(u32, u32)| match slot {
             _ if slot == low => Some(high),
             _ => (slot == high).then_some(low),
         };
         self.iter().filter_map(other).collect::<Vec<_>>().into_iter()
+    }
+
+    fn sensed(&self, _slot: u32) -> impl Iterator<Item = u32> {
+        core::iter::empty()
     }
 }
 

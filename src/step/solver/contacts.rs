@@ -15,7 +15,7 @@ use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{
     ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, NarrowPhase, PairStore,
-    Rooms,
+    Rooms, reserve_blocks,
 };
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
@@ -105,7 +105,7 @@ impl SolverContacts {
         }
         let count = self.layout.block_count();
         self.lanes.resize(count);
-        self.blocks.reserve_exact(count.saturating_sub(self.blocks.len()));
+        reserve_blocks(&mut self.blocks, count);
         self.blocks.resize_with(count, || ContactBlock::EMPTY);
         self.point_count = self.fill_lanes(narrow_phase, (bodies, per_point), tasks);
         self.impacts.load(&self.lanes, self.layout.colors(), bodies);

@@ -1,0 +1,63 @@
+//! Marks on small numbers that are taken off all at once.
+
+/// A set of `u32`s that is emptied in no time: a mark counts in the turn in which it was made. Takes four bytes for each number up to
+/// the largest that was ever in it.
+#[derive(Clone, Debug)]
+pub struct Marks {
+    /// Never 0, so that what was never marked is not.
+    turn: u32,
+    /// By number: the last turn in which it was marked.
+    marked: Vec<u32>,
+}
+
+impl Default for Marks {
+    fn default() -> Self {
+        Self { turn: 1, marked: Vec::new() }
+    }
+}
+
+impl Marks {
+    /// Takes all marks off.
+    pub fn clear(&mut self) {
+        self.turn = self.turn.wrapping_add(1);
+        if self.turn == 0 {
+            // After four billion turns old marks would count again.
+            self.marked.fill(0);
+            self.turn = 1;
+        }
+    }
+
+    /// Marks a number.
+    pub fn mark(&mut self, number: u32) {
+        let index = number as usize;
+        if index >= self.marked.len() {
+            self.marked.resize((index + 1).next_power_of_two(), 0);
+        }
+        self.marked[index] = self.turn;
+    }
+
+    /// Is the number marked?
+    #[inline(always)]
+    pub fn has(&self, number: u32) -> bool {
+        self.marked.get(number as usize) == Some(&self.turn)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Marks;
+
+    #[test]
+    fn marks_are_taken_off_at_once() {
+        let mut marks = Marks::default();
+        marks.mark(3);
+        marks.mark(70);
+        assert!(marks.has(3) && marks.has(70) && !marks.has(4) && !marks.has(1000));
+        marks.clear();
+        assert!(!marks.has(3) && !marks.has(70));
+        marks.turn = u32::MAX;
+        marks.mark(5);
+        marks.clear();
+        assert!(!marks.has(3) && !marks.has(5), "old marks count again");
+    }
+}
