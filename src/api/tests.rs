@@ -281,7 +281,7 @@ fn a_world_does_without_what_its_solver_kept() {
             }
             world.step();
         }
-        lost.narrow_phase.settle_all();
+        lost.narrow_phase.settle_all(crate::base::tasks::Tasks::SERIAL);
         lost.narrow_phase.lanes = ContactLanes::default();
     }
     for ((_, one), (_, other)) in kept.bodies.iter().zip(lost.bodies.iter()) {

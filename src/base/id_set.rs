@@ -4,6 +4,8 @@
 //! not one word in 4096 numbers. The alternative, a list from which the last takes the place of what goes, is
 //! in another order after each change, and who follows it into memory jumps about.
 
+use core::ops::Range;
+
 const BITS: u32 = u64::BITS;
 
 /// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
@@ -75,10 +77,18 @@ impl IdSet {
 
     /// The numbers, smallest first.
     pub fn iter(&self) -> impl Iterator<Item = u32> {
-        let words = |(above, &filled): (usize, &u64)| {
-            ones(filled).map(move |bit| above as u32 * BITS + bit)
-        };
-        let filled = self.filled.iter().enumerate().flat_map(words);
+        self.iter_in(0..self.page_count())
+    }
+
+    /// Numbers stand on pages of 4096, in their order.
+    pub fn page_count(&self) -> usize {
+        self.filled.len()
+    }
+
+    /// The numbers on some pages, smallest first.
+    pub fn iter_in(&self, pages: Range<usize>) -> impl Iterator<Item = u32> {
+        let words = |page: usize| ones(self.filled[page]).map(move |bit| page as u32 * BITS + bit);
+        let filled = pages.flat_map(words);
         filled.flat_map(|index| ones(self.words[index as usize]).map(move |bit| index * BITS + bit))
     }
 }

@@ -207,9 +207,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.cd.ncrowded =
         broad_phase::find_pairs(tasks, tree, colliders, known, broad_phase, pairs);
     let (mut structure, _) = parts.structure();
-    for &(collider1, collider2) in pairs.iter() {
-        structure.add_pair(collider1, collider2);
-    }
+    structure.add_pairs(pairs);
     parts.counters.cd.broad_phase_time.pause();
 
     parts.counters.cd.narrow_phase_time.resume();

@@ -41,11 +41,11 @@ pub(crate) struct FastMotion {
 
 impl FastMotion {
     /// Is a body fast that moved by no more than `bound`? What has no inside (a thickness of 0) is if it moved farther than
-    /// contacts are looked for, and what something presses into a wall is if it moved at all.
+    /// contacts are looked for, and what something presses into a wall is if it moved at all. Nobody is where nobody is looked after.
     pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
         let little = if is_solid { FAST * body.thickness } else { params.prediction_distance() };
-        bound > if body.pressed { 0.0 } else { little }
+        params.max_ccd_substeps > 0 && bound > if body.pressed { 0.0 } else { little }
     }
 
     /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is

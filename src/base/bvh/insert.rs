@@ -27,8 +27,8 @@ impl BoxTree {
     pub fn insert(&mut self, aabb: &Aabb, slot: u32) {
         if let Some(place) = self.place(slot) {
             self.nodes[place.node()].set_box(place.lane(), aabb);
-            if self.may_stay(place, aabb) {
-                return self.tighten(place.node());
+            if let Some(around) = self.box_to_stay_in(place, aabb) {
+                return self.fit(place.node(), around);
             }
             self.detach(place);
             self.len -= 1;
@@ -54,18 +54,19 @@ impl BoxTree {
         }
     }
 
-    /// May a box that has changed stay in its node? It may if the box around the node need not grow for it, or is small all the same:
-    /// what moves together stays together, and finding a new place is ten times the work.
+    /// The box around its node, if a box that has changed may stay there. It may if that need not grow, or is small all the same: what
+    /// moves together stays together, and finding a new place is ten times the work.
     /// (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
-    fn may_stay(&mut self, place: Place, aabb: &Aabb) -> bool {
+    fn box_to_stay_in(&mut self, place: Place, aabb: &Aabb) -> Option<Aabb> {
         let node = &self.nodes[place.node()];
-        let Some(up) = node.parent else { return true };
+        let around = node.around();
+        let Some(up) = node.parent else { return Some(around) };
         if self.nodes[up.node()].lane_box(up.lane()).contains(aabb) {
-            return true;
+            return Some(around);
         }
-        let is_small = measure(&node.around()) <= LOOSENESS * node.measure_of_children();
+        let is_small = measure(&around) <= LOOSENESS * node.measure_of_children();
         self.wear += usize::from(is_small);
-        is_small
+        is_small.then_some(around)
     }
 
     /// The node that a box should go into. The boxes on the way there grow.
@@ -168,14 +169,19 @@ impl BoxTree {
     }
 
     /// Fits the boxes around a node, from it to the root.
-    fn tighten(&mut self, mut node: usize) {
+    fn tighten(&mut self, node: usize) {
+        self.fit(node, self.nodes[node].around());
+    }
+
+    /// The same, given the box around the node's children.
+    fn fit(&mut self, mut node: usize, mut around: Aabb) {
         while let Some(parent) = self.nodes[node].parent {
-            let around = self.nodes[node].around();
             if self.nodes[parent.node()].lane_box(parent.lane()) == around {
                 return;
             }
             self.nodes[parent.node()].set_box(parent.lane(), &around);
             node = parent.node();
+            around = self.nodes[node].around();
         }
     }
 }

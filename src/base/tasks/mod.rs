@@ -7,12 +7,15 @@
 
 #[cfg(feature = "parallel")]
 mod crew;
+mod gather;
 
 use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
 use core::ops::Range;
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
+
+pub use gather::Gather;
 
 /// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
 #[cfg(feature = "parallel")]
@@ -57,6 +60,14 @@ impl Tasks<'_> {
     #[cfg(not(feature = "parallel"))]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
         work(Tasks::SERIAL)
+    }
+
+    /// Is there but one thread?
+    pub fn are_alone(&self) -> bool {
+        #[cfg(feature = "parallel")]
+        return self.crew.is_none();
+        #[cfg(not(feature = "parallel"))]
+        true
     }
 
     /// Calls `work` with ranges that together are `0..count`, each item in one of them.

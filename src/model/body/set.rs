@@ -1,12 +1,13 @@
 //! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
 
 use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
-use crate::base::arena::Arena;
+use crate::base::arena::{Arena, SharedArena};
 use crate::base::hash::FastHashMap;
-use crate::base::tasks::Tasks;
+use crate::base::tasks::{Gather, Tasks};
 use crate::model::collider::{ColliderChanges, ColliderSet};
 use crate::model::island::BodyLink;
 use crate::model::seal::Seal;
+use core::ops::Range;
 
 /// Bodies that are worth handing over to another thread together.
 pub(crate) const BODIES_PER_TASK: usize = 64;
@@ -294,14 +295,29 @@ impl RigidBodySet {
     ) {
         let bodies = self.bodies.share();
         tasks.par_for(handles.len(), BODIES_PER_TASK, |range| {
-            for position in range {
-                if let Some(later) = handles.get(position + TURNS_AHEAD) {
-                    bodies.prefetch_front(later.into_raw_parts().0, RigidBody::FRONT);
-                }
-                // SAFETY: the caller's promise; each position belongs to one task.
-                visit(position, unsafe { bodies.get_mut(handles[position].0) });
-            }
+            // SAFETY: the caller's promise; each position belongs to one task.
+            unsafe { visit_range(&bodies, handles, range, &visit) };
         });
+    }
+
+    /// The same, with a list to which each visit may add: what they add comes into `list`, in the order of the bodies.
+    ///
+    /// # Safety
+    /// No handle may occur twice.
+    pub(crate) unsafe fn visit_gathering<T: Send>(
+        &mut self,
+        handles: &[RigidBodyHandle],
+        tasks: Tasks<'_>,
+        gather: &mut Gather<T>,
+        visit: impl Fn(usize, Option<&mut RigidBody>, &mut Vec<T>) + Sync,
+        list: &mut Vec<T>,
+    ) {
+        let bodies = self.bodies.share();
+        let visit = |range: Range<usize>, found: &mut Vec<T>| {
+            // SAFETY: the caller's promise; each position belongs to one task.
+            unsafe { visit_range(&bodies, handles, range, |at, body| visit(at, body, found)) };
+        };
+        gather.run(tasks, (handles.len(), BODIES_PER_TASK), visit, list);
     }
 
     /// Whatever body stands in a slot, with its handle.
@@ -314,6 +330,25 @@ impl RigidBodySet {
     /// Number of slots, taken or free: every slot number is below it.
     pub(crate) fn slot_count(&self) -> usize {
         self.bodies.slot_count()
+    }
+}
+
+/// Visits the bodies at some positions of a list.
+///
+/// # Safety
+/// Nobody else may use these bodies meanwhile, and none may occur twice.
+unsafe fn visit_range(
+    bodies: &SharedArena<'_, RigidBody>,
+    handles: &[RigidBodyHandle],
+    range: Range<usize>,
+    mut visit: impl FnMut(usize, Option<&mut RigidBody>),
+) {
+    for position in range {
+        if let Some(later) = handles.get(position + TURNS_AHEAD) {
+            bodies.prefetch_front(later.into_raw_parts().0, RigidBody::FRONT);
+        }
+        // SAFETY: the caller's promise.
+        visit(position, unsafe { bodies.get_mut(handles[position].0) });
     }
 }
 

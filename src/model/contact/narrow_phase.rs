@@ -3,6 +3,7 @@
 use super::lanes::ContactLanes;
 use super::pair::{ContactPair, IntersectionPair};
 use super::store::{Pair, PairId, PairStore};
+use crate::base::tasks::Tasks;
 use crate::model::collider::ColliderHandle;
 use crate::model::seal::Seal;
 
@@ -72,8 +73,8 @@ impl NarrowPhase {
     /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
     /// is kept.
     pub(crate) fn forget_step_impulses(&mut self) {
-        self.settle_all();
-        self.contacts.for_each_awake_pair(|_, pair| {
+        self.settle_all(Tasks::SERIAL);
+        self.contacts.for_each_awake_pair(Tasks::SERIAL, |_, pair| {
             let manifolds = pair.manifolds.iter_mut();
             for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
                 contact.impulse = 0.0;
@@ -107,9 +108,9 @@ impl NarrowPhase {
     }
 
     /// Tells all contact pairs.
-    pub(crate) fn settle_all(&mut self) {
+    pub(crate) fn settle_all(&mut self, tasks: Tasks<'_>) {
         if self.lanes.are_ahead() {
-            self.contacts.for_each_awake_pair(|id, pair| self.lanes.tell(id, pair));
+            self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.tell(id, pair));
             self.lanes.fall_back();
         }
     }

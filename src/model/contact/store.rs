@@ -16,11 +16,14 @@
 //! pair that came or went: together a tenth of the step of 9,600 bodies in flight.
 
 use super::lanes::ContactLanes;
+use crate::base::disjoint::DisjointMut;
 use crate::base::id_set::IdSet;
 use crate::base::late::Late;
+use crate::base::tasks::{Gather, Tasks};
 use crate::base::wide::prefetch;
 use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
+use core::ops::Range;
 
 /// Stable for the life of the pair.
 pub(crate) type PairId = u32;
@@ -301,6 +304,17 @@ impl<P: Pair> PairStore<P> {
         self.places[id as usize].slots
     }
 
+    /// Begins to bring the place near where a pair will stand that is added after so many others.
+    pub fn prefetch_vacancy(&self, after: usize) {
+        let last = self.free.len().checked_sub(1 + after);
+        last.into_iter().for_each(|last| self.prefetch(self.free[last]));
+    }
+
+    /// Begins to bring near who the two colliders of a pair are.
+    pub fn prefetch_slots(&self, id: PairId) {
+        prefetch(&self.places[id as usize]);
+    }
+
     /// Begins to bring a pair near to the processor.
     pub fn prefetch(&self, id: PairId) {
         if let Some(pair) = self.pairs.get(id as usize) {
@@ -314,15 +328,38 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// The same, pairs and all.
-    pub fn for_each_awake_pair(&mut self, mut visit: impl FnMut(PairId, &mut P)) {
-        for id in self.awake.iter() {
-            self.pairs[id as usize].get_mut().iter_mut().for_each(|pair| visit(id, pair));
-        }
+    pub fn for_each_awake_pair(&mut self, tasks: Tasks<'_>, visit: impl Fn(PairId, &mut P) + Sync)
+    where
+        P: Send + Sync,
+    {
+        let (awake, pairs) = (&self.awake, DisjointMut::new(Late::slice_mut(&mut self.pairs)));
+        tasks.par_for(awake.page_count(), 1, |pages| {
+            awake.iter_in(pages).for_each(|id| {
+                // SAFETY: the set names each pair once, and the pages of two tasks differ.
+                let pair = unsafe { pairs.get_mut(id as usize) };
+                pair.iter_mut().for_each(|pair| visit(id, pair));
+            });
+        });
     }
 
-    /// The same with what it asks.
-    pub fn for_each_awake(&mut self, mut visit: impl FnMut(PairId, &mut PairState)) {
-        self.awake.iter().for_each(|id| visit(id, &mut self.states[id as usize]));
+    /// Appends the awake pairs for which `is_wanted` to a list, in their order. It may change what the narrow phase asks of them.
+    pub fn list_awake(
+        &mut self,
+        tasks: Tasks<'_>,
+        gather: &mut Gather<PairId>,
+        is_wanted: impl Fn(&mut PairState) -> bool + Sync,
+        list: &mut Vec<PairId>,
+    ) {
+        let (awake, states) = (&self.awake, DisjointMut::new(&mut self.states));
+        let find = |pages: Range<usize>, found: &mut Vec<PairId>| {
+            awake.iter_in(pages).for_each(|id| {
+                // SAFETY: the set names each pair once, and the pages of two tasks differ.
+                if is_wanted(unsafe { states.get_mut(id as usize) }) {
+                    found.push(id);
+                }
+            });
+        };
+        gather.run(tasks, (awake.page_count(), 1), find, list);
     }
 
     /// What the narrow phase asks of a pair.

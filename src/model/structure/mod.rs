@@ -26,6 +26,9 @@ use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, BodyMotion, IslandManager, NONE};
 
+/// How many pairs before it is added memory is asked for.
+const PAIRS_AHEAD: usize = 4;
+
 /// Mutable access to everything that the structure spans.
 pub(crate) struct Structure<'a> {
     pub bodies: &'a mut RigidBodySet,
@@ -302,9 +305,17 @@ impl Structure<'_> {
         })
     }
 
+    /// Colliders came close.
+    pub fn add_pairs(&mut self, pairs: &[(ColliderHandle, ColliderHandle)]) {
+        for &(collider1, collider2) in pairs {
+            self.narrow_phase.contacts.prefetch_vacancy(PAIRS_AHEAD);
+            self.add_pair(collider1, collider2);
+        }
+    }
+
     /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. Nothing if a
     /// joint keeps their bodies apart.
-    pub fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
+    fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
         if self.islands.joints.part(slots[0], slots[1]) {
             return;

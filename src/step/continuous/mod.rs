@@ -107,9 +107,8 @@ pub(crate) fn find_impacts(
     pressed.clear();
     passages.clear();
     *searched.get_mut() = 0;
-    if world.fast.is_empty() || world.params.max_ccd_substeps == 0 {
-        // Nobody is looked after.
-        return pressed.resize(world.fast.len(), false);
+    if world.fast.is_empty() {
+        return;
     }
     ways.find(world);
     groups.find(world);

@@ -5,7 +5,7 @@ use super::seams::{Computed, SeamScratch};
 use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
-use crate::base::tasks::Tasks;
+use crate::base::tasks::{Gather, Tasks};
 use crate::base::wide::{Simd, prefetch};
 use crate::collide::ManifoldScratch;
 use crate::dim::math::Real;
@@ -27,6 +27,8 @@ const PAIRS_PER_TASK: usize = 16;
 
 /// How many turns before it is needed memory is asked for.
 const TURNS_AHEAD: usize = 2;
+/// The same, where nothing else is done in a turn.
+const SLOTS_AHEAD: usize = 8;
 
 /// What the narrow phase reads.
 #[derive(Copy, Clone)]
@@ -46,6 +48,7 @@ pub(crate) struct Surroundings<'a> {
 #[derive(Default)]
 pub(crate) struct NarrowPhaseScratch {
     due: Vec<PairId>,
+    gather: Gather<PairId>,
     outcomes: Vec<Outcome>,
     /// Who changed, by the slots of the colliders.
     changes: Vec<([u32; 2], PairId, PairChange)>,
@@ -141,8 +144,8 @@ fn update_store<P: Update>(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
 ) {
-    let NarrowPhaseScratch { due, outcomes, changes, workers, seams } = scratch;
-    list_due(around, store, due);
+    let NarrowPhaseScratch { due, gather, outcomes, changes, workers, seams } = scratch;
+    list_due(tasks, around, store, gather, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
@@ -155,9 +158,13 @@ fn update_store<P: Update>(
         if outcome.is_renewed {
             store.renew(id);
         }
-        if let Some(change) = outcome.change {
-            changes.push((store.collider_slots(id), id, change));
+        changes.extend(outcome.change.map(|change| ([0; 2], id, change)));
+    }
+    for index in 0..changes.len() {
+        if let Some(&(_, later, _)) = changes.get(index + SLOTS_AHEAD) {
+            store.prefetch_slots(later);
         }
+        changes[index].0 = store.collider_slots(changes[index].1);
     }
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
@@ -166,16 +173,21 @@ fn update_store<P: Update>(
 }
 
 /// Lists the awake pairs whose slack is used up.
-fn list_due<P: Pair>(around: Surroundings<'_>, store: &mut PairStore<P>, due: &mut Vec<PairId>) {
+fn list_due<P: Pair>(
+    tasks: Tasks<'_>,
+    around: Surroundings<'_>,
+    store: &mut PairStore<P>,
+    gather: &mut Gather<PairId>,
+    due: &mut Vec<PairId>,
+) {
     due.clear();
-    store.for_each_awake(|id, state| {
+    let is_due = |state: &mut PairState| {
         let [body1, body2] = state.bodies;
         state.slack -= around.islands.motion_of(body1).against(around.islands.motion_of(body2));
         // Two infinite ways have no difference.
-        if state.slack < 0.0 || state.slack.is_nan() {
-            due.push(id);
-        }
-    });
+        state.slack < 0.0 || state.slack.is_nan()
+    };
+    store.list_awake(tasks, gather, is_due, due);
 }
 
 /// Looks at each due pair by itself.

@@ -92,7 +92,7 @@ impl SolverContacts {
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_share() {
-            narrow_phase.settle_all();
+            narrow_phase.settle_all(tasks);
         }
         // Who is solved with whom may change from step to step: of several groups none knows what the others did.
         self.lanes_are_scaled = bodies.any_share();

@@ -117,6 +117,17 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
     (*lightest, *heaviest) = (lightest.min(mass), heaviest.max(mass));
 }
 
+/// What contacts need to know of a body, side by side with that of others: they are met in any order.
+#[derive(Copy, Clone, Debug)]
+struct Fact {
+    island: u32,
+    mass: Option<Real>,
+}
+
+impl Fact {
+    const NOBODY: Self = Self { island: NONE, mass: None };
+}
+
 /// All awake bodies, in groups.
 #[derive(Default)]
 pub(super) struct Groups {
@@ -126,6 +137,8 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     /// By island.
     needs: Vec<Need>,
+    /// By body slot.
+    facts: Vec<Fact>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
@@ -196,24 +209,25 @@ impl Groups {
     ) {
         self.needs.clear();
         self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
+        self.facts.clear();
+        self.facts.resize(bodies.slot_count(), Fact::NOBODY);
         for handle in &islands.awake {
             let Some(body) = bodies.get(*handle) else { continue };
-            if let Some(need) = self.needs.get_mut(body.link.island as usize) {
+            let island = body.link.island;
+            if let Some(need) = self.needs.get_mut(island as usize) {
                 need.extra = need.extra.max(body.additional_solver_iterations);
+                self.facts[handle.into_raw_parts().0 as usize] = Fact { island, mass: mass(body) };
             }
         }
-        let at = |slot: u32| {
-            bodies.at_slot(slot).map(|(_, body)| body).filter(|body| body.link.island != NONE)
-        };
+        let (facts, nobody) = (&self.facts, Fact::NOBODY);
+        let at = |slot: u32| facts.get(slot as usize).unwrap_or(&nobody);
         for (_, manifolds) in islands.graph.in_solving_order() {
             for manifold in manifolds {
-                let [Some(body1), Some(body2)] =
-                    narrow_phase.contacts.bodies(manifold.pair).map(at)
-                else {
-                    continue;
-                };
-                let need = &mut self.needs[body1.link.island as usize];
-                [body1, body2].into_iter().filter_map(mass).for_each(|mass| need.include(mass));
+                let [one, other] = narrow_phase.contacts.bodies(manifold.pair).map(at);
+                if one.island != NONE && other.island != NONE {
+                    let need = &mut self.needs[one.island as usize];
+                    [one, other].iter().filter_map(|fact| fact.mass).for_each(|m| need.include(m));
+                }
             }
         }
     }

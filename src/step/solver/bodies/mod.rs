@@ -7,7 +7,7 @@ mod survey;
 
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
-use crate::base::tasks::Tasks;
+use crate::base::tasks::{Gather, Tasks};
 use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::motion::FreeMotion;
@@ -16,6 +16,7 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::BODIES_PER_TASK;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
+use crate::step::notes::FastMotion;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use load::Places;
@@ -41,6 +42,8 @@ pub(super) struct SolverBodies {
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
+    /// Where threads put down who is fast.
+    fast: Gather<FastMotion>,
     /// Was one of them far away when the step began?
     pub any_far: bool,
 }

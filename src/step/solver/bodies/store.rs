@@ -14,25 +14,24 @@ use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
     pub fn store(
-        &self,
+        &mut self,
         groups: &Groups,
         (islands, bodies, multibodies): (&mut IslandManager, &mut RigidBodySet, &SolverMultibodies),
         params: &IntegrationParameters,
         fast: &mut Vec<FastMotion>,
         tasks: Tasks<'_>,
     ) {
-        let found = Mutex::new(Vec::new());
         let order = groups.order();
         let moved = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
-        let store = |position: usize, body: Option<&mut RigidBody>| {
+        let (states, motions) = (&self.states, &self.motions);
+        let store = |position: usize, body: Option<&mut RigidBody>, fast: &mut Vec<_>| {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
-            let (state, motion) = (&self.states[position + 1], &self.motions[position + 1]);
+            let (state, motion) = (&states[position + 1], &motions[position + 1]);
             let way = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
@@ -45,9 +44,15 @@ impl SolverBodies {
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
                         let link = None;
-                        let fast =
-                            FastMotion { body, start, center, shift, turn, acceleration, link };
-                        lock(&found).push((position, fast));
+                        fast.push(FastMotion {
+                            body,
+                            start,
+                            center,
+                            shift,
+                            turn,
+                            acceleration,
+                            link,
+                        });
                         // It may be stopped on its way.
                         BodyMotion::within(bound)
                     } else {
@@ -59,10 +64,7 @@ impl SolverBodies {
             unsafe { *moved.get_mut(slot as usize) = way };
         };
         // SAFETY: the order names each body once.
-        unsafe { bodies.visit(order, tasks, store) };
-        let found = &mut *lock(&found);
-        found.sort_unstable_by_key(|&(position, _)| position);
-        fast.extend(found.drain(..).map(|(_, motion)| motion));
+        unsafe { bodies.visit_gathering(order, tasks, &mut self.fast, store, fast) };
     }
 }
 
@@ -110,8 +112,4 @@ fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> BodyMotion {
     body.pose = pose;
     body.update_world_mass_properties();
     BodyMotion::of(body.mprops.world_com - old_center, body.angvel * dt, body.extent)
-}
-
-fn lock<T>(found: &Mutex<T>) -> MutexGuard<'_, T> {
-    found.lock().unwrap_or_else(PoisonError::into_inner)
 }

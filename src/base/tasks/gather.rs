@@ -1,0 +1,70 @@
+//! Lists that threads make together.
+
+use super::Tasks;
+use core::ops::Range;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Puts what threads find in ranges of a loop into one list, in the order of the ranges, whoever was first. Keeps its memory.
+#[derive(Debug)]
+pub struct Gather<T> {
+    idle: Mutex<Vec<Vec<T>>>,
+    /// What was found, with the first index of each range.
+    found: Mutex<Vec<(usize, Vec<T>)>>,
+}
+
+impl<T> Default for Gather<T> {
+    fn default() -> Self {
+        Self { idle: Mutex::default(), found: Mutex::default() }
+    }
+}
+
+impl<T: Send> Gather<T> {
+    /// Appends to `list` what `find` adds to the lists that it is given for each range: see [`Tasks::par_for`].
+    pub fn run(
+        &mut self,
+        tasks: Tasks<'_>,
+        (count, grain): (usize, usize),
+        find: impl Fn(Range<usize>, &mut Vec<T>) + Sync,
+        list: &mut Vec<T>,
+    ) {
+        if tasks.are_alone() {
+            return find(0..count, list);
+        }
+        let Self { idle, found } = &*self;
+        tasks.par_for(count, grain, |range| {
+            let mut part = lock(idle).pop().unwrap_or_default();
+            let start = range.start;
+            find(range, &mut part);
+            lock(found).push((start, part));
+        });
+        let (mut idle, mut found) = (lock(idle), lock(found));
+        found.sort_unstable_by_key(|&(start, _)| start);
+        for (_, mut part) in found.drain(..) {
+            list.append(&mut part);
+            idle.push(part);
+        }
+    }
+}
+
+fn lock<T>(of_all: &Mutex<T>) -> MutexGuard<'_, T> {
+    of_all.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Tasks;
+    use super::Gather;
+
+    #[test]
+    fn what_is_found_is_in_order() {
+        let (mut gather, mut list) = (Gather::default(), vec![7]);
+        for _ in 0..3 {
+            list.truncate(1);
+            let odd = |range: core::ops::Range<usize>, part: &mut Vec<usize>| {
+                part.extend(range.filter(|n| n % 2 == 1));
+            };
+            Tasks::open(|tasks| gather.run(tasks, (1001, 10), odd, &mut list));
+            assert!(list.iter().copied().eq([7].into_iter().chain((1..1001).step_by(2))));
+        }
+    }
+}
