@@ -268,12 +268,12 @@ impl ContactLanes {
         }
     }
 
-    /// Asks for what a pair will be told.
-    pub fn prefetch(&self, id: PairId, pair: &ContactPair) {
-        let at = ManifoldRef { pair: id, manifold: 0 };
-        let first = pair.manifolds.first().filter(|_| !self.is_told(id));
-        if let Some((block, lane)) = first.and_then(|manifold| self.find(at, manifold)) {
+    /// Asks for what a pair will be told, if it will be told anything, and for who stands there.
+    pub fn prefetch(&self, pair: &ContactPair) {
+        let first = pair.manifolds.first().filter(|_| self.are_ahead());
+        if let Some((block, lane)) = first.and_then(|manifold| self.place_of(manifold)) {
             prefetch(&self.reports[block][lane]);
+            prefetch(&self.blocks[block].members);
         }
     }
 
@@ -285,10 +285,14 @@ impl ContactLanes {
 
     /// The block and the lane in it that stands for a manifold.
     fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
+        self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].is_seated(lane, at))
+    }
+
+    /// Where the block and the lane are that stand for a manifold, unless they stand for another by now.
+    fn place_of(&self, manifold: &ContactManifold) -> Option<(usize, usize)> {
         let ColorSlot { color, position } = manifold.slot?;
         let start = *self.starts.get(color as usize)? as usize;
         let (block, lane) = (start + position as usize / LANES, position as usize % LANES);
-        let is_there = self.blocks.get(block)?.is_seated(lane, at) && block < self.reports.len();
-        is_there.then_some((block, lane))
+        (block < self.blocks.len().min(self.reports.len())).then_some((block, lane))
     }
 }

@@ -4,7 +4,7 @@ use super::lanes::ContactLanes;
 use super::manifold::ContactManifold;
 use super::nearby::Nearby;
 use super::placement::Placement;
-use super::store::{Pair, PairId};
+use super::store::Pair;
 use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
@@ -135,8 +135,8 @@ impl Pair for ContactPair {
         self.start_event_emitted
     }
 
-    fn prefetch_report(&self, id: PairId, lanes: &ContactLanes) {
-        lanes.prefetch(id, self);
+    fn prefetch_report(&self, lanes: &ContactLanes) {
+        lanes.prefetch(self);
     }
 
     #[inline]

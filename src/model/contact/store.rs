@@ -5,8 +5,8 @@
 //!
 //! * `pairs`: id → pair, with holes. Large, so who can do without does;
 //! * `states`: id → what is asked in each step of all pairs that are awake, 16 bytes side by side;
-//! * `of_collider`: collider slot → ids, for who asks with whom a collider is a pair, and `places`: id → the two colliders, and
-//!   where it stands in their lists;
+//! * `of_collider`: collider slot → ids, and the others, for who asks with whom a collider is a pair, and `places`: id → the two
+//!   colliders, and where it stands in their lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
 //!   bodies are not in it;
 //! * `renewed`: the ids of pairs that are not what the solver last saw of them.
@@ -46,7 +46,7 @@ pub(crate) trait Pair {
     }
 
     /// Asks for what the pair will be told of the last step.
-    fn prefetch_report(&self, _id: PairId, _lanes: &ContactLanes) {}
+    fn prefetch_report(&self, _lanes: &ContactLanes) {}
 
     /// Asks for what the pair keeps elsewhere in memory: for where it is, then for what is there.
     fn prefetch(&self, _what_is_there: bool) {}
@@ -78,12 +78,21 @@ impl Place {
     const NOWHERE: Self = Self { slots: [u32::MAX; 2], positions: [u32::MAX; 2] };
 }
 
+/// The pairs of one collider.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Partners {
+    pub ids: Vec<PairId>,
+    /// The slot of the other one of each.
+    slots: Vec<u32>,
+}
+
 /// The parts of a store that differ in who may write them.
 pub(crate) struct StoreParts<'a, P> {
     /// What the narrow phase asks, by id.
     pub states: &'a [PairState],
-    /// The ids of the pairs of each collider slot.
-    pub of_collider: &'a [Vec<PairId>],
+    /// The pairs of each collider slot.
+    pub of_collider: &'a [Partners],
     /// All pairs by id.
     pub pairs: &'a mut [Option<P>],
 }
@@ -96,7 +105,7 @@ pub(crate) struct PairStore<P> {
     states: Vec<PairState>,
     places: Vec<Place>,
     free: Vec<PairId>,
-    of_collider: Vec<Vec<PairId>>,
+    of_collider: Vec<Partners>,
     awake: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     renewed: IdSet,
@@ -133,19 +142,14 @@ impl<P: Pair> PairStore<P> {
         let [slot1, slot2] = colliders.map(slot);
         let is_shorter = self.ids_of(slot1).len() <= self.ids_of(slot2).len();
         let (few, other) = if is_shorter { (slot1, slot2) } else { (slot2, slot1) };
-        let is_sought = |&&id: &&PairId| self.partner(id, few) == other;
-        self.ids_of(few).iter().find(is_sought).copied()
+        let list = self.of_collider.get(few as usize)?;
+        list.slots.iter().position(|&slot| slot == other).map(|position| list.ids[position])
     }
 
     /// The slots of all that the collider in a slot has pairs with.
-    pub fn partners(&self, collider_slot: u32) -> impl ExactSizeIterator<Item = u32> {
-        self.ids_of(collider_slot).iter().map(move |&id| self.partner(id, collider_slot))
-    }
-
-    /// The slot of the other one of a pair.
-    fn partner(&self, id: PairId, collider_slot: u32) -> u32 {
-        let [slot1, slot2] = self.collider_slots(id);
-        if slot1 == collider_slot { slot2 } else { slot1 }
+    #[inline]
+    pub fn partners(&self, collider_slot: u32) -> &[u32] {
+        self.of_collider.get(collider_slot as usize).map_or(&[], |list| &list.slots)
     }
 
     /// Writes to a pair behind a shared reference.
@@ -181,7 +185,7 @@ impl<P: Pair> PairStore<P> {
 
     /// Ids of the pairs of the collider in a slot.
     pub fn ids_of(&self, collider_slot: u32) -> &[PairId] {
-        self.of_collider.get(collider_slot as usize).map_or(&[], Vec::as_slice)
+        self.of_collider.get(collider_slot as usize).map_or(&[], |list| &list.ids)
     }
 
     /// Adds an awake pair that is due to be computed.
@@ -192,7 +196,7 @@ impl<P: Pair> PairStore<P> {
             self.find(pair.colliders()).is_none(),
             "colliders {slots:?} already have a pair"
         );
-        let place = Place { slots, positions: slots.map(|slot| self.list_under(slot, id)) };
+        let place = Place { slots, positions: self.list(slots, id) };
         let state = PairState { bodies, slack: DUE, reports_force: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
             *free.get_mut() = Some(pair);
@@ -208,13 +212,18 @@ impl<P: Pair> PairStore<P> {
         id
     }
 
-    fn list_under(&mut self, collider_slot: u32, id: PairId) -> u32 {
-        let slot = collider_slot as usize;
-        if slot >= self.of_collider.len() {
-            self.of_collider.resize_with(slot + 1, Vec::new);
+    /// Puts a pair into the lists of both colliders. Returns its positions there.
+    fn list(&mut self, [slot1, slot2]: [u32; 2], id: PairId) -> [u32; 2] {
+        let bound = slot1.max(slot2) as usize + 1;
+        if bound > self.of_collider.len() {
+            self.of_collider.resize_with(bound, Partners::default);
         }
-        self.of_collider[slot].push(id);
-        self.of_collider[slot].len() as u32 - 1
+        [(slot1, slot2), (slot2, slot1)].map(|(own, other)| {
+            let list = &mut self.of_collider[own as usize];
+            list.ids.push(id);
+            list.slots.push(other);
+            list.ids.len() as u32 - 1
+        })
     }
 
     /// Takes a pair out. Returns the two if somebody has heard that they began to touch, and not yet that they do not any more.
@@ -235,9 +244,10 @@ impl<P: Pair> PairStore<P> {
     /// Swap-removes a pair from a collider's list and repairs the place of the one that took its place.
     fn unlist(&mut self, collider_slot: u32, position: u32, id: PairId) {
         let list = &mut self.of_collider[collider_slot as usize];
-        let removed = list.swap_remove(position as usize);
+        let removed = list.ids.swap_remove(position as usize);
         debug_assert_eq!(removed, id);
-        let Some(&moved) = list.get(position as usize) else { return };
+        list.slots.swap_remove(position as usize);
+        let Some(&moved) = list.ids.get(position as usize) else { return };
         let place = &mut self.places[moved as usize];
         let side = usize::from(place.slots[0] != collider_slot);
         place.positions[side] = position;
@@ -394,7 +404,11 @@ impl<P: Pair> PairStore<P> {
             assert_eq!(self.find(pair.colliders()), Some(id as u32));
             for side in 0..2 {
                 let list = &self.of_collider[slots[side] as usize];
-                assert_eq!(list[positions[side] as usize], id as u32);
+                let position = positions[side] as usize;
+                assert_eq!(
+                    (list.ids[position], list.slots[position]),
+                    (id as u32, slots[1 - side])
+                );
             }
         }
         for id in self.awake() {

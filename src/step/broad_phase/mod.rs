@@ -24,6 +24,8 @@ use search::{Finds, Search};
 
 /// Colliders that are worth handing over to another thread together.
 const COLLIDERS_PER_TASK: usize = 16;
+/// How many colliders before it looks around memory is asked for.
+const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -37,18 +39,18 @@ pub(crate) struct BroadPhaseScratch {
 /// What is known of pairs before the search.
 pub(crate) trait KnownPairs: Sync {
     /// The slots of all that the collider at this slot has contact pairs with.
-    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32>;
+    fn partners(&self, slot: u32) -> &[u32];
 
     /// The slots of all that it has pairs with because one of the two is a sensor.
-    fn sensed(&self, slot: u32) -> impl Iterator<Item = u32>;
+    fn sensed(&self, slot: u32) -> &[u32];
 }
 
 impl KnownPairs for NarrowPhase {
-    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
+    fn partners(&self, slot: u32) -> &[u32] {
         self.contacts.partners(slot)
     }
 
-    fn sensed(&self, slot: u32) -> impl Iterator<Item = u32> {
+    fn sensed(&self, slot: u32) -> &[u32] {
         self.intersections.partners(slot)
     }
 }

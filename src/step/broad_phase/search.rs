@@ -1,10 +1,11 @@
 //! The neighbours of one collider.
 
 use super::borne::{Borne, HandlePair};
-use super::{COLLIDERS_PER_TASK, KnownPairs};
+use super::{COLLIDERS_PER_TASK, KnownPairs, TURNS_AHEAD};
 use crate::base::marks::Marks;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
+use crate::base::wide::prefetch;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
@@ -47,7 +48,9 @@ impl<K: KnownPairs> Search<'_, K> {
     pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], finds: &Pool<Finds>) {
         tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
             let mut found = finds.take();
-            for &slot in &slots[range] {
+            for position in range {
+                self.prefetch(slots.get(position + TURNS_AHEAD));
+                let slot = slots[position];
                 // The collider may be gone since it moved, or disabled.
                 let Some((handle, collider)) = self.colliders.at_slot(slot) else { continue };
                 let Some(kind) = collider.proxy.tree else { continue };
@@ -60,13 +63,21 @@ impl<K: KnownPairs> Search<'_, K> {
         });
     }
 
+    /// Asks for what the search of a collider begins with.
+    #[inline]
+    fn prefetch(&self, slot: Option<&u32>) {
+        let Some(&slot) = slot else { return };
+        self.colliders.prefetch(slot);
+        self.known.partners(slot).first().into_iter().for_each(prefetch);
+    }
+
     /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
     fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
         found.borne.iter_mut().for_each(|borne| borne.clear(self.most));
         found.known.clear();
         let partners = self.known.partners(seeker.slot);
-        let partner_count = partners.len();
-        partners.chain(self.known.sensed(seeker.slot)).for_each(|slot| found.known.mark(slot));
+        let all = partners.iter().chain(self.known.sensed(seeker.slot));
+        all.for_each(|&slot| found.known.mark(slot));
         found.known.mark(seeker.slot);
         for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
             if !self.tree.may_meet(seeker.kind, other_kind) {
@@ -82,7 +93,7 @@ impl<K: KnownPairs> Search<'_, K> {
         let mut is_crowded = false;
         for (is_alike, borne) in [false, true].into_iter().zip(&mut found.borne) {
             let mut places = self.most;
-            if partner_count + borne.len() > self.most {
+            if partners.len() + borne.len() > self.most {
                 places -= self.count_borne(seeker.slot, is_alike).min(places);
             }
             is_crowded |= borne.len() > places;
@@ -137,6 +148,6 @@ impl<K: KnownPairs> Search<'_, K> {
                 && self.are_alike(slot, other) == alike
                 && is_movable(other)
         };
-        self.known.partners(slot).filter(borne).count()
+        self.known.partners(slot).iter().copied().filter(borne).count()
     }
 }

@@ -13,7 +13,7 @@ use crate::model::collider::{
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use parry::bounding_volume::BoundingVolume;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 type Pair = (ColliderHandle, ColliderHandle);
 
@@ -29,17 +29,28 @@ struct Boxes {
     crowded: usize,
 }
 
-impl KnownPairs for BTreeSet<(u32, u32)> {
-    fn partners(&self, slot: u32) -> impl ExactSizeIterator<Item = u32> {
-        let other = |&(low, high): &(u32, u32)| match slot {
-            _ if slot == low => Some(high),
-            _ => (slot == high).then_some(low),
-        };
-        self.iter().filter_map(other).collect::<Vec<_>>().into_iter()
+/// By slot, with whom it has a pair.
+#[derive(Default)]
+struct Partners(BTreeMap<u32, Vec<u32>>);
+
+impl Partners {
+    fn of(known: &BTreeSet<(u32, u32)>) -> Self {
+        let mut partners = Self::default();
+        for &(low, high) in known {
+            partners.0.entry(low).or_default().push(high);
+            partners.0.entry(high).or_default().push(low);
+        }
+        partners
+    }
+}
+
+impl KnownPairs for Partners {
+    fn partners(&self, slot: u32) -> &[u32] {
+        self.0.get(&slot).map_or(&[], Vec::as_slice)
     }
 
-    fn sensed(&self, _slot: u32) -> impl Iterator<Item = u32> {
-        core::iter::empty()
+    fn sensed(&self, _slot: u32) -> &[u32] {
+        &[]
     }
 }
 
@@ -84,7 +95,7 @@ impl Boxes {
     /// The new pairs, which are known from then on.
     fn find(&mut self) -> Vec<Pair> {
         let mut found = Vec::new();
-        let (known, scratch) = (&self.known, &mut BroadPhaseScratch::default());
+        let (known, scratch) = (&Partners::of(&self.known), &mut BroadPhaseScratch::default());
         let tree = (&mut self.tree, self.params.max_neighbors_per_collider);
         self.crowded = Tasks::open(|tasks| {
             find_pairs(tasks, tree, &self.colliders, known, scratch, &mut found)

@@ -71,7 +71,7 @@ pub(super) fn look_again(
         let mut worker = workers.take();
         for group in &groups[range] {
             let members = &touching[group.clone()];
-            let ids = &of_collider[members[0].0 as usize];
+            let ids = &of_collider[members[0].0 as usize].ids;
             // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
             // of two bodies to none.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };

@@ -249,7 +249,7 @@ impl<P: Update> Ahead<'_, P> {
         if let Some(&id) = self.due.get(turn + 1) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
-            pair.iter().for_each(|pair| pair.prefetch_report(id, self.around.lanes));
+            pair.iter().for_each(|pair| pair.prefetch_report(self.around.lanes));
             pair.iter().for_each(|pair| pair.prefetch(true));
         }
     }
