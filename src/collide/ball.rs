@@ -1,9 +1,10 @@
 //! A ball against anything: the point of the surface that is nearest to its centre.
 
+use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};
 use crate::dim::collide::{RawManifold, RawPoint, box_feature, nearest_on_hull};
 use crate::dim::math::{DIM, Pose, Real, Vector, tangents};
-use parry::shape::{Capsule, Cuboid, PackedFeatureId, Shape, TypedShape};
+use parry::shape::{Capsule, Cuboid, Shape, TypedShape};
 
 /// The contact of a shape with a ball, whose centre in the shape's frame is `pos12.translation`.
 ///
@@ -29,7 +30,7 @@ pub(super) fn ball_manifold(
     let dist = nearest.dist - radius2;
     if dist <= prediction {
         let on_ball = raw.local_n2 * radius2;
-        let feature2 = PackedFeatureId::face(0);
+        let feature2 = feature::face(0);
         raw.points.push(RawPoint::new(nearest.point, on_ball, nearest.feature, feature2, dist));
     }
     dist.max(0.0)
@@ -37,18 +38,13 @@ pub(super) fn ball_manifold(
 
 fn nearest_on_ball(radius: Real, center: Vector) -> Nearest {
     let (normal, length) = direction_and_length(center, Vector::Y);
-    Nearest {
-        point: normal * radius,
-        normal,
-        dist: length - radius,
-        feature: PackedFeatureId::face(0),
-    }
+    Nearest { point: normal * radius, normal, dist: length - radius, feature: feature::face(0) }
 }
 
 fn nearest_on_plane(normal: Vector, center: Vector) -> Nearest {
     let dist = normal.dot(center);
     let point = center - normal * dist;
-    Nearest { point, normal, dist, feature: PackedFeatureId::face(0) }
+    Nearest { point, normal, dist, feature: feature::face(0) }
 }
 
 fn nearest_on_cuboid(cuboid: &Cuboid, center: Vector) -> Nearest {
@@ -81,7 +77,7 @@ fn nearest_on_capsule(capsule: &Capsule, center: Vector) -> Nearest {
         point: on_axis + normal * capsule.radius,
         normal,
         dist: length - capsule.radius,
-        feature: PackedFeatureId::face(0),
+        feature: feature::face(0),
     }
 }
 

@@ -1,9 +1,10 @@
 //! Two capsules: the closest points of their axes, or both ends of where they lie along each other.
 
+use crate::base::feature;
 use crate::base::segments::Segments;
 use crate::dim::collide::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{Capsule, PackedFeatureId};
+use parry::shape::Capsule;
 
 /// Axes whose directions have a smaller sine (squared) than this lie along each other: about 3°.
 const PARALLEL: Real = 3.0e-3;
@@ -52,7 +53,7 @@ pub(super) fn capsule_capsule(
         if dist <= prediction {
             let local_p1 = p1 + local_n1 * capsule1.radius;
             let local_p2 = pos21 * p2 + local_n2 * capsule2.radius;
-            let id = PackedFeatureId::face(name);
+            let id = feature::face(name);
             raw.points.push(RawPoint::new(local_p1, local_p2, id, id, dist));
         }
     };

@@ -2,6 +2,7 @@
 
 use super::parts::Part;
 use super::support::Core;
+use crate::base::feature;
 use crate::dim::collide::Polytope;
 use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
@@ -33,7 +34,7 @@ impl Footing {
             let _ = feet.try_push(Foot { point, feature });
         };
         if let Some(ball) = shape.as_ball() {
-            add(down * ball.radius, PackedFeatureId::face(0));
+            add(down * ball.radius, feature::face(0));
         } else if let Some((polytope, radius)) = Polytope::of(shape) {
             polytope.for_each_corner_toward(down, |point, id| add(point + down * radius, id));
         } else {

@@ -1,5 +1,6 @@
 //! Numbers for the vertices and faces of a box.
 
+use crate::base::feature;
 use crate::dim::math::{Real, Vector};
 use parry::shape::PackedFeatureId;
 
@@ -15,7 +16,7 @@ pub fn box_feature(offset: Vector) -> PackedFeatureId {
     };
     let code = digit(offset.x) + 3 * digit(offset.y);
     match code {
-        1..=3 | 6 => PackedFeatureId::face(code),
-        _ => PackedFeatureId::vertex(code),
+        1..=3 | 6 => feature::face(code),
+        _ => feature::vertex(code),
     }
 }

@@ -6,6 +6,7 @@
 //! found must prove itself: no corner may be above the line through the place. Else the answer is left to a
 //! search that knows nothing of sides.
 
+use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};
 use crate::dim::math::{Real, Vector};
 use parry::shape::{ConvexPolygon, PackedFeatureId, TypedShape};
@@ -23,7 +24,7 @@ fn nearest_by_sides(polygon: &ConvexPolygon, point: Vector, reach: Real) -> Opti
     let (top, height) = heights.clone().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let normal = normals[top];
     if height <= 0.0 || height > reach {
-        let feature = PackedFeatureId::face(top as u32);
+        let feature = feature::face(top as u32);
         return Some(Nearest { point: point - normal * height, normal, dist: height, feature });
     }
     let beyond = heights.filter(|(_, height)| *height > 0.0);
@@ -41,8 +42,8 @@ fn on_side(polygon: &ConvexPolygon, side: usize, point: Vector) -> (Vector, Pack
     let (start, along) = (corners[side], corners[next] - corners[side]);
     let share: Real = along.dot(point - start) / along.length_squared();
     match share {
-        share if share >= 1.0 => (corners[next], PackedFeatureId::vertex(next as u32)),
-        share if share > 0.0 => (start + along * share, PackedFeatureId::face(side as u32)),
-        _ => (start, PackedFeatureId::vertex(side as u32)),
+        share if share >= 1.0 => (corners[next], feature::vertex(next as u32)),
+        share if share > 0.0 => (start + along * share, feature::face(side as u32)),
+        _ => (start, feature::vertex(side as u32)),
     }
 }

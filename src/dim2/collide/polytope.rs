@@ -1,6 +1,7 @@
 //! Convex shapes with flat faces: boxes, polygons, triangles, and segments, which have two.
 
 use super::features::box_feature;
+use crate::base::feature;
 use crate::dim::math::{Real, Vector};
 use parry::shape::{
     ConvexPolygon, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
@@ -139,7 +140,7 @@ impl<'a> Polytope<'a> {
     pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
         match self {
             Self::Cuboid(_) => box_feature(box_face(id)),
-            _ => PackedFeatureId::face(id as u32),
+            _ => feature::face(id as u32),
         }
     }
 
@@ -183,7 +184,7 @@ impl<'a> Polytope<'a> {
 }
 
 fn named(point: Vector, index: usize) -> Corner {
-    Corner { point, vertex: PackedFeatureId::vertex(index as u32) }
+    Corner { point, vertex: feature::vertex(index as u32) }
 }
 
 /// The outward normal of a face of a box.

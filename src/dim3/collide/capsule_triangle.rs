@@ -7,6 +7,7 @@
 use super::clip::{FaceContact, clip_faces};
 use super::polytope::Polytope;
 use super::{RawManifold, RawPoint};
+use crate::base::feature;
 use crate::base::segments::Segments;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Capsule, PackedFeatureId, Triangle};
@@ -64,7 +65,7 @@ pub fn capsule_triangle(
     if raw.points.is_empty() {
         let p1 = to_edges.on_axis + direction * capsule.radius;
         let p2 = pos12.inverse_transform_point(to_edges.on_triangle);
-        raw.points.push(RawPoint::new(p1, p2, PackedFeatureId::face(0), to_edges.edge, bound));
+        raw.points.push(RawPoint::new(p1, p2, feature::face(0), to_edges.edge, bound));
     }
     Some(bound.max(0.0))
 }
@@ -106,7 +107,7 @@ fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest 
         }
     }
     let (_, on_axis, on_triangle, index) = best;
-    Nearest { on_axis, on_triangle, edge: PackedFeatureId::edge(index) }
+    Nearest { on_axis, on_triangle, edge: feature::edge(index) }
 }
 
 /// The nearest points of two segments.

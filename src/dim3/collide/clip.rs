@@ -6,6 +6,7 @@
 
 use super::polytope::{Corner, Corners, Face, Polytope};
 use super::{RawManifold, RawPoint};
+use crate::base::feature;
 use crate::dim::math::{Pose, Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
@@ -127,7 +128,7 @@ fn clip_line(
     let [start, end] = ends.map(|end| *contact.pose * end);
     let face = contact.polytope.face_feature(contact.face.id);
     let mut range = [0.0, 1.0];
-    let mut names = [0, 1].map(|end| (face, PackedFeatureId::vertex(end)));
+    let mut names = [0, 1].map(|end| (face, feature::vertex(end)));
     for (index, corner) in cutting.iter().enumerate() {
         let outward = (cutting[(index + 1) % cutting.len()].point - corner.point).cross(normal);
         let rim = RIM * outward.length_squared();
@@ -135,7 +136,7 @@ fn clip_line(
         if from > 0.0 && to > 0.0 {
             return None;
         }
-        let (crossing, name) = (from / (from - to), (corner.edge(), PackedFeatureId::edge(0)));
+        let (crossing, name) = (from / (from - to), (corner.edge(), feature::edge(0)));
         if from > 0.0 && crossing > range[0] {
             (range[0], names[0]) = (crossing, name);
         } else if to > 0.0 && crossing < range[1] {

@@ -1,5 +1,6 @@
 //! Numbers for the vertices, edges and faces of a box.
 
+use crate::base::feature;
 use crate::dim::math::{Real, Vector};
 use parry::shape::PackedFeatureId;
 
@@ -8,9 +9,9 @@ use parry::shape::PackedFeatureId;
 pub fn box_feature(offset: Vector) -> PackedFeatureId {
     let number = box_number(offset.to_array());
     match offset.to_array().iter().filter(|&&x| x != 0.0).count() {
-        1 => PackedFeatureId::face(number),
-        2 => PackedFeatureId::edge(number),
-        _ => PackedFeatureId::vertex(number),
+        1 => feature::face(number),
+        2 => feature::edge(number),
+        _ => feature::vertex(number),
     }
 }
 

@@ -8,6 +8,7 @@
 //! face bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may
 //! be above the plane through the place. Else the answer is left to a search that knows nothing of faces.
 
+use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};
 use crate::dim::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, PackedFeatureId, TypedShape};
@@ -51,7 +52,7 @@ fn nearest_by_faces(hull: &ConvexPolyhedron, point: Vector, reach: Real) -> Near
 /// The place below a point in the plane of a face, above which it is so high.
 fn on_plane(hull: &ConvexPolyhedron, (face, height): (usize, Real), point: Vector) -> Nearest {
     let normal = hull.faces()[face].normal;
-    let feature = PackedFeatureId::face(face as u32);
+    let feature = feature::face(face as u32);
     Nearest { point: point - normal * height, normal, dist: height, feature }
 }
 
@@ -84,7 +85,7 @@ fn on_face(hull: &ConvexPolyhedron, id: usize, height: Real, point: Vector) -> O
     let mut best = OnFace {
         place: point - face.normal * height,
         distance_squared: height * height,
-        feature: PackedFeatureId::face(id as u32),
+        feature: feature::face(id as u32),
         is_inside: true,
     };
     if height <= 0.0 {
@@ -99,9 +100,9 @@ fn on_face(hull: &ConvexPolyhedron, id: usize, height: Real, point: Vector) -> O
         }
         let share = along.dot(point - start) / along.length_squared();
         let (place, feature) = match share {
-            share if share >= 1.0 => (start + along, PackedFeatureId::vertex(next)),
-            share if share > 0.0 => (start + along * share, PackedFeatureId::edge(edges[index])),
-            _ => (start, PackedFeatureId::vertex(vertex)),
+            share if share >= 1.0 => (start + along, feature::vertex(next)),
+            share if share > 0.0 => (start + along * share, feature::edge(edges[index])),
+            _ => (start, feature::vertex(vertex)),
         };
         let distance_squared = place.distance_squared(point);
         if best.is_inside || distance_squared < best.distance_squared {

@@ -2,6 +2,7 @@
 
 use super::cuboid::unit;
 use super::features::{box_feature, box_number};
+use crate::base::feature;
 use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::{
@@ -56,12 +57,12 @@ pub(super) struct Corner {
 impl Corner {
     /// Its feature.
     pub fn vertex(&self) -> PackedFeatureId {
-        PackedFeatureId::vertex(self.numbers[0])
+        feature::vertex(self.numbers[0])
     }
 
     /// The feature of the edge to the next corner.
     pub fn edge(&self) -> PackedFeatureId {
-        PackedFeatureId::edge(self.numbers[1])
+        feature::edge(self.numbers[1])
     }
 }
 
@@ -162,10 +163,10 @@ impl<'a> Polytope<'a> {
                 // Edge 0 is opposite of corner 2, and so on round.
                 let id = (heights.min_position() + 1) % 3;
                 let ends = [points[id], points[(id + 1) % 3]];
-                Some(Edge { ends, feature: PackedFeatureId::edge(id as u32) })
+                Some(Edge { ends, feature: feature::edge(id as u32) })
             }
             Self::Segment(segment) => {
-                Some(Edge { ends: [segment.a, segment.b], feature: PackedFeatureId::edge(0) })
+                Some(Edge { ends: [segment.a, segment.b], feature: feature::edge(0) })
             }
         }
     }
@@ -174,7 +175,7 @@ impl<'a> Polytope<'a> {
     pub(super) fn face_feature(&self, id: usize) -> PackedFeatureId {
         match self {
             Self::Cuboid(_) => box_feature(box_face(id)),
-            _ => PackedFeatureId::face(id as u32),
+            _ => feature::face(id as u32),
         }
     }
 
@@ -185,8 +186,8 @@ impl<'a> Polytope<'a> {
         mut f: impl FnMut(Vector, PackedFeatureId),
     ) {
         if let Self::Segment(segment) = self {
-            f(segment.a, PackedFeatureId::vertex(0));
-            f(segment.b, PackedFeatureId::vertex(1));
+            f(segment.a, feature::vertex(0));
+            f(segment.b, feature::vertex(1));
         } else if let Some(face) = self.face_toward(direction) {
             self.corners(face.id).iter().for_each(|corner| f(corner.point, corner.vertex()));
         }
@@ -264,7 +265,7 @@ fn hull_edge(hull: &ConvexPolyhedron, direction: Vector) -> Option<Edge> {
     }
     let (id, ends) = best.0?;
     let ends = ends.map(|end| points[end as usize]);
-    Some(Edge { ends, feature: PackedFeatureId::edge(id as u32) })
+    Some(Edge { ends, feature: feature::edge(id as u32) })
 }
 
 fn hull_corners(hull: &ConvexPolyhedron, id: usize) -> Corners {

@@ -63,6 +63,8 @@ pub(crate) struct PairState {
     pub slack: Real,
     /// Does somebody want to hear of strong contact forces of this pair?
     pub reports_force: bool,
+    /// Have contacts of a body with an obstacle ever been found?
+    pub met_obstacle: bool,
 }
 
 /// Where a pair stands in the lists of its two colliders.
@@ -197,7 +199,7 @@ impl<P: Pair> PairStore<P> {
             "colliders {slots:?} already have a pair"
         );
         let place = Place { slots, positions: self.list(slots, id) };
-        let state = PairState { bodies, slack: DUE, reports_force: false };
+        let state = PairState { bodies, slack: DUE, reports_force: false, met_obstacle: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
             *free.get_mut() = Some(pair);
             self.states[id as usize] = state;

@@ -65,22 +65,23 @@ pub(super) fn look_again(
     scratch.group(store, &computed);
     let SeamScratch { touching, groups } = &*scratch;
     let Computed { due, outcomes } = computed;
-    let StoreParts { of_collider, pairs, .. } = store.split();
+    let StoreParts { of_collider, states, pairs } = store.split();
     let (pairs, outcomes) = (DisjointMut::new(pairs), DisjointMut::new(outcomes));
     tasks.par_for(groups.len(), BODIES_PER_TASK, |range| {
         let mut worker = workers.take();
         for group in &groups[range] {
             let members = &touching[group.clone()];
-            let ids = &of_collider[members[0].0 as usize].ids;
+            let ids = of_collider[members[0].0 as usize].ids.iter().copied();
+            let ids = ids.filter(|&id| states[id as usize].met_obstacle);
             // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
             // of two bodies to none.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
-            if look_alike(around, members[0].0, ids.iter().filter_map(|&id| Some((id, pair(id)?))))
-            {
+            let pairs_of_body = ids.clone().filter_map(|id| Some((id, pair(id)?)));
+            if look_alike(around, members[0].0, pairs_of_body) {
                 continue;
             }
             let mut contacts = Contacts::default();
-            for &id in ids {
+            for id in ids {
                 let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(around, pair))
                 else {
                     continue;
@@ -130,14 +131,15 @@ fn look_alike<'a>(
 
 impl SeamScratch {
     /// Lists what the bodies touch that may touch several obstacles.
-    fn group(&mut self, store: &PairStore<ContactPair>, computed: &Computed<'_>) {
+    fn group(&mut self, store: &mut PairStore<ContactPair>, computed: &Computed<'_>) {
         let Self { touching, groups } = self;
         touching.clear();
         groups.clear();
         for (index, outcome) in computed.outcomes.iter().enumerate() {
             let Some(side) = outcome.obstacle else { continue };
-            let pair = &store[computed.due[index]];
-            let body = [pair.collider2, pair.collider1][side].into_raw_parts().0;
+            let id = computed.due[index];
+            store.state_mut(id).met_obstacle = true;
+            let body = store.collider_slots(id)[1 - side];
             if store.ids_of(body).len() > 1 {
                 touching.push((body, index as u32));
             }

@@ -23,6 +23,8 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
+/// How many blocks before one is filled memory is asked for.
+const BLOCKS_AHEAD: usize = 2;
 
 /// What contacts are loaded for.
 #[derive(Copy, Clone)]
@@ -168,10 +170,11 @@ impl SolverContacts {
         tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
             let mut count = 0;
             for index in range.clone() {
-                if index + 1 < range.end {
+                let soon = index + BLOCKS_AHEAD;
+                if soon < range.end {
                     // SAFETY: each block has lanes, and belongs to one task.
-                    let soon = unsafe { lanes.get(index + 1) };
-                    prefetch(soon, layout.block(index + 1), narrow_phase);
+                    let block = unsafe { lanes.get(soon) };
+                    prefetch(block, layout.block(soon), narrow_phase);
                 }
                 // SAFETY: as above.
                 let block = unsafe { lanes.get_mut(index) };
