@@ -229,7 +229,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
-    continuous::watch(structure.bodies, &notes.pressed);
+    continuous::watch(parts.bodies, &notes.pressed, parts.params);
     parts.counters.stages.island_construction_time.pause();
 }
 

@@ -54,19 +54,32 @@ impl BoxTree {
         }
     }
 
-    /// The box around its node, if a box that has changed may stay there. It may if that need not grow, or is small all the same: what
-    /// moves together stays together, and finding a new place is ten times the work.
+    /// The box around its node, if a box that has changed may stay there. It may if none of the boxes above need grow, or those that
+    /// must are small all the same: what moves together stays together, and finding a new place is ten times the work.
     /// (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
+    ///
+    /// All of them are asked: what leaves with its neighbours would else drag the boxes above across the world.
     fn box_to_stay_in(&mut self, place: Place, aabb: &Aabb) -> Option<Aabb> {
         let node = &self.nodes[place.node()];
-        let around = node.around();
-        let Some(up) = node.parent else { return Some(around) };
-        if self.nodes[up.node()].lane_box(up.lane()).contains(aabb) {
-            return Some(around);
+        let own = node.around();
+        let (mut around, mut sum, mut up) = (own, node.measure_of_children(), node.parent);
+        let mut has_grown = false;
+        while let Some(place) = up {
+            let above = &self.nodes[place.node()];
+            let old = above.lane_box(place.lane());
+            if old.contains(if has_grown { &around } else { aabb }) {
+                break;
+            }
+            if measure(&around) > LOOSENESS * sum {
+                return None;
+            }
+            has_grown = true;
+            sum = above.measure_of_children() - measure(&old) + measure(&around);
+            around.merge(&above.around());
+            up = above.parent;
         }
-        let is_small = measure(&around) <= LOOSENESS * node.measure_of_children();
-        self.wear += usize::from(is_small);
-        is_small.then_some(around)
+        self.wear += usize::from(has_grown);
+        Some(own)
     }
 
     /// The node that a box should go into. The boxes on the way there grow.

@@ -43,7 +43,7 @@ pub struct BoxTree {
     /// Where the box of each slot is.
     places: Vec<Option<Place>>,
     len: usize,
-    /// Boxes that came since the tree was built as a whole, or were put elsewhere.
+    /// Boxes that came since the tree was built as a whole, were put elsewhere, or had those above them grow.
     wear: usize,
 }
 
@@ -67,7 +67,7 @@ impl BoxTree {
         (self.len, self.wear) = (0, 0);
     }
 
-    /// How many boxes came, or were put elsewhere, since the tree was built as a whole.
+    /// How many boxes came, were put elsewhere, or had those above them grow, since the tree was built as a whole.
     pub fn wear(&self) -> usize {
         self.wear
     }

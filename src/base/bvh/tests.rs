@@ -1,6 +1,6 @@
 //! Does the tree find what a look at all boxes finds, whatever happened to it?
 
-use super::node::{Planes, Target};
+use super::node::{Node, Planes, Target};
 use super::{BoxProbe, BoxTree, PointProbe, Probe, SlabProbe, nearest};
 use crate::base::random::Random;
 use crate::base::wide::{LANES, Wide};
@@ -294,4 +294,32 @@ fn few_nodes_are_looked_at() {
         );
         twins.tree.rebuild();
     }
+}
+
+/// Boxes that lie on each other, eight by eight, and leave for the other end of the world do not each drag the boxes of those that stay behind
+/// them: where they are, they find each other.
+#[test]
+fn who_leaves_drags_nobody() {
+    let at = |x: Real, y: Real| {
+        let mut center = Vector::ZERO;
+        (center[0], center[1]) = (x, y);
+        Aabb::from_half_extents(center, Vector::splat(0.5))
+    };
+    let mut tree = BoxTree::default();
+    let place = |slot: u32| (2.0 * (slot % 20) as Real, 2.0 * (slot / 20) as Real);
+    let leavers = |step: u32| {
+        (400..560).map(move |slot| {
+            let (x, y) = place((slot - 400) / 8 * 20);
+            (slot, at(x + 0.3 * step as Real, y))
+        })
+    };
+    (0..400).for_each(|slot| tree.insert(&at(place(slot).0, place(slot).1), slot));
+    for step in 0..3000 {
+        leavers(step).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
+    }
+    let mut between = at(450.0, 0.0);
+    (between.mins[1], between.maxs[1]) = (-100.0, 100.0);
+    let crosses = |node: &Node| (0..node.len()).any(|k| node.lane_box(k).intersects(&between));
+    let crossing = tree.nodes.iter().filter(|node| crosses(node)).count();
+    assert!(crossing <= 6, "{crossing} nodes reach from one end to the other");
 }

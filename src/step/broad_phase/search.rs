@@ -93,7 +93,7 @@ impl<K: KnownPairs> Search<'_, K> {
         let mut is_crowded = false;
         for (is_alike, borne) in [false, true].into_iter().zip(&mut found.borne) {
             let mut places = self.most;
-            if partners.len() + borne.len() > self.most {
+            if borne.len() > 0 && partners.len() + borne.len() > self.most {
                 places -= self.count_borne(seeker.slot, is_alike).min(places);
             }
             is_crowded |= borne.len() > places;
@@ -115,7 +115,9 @@ impl<K: KnownPairs> Search<'_, K> {
         }
         let borne = &mut found.borne[usize::from(self.are_alike(slot, other_slot))];
         let remoteness = slot.abs_diff(other_slot);
-        if bears && is_movable && borne.leaves_out(remoteness) {
+        // Pairs with sensors are not counted, and must not be left out.
+        let may_leave_out = is_movable && !self.tree.has_sensors();
+        if bears && may_leave_out && borne.leaves_out(remoteness) {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
@@ -124,6 +126,10 @@ impl<K: KnownPairs> Search<'_, K> {
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
         let is_counted = is_movable && !collider.is_sensor() && !other.is_sensor();
+        if self.only_borne && !is_counted {
+            // What is new here has moved, and has found the pair in the first search.
+            return;
+        }
         if is_counted && bears {
             borne.push(remoteness, pair);
         } else if is_counted && self.known.partners(other_slot).len() >= self.most {

@@ -134,8 +134,15 @@ pub(crate) fn find_impacts(
     }
 }
 
-/// Sees to it that the paths of these bodies are searched.
-pub(crate) fn watch(bodies: &mut RigidBodySet, pressed: &[RigidBodyHandle]) {
+/// Sees to it that the paths of these bodies are searched, if any are.
+pub(crate) fn watch(
+    bodies: &mut RigidBodySet,
+    pressed: &[RigidBodyHandle],
+    params: &IntegrationParameters,
+) {
+    if params.max_ccd_substeps == 0 {
+        return;
+    }
     for &body in pressed {
         bodies.get_unnoted_mut(body).into_iter().for_each(|body| body.pressed = true);
     }

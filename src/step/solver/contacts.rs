@@ -201,7 +201,7 @@ impl SolverContacts {
         let (poses, states, _) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Prepare { range, lanes, blocks, poses, states, prediction });
         });
     }
@@ -224,7 +224,7 @@ impl SolverContacts {
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Solve { range, blocks, states, pass });
         });
     }
@@ -239,7 +239,7 @@ impl SolverContacts {
     ) {
         let (_, states, _) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
     }
@@ -355,14 +355,14 @@ fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bo
     }
 }
 
-/// Hands out the blocks of one colour after the other; those of one colour may be worked on at once.
+/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on at once.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
-    tasks: Tasks<'_>,
+    (tasks, grain): (Tasks<'_>, usize),
     work: impl Fn(Range<usize>) + Sync,
 ) {
     for color in colors {
-        tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
+        tasks.par_for(color.len(), grain, |range| {
             work(color.start + range.start..color.start + range.end);
         });
     }

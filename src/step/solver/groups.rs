@@ -137,7 +137,7 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     /// By island.
     needs: Vec<Need>,
-    /// By body slot.
+    /// By body slot. Nobody stands there but while needs are found.
     facts: Vec<Fact>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
@@ -209,8 +209,8 @@ impl Groups {
     ) {
         self.needs.clear();
         self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
-        self.facts.clear();
-        self.facts.resize(bodies.slot_count(), Fact::NOBODY);
+        // Longer, if need be: what rests costs nothing.
+        self.facts.resize(bodies.slot_count().max(self.facts.len()), Fact::NOBODY);
         for handle in &islands.awake {
             let Some(body) = bodies.get(*handle) else { continue };
             let island = body.link.island;
@@ -229,6 +229,9 @@ impl Groups {
                     [one, other].iter().filter_map(|fact| fact.mass).for_each(|m| need.include(m));
                 }
             }
+        }
+        for handle in &islands.awake {
+            self.facts[handle.into_raw_parts().0 as usize] = Fact::NOBODY;
         }
     }
 

@@ -101,6 +101,8 @@ const VISITS: usize = 128;
 const SMALL_ISLAND: usize = 32;
 /// And per round.
 const ROUND_VISITS: usize = 16;
+/// Blocks that are worth handing over to another thread together. A visit of few is over before another thread has noticed.
+const BLOCKS_PER_TASK: usize = 32;
 
 /// The contacts with restitution.
 #[derive(Default)]
@@ -463,11 +465,14 @@ impl Impacts {
         let impacts = DisjointMut::new(&mut self.blocks);
         let delays = DisjointMut::new(&mut self.memory.delays);
         let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
+        let all = 0..impacts.len();
         let (colors, order) = match stage {
-            Stage::Visit | Stage::End => (&self.struck.colors, Some(&self.struck.blocks[..])),
-            _ => (&self.colors, None),
+            // They change no body: all blocks may be looked at at once.
+            Stage::Begin | Stage::Mark | Stage::PutAside => (core::slice::from_ref(&all), None),
+            Stage::Visit | Stage::End => (&self.struck.colors[..], Some(&self.struck.blocks[..])),
+            Stage::Rub => (&self.colors[..], None),
         };
-        for_each_color(colors, around.tasks, |range| {
+        for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Run { stage, range, order, contacts, impacts, states, delays, known, pass });
         });
     }

@@ -139,7 +139,7 @@ impl SolverJoints {
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
         let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(WarmStart { range, parts, states });
         });
         self.pins.warm_start(states, simd, tasks);
@@ -196,7 +196,7 @@ impl SolverJoints {
     ) {
         let (_, states, _) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, pass });
         });
         self.pins.visit::<AHEAD>(states, pass, simd, tasks);

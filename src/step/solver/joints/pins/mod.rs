@@ -21,6 +21,7 @@ mod store;
 
 use super::super::contacts::for_each_color;
 use super::super::layout::Layout;
+use super::BLOCKS_PER_TASK;
 use super::load::Sources;
 use super::store::is_overloaded;
 use crate::base::disjoint::DisjointMut;
@@ -99,7 +100,7 @@ impl Pins {
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
         let blocks = DisjointMut::new(&mut self.blocks);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(WarmStart { range, blocks, states });
         });
     }
@@ -119,7 +120,7 @@ impl Pins {
     ) {
         let pass = PinPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
-        for_each_color(self.layout.colors(), tasks, |range| {
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<BIASED> { range, blocks, states, pass });
         });
     }
