@@ -65,6 +65,47 @@ fn a_crowd_comes_apart_and_forgets_the_limit() {
     }
 }
 
+/// Who has as many partners as it may bear looks again when somebody comes. What comes to it in the same step, and is found because of
+/// its own motion, is not found twice.
+#[test]
+fn who_looks_again_finds_no_pair_twice() {
+    let mut world = PhysicsWorld::new();
+    world.gravity = Vector::ZERO;
+    world.integration_parameters.max_neighbors_per_collider = 1;
+    let body = |x: Real| RigidBodyBuilder::dynamic().translation(vec(x, 0.0)).can_sleep(false);
+    let big = cuboid(2.0, 2.0);
+    let [_, crowded] = [0.0, 0.0].map(|x| world.insert(body(x), cuboid(0.5, 0.5)).1);
+    (0..3).for_each(|_| world.step());
+    // A large body, whose pair the small one would have to bear, and beside it what nobody counts.
+    world.insert(body(1.0), big.clone());
+    let (_, sensor) = world.insert(body(-1.0), big.clone().sensor(true));
+    let wall = world.insert_collider(big.translation(vec(-2.2, 0.0)), None);
+    world.step();
+    let sensed = world.narrow_phase.intersection_pairs_with(crowded);
+    assert_eq!(sensed.filter(|&(one, two, _)| [one, two].contains(&sensor)).count(), 1);
+    let touched = world.narrow_phase.contact_pairs_with(crowded);
+    let with_wall = touched.filter(|pair| [pair.collider1, pair.collider2].contains(&wall));
+    assert_eq!(with_wall.count(), 1);
+}
+
+/// A sensor in a crowd, and one that comes late, hear of all that is inside of them.
+#[test]
+fn sensors_hear_of_all_of_a_crowd() {
+    for slot in [0, 30, 59] {
+        let mut world = heap(0, &cuboid(0.5, 0.5), 4);
+        let mut sensor = None;
+        for k in 0..60 {
+            let body = RigidBodyBuilder::dynamic().translation(Vector::Y);
+            let is_sensor = k == slot;
+            let (_, collider) = world.insert(body, cuboid(0.5, 0.5).sensor(is_sensor));
+            sensor = if is_sensor { Some(collider) } else { sensor };
+        }
+        world.step();
+        let heard = sensor.map(|sensor| world.narrow_phase.intersection_pairs_with(sensor).count());
+        assert_eq!(heard, Some(60), "the sensor was made as number {slot}"); // and of the ground
+    }
+}
+
 /// What carries many small things is not crowded: it has a contact with each of them, and with its like.
 #[test]
 fn the_limit_is_not_for_what_carries_many() {
