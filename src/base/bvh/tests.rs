@@ -321,5 +321,6 @@ fn who_leaves_drags_nobody() {
     (between.mins[1], between.maxs[1]) = (-100.0, 100.0);
     let crosses = |node: &Node| (0..node.len()).any(|k| node.lane_box(k).intersects(&between));
     let crossing = tree.nodes.iter().filter(|node| crosses(node)).count();
-    assert!(crossing <= 6, "{crossing} nodes reach from one end to the other");
+    let all = tree.nodes.len();
+    assert!(10 * crossing <= all, "{crossing} of {all} nodes reach from one end to the other");
 }
