@@ -50,7 +50,7 @@ impl BoxTree {
         self.nodes.clear();
         self.free.clear();
         self.wear = 0;
-        self.nodes.push(Node::empty(None));
+        self.nodes.push(Node::empty());
         let mut open = vec![(0, 0, leaves.len())];
         while let Some((node, start, end)) = open.pop() {
             let (parts, count) = parts(&mut leaves, start, end);
@@ -62,7 +62,7 @@ impl BoxTree {
                     continue;
                 }
                 let below = self.nodes.len();
-                self.nodes.push(Node::empty(None));
+                self.nodes.push(Node::empty());
                 let aabb = around(&leaves[part.start..part.end]);
                 self.put(place, &Entry { aabb, child: Child::of_node(below) });
                 open.push((below, part.start, part.end));

@@ -6,7 +6,7 @@
 //! insertions makes the tree deep.
 
 use super::node::{Child, Entry, Node, Place, Planes, Target};
-use super::{BoxTree, measure};
+use super::{BoxTree, measure, measure_of};
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -27,14 +27,14 @@ impl BoxTree {
     pub fn insert(&mut self, aabb: &Aabb, slot: u32) {
         if let Some(place) = self.place(slot) {
             self.nodes[place.node()].set_box(place.lane(), aabb);
-            if let Some(around) = self.box_to_stay_in(place, aabb) {
-                return self.fit(place.node(), around);
+            if self.stay(place) {
+                return;
             }
             self.detach(place);
             self.len -= 1;
         }
         if self.nodes.is_empty() {
-            self.nodes.push(Node::empty(None));
+            self.nodes.push(Node::empty());
         }
         if slot as usize >= self.places.len() {
             self.places.resize(slot as usize + 1, None);
@@ -54,32 +54,33 @@ impl BoxTree {
         }
     }
 
-    /// The box around its node, if a box that has changed may stay there. It may if none of the boxes above need grow, or those that
-    /// must are small all the same: what moves together stays together, and finding a new place is ten times the work.
+    /// Lets a box that has changed stay where it is, if it may: if none of the boxes above need grow, or those that must are small
+    /// all the same. What moves together stays together, and finding a new place is ten times the work.
     /// (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
     ///
-    /// All of them are asked: what leaves with its neighbours would else drag the boxes above across the world.
-    fn box_to_stay_in(&mut self, place: Place, aabb: &Aabb) -> Option<Aabb> {
+    /// All boxes above are asked: what leaves with its neighbours would else drag them across the world.
+    fn stay(&mut self, place: Place) -> bool {
         let node = &self.nodes[place.node()];
         let own = node.around();
         let (mut around, mut sum, mut up) = (own, node.measure_of_children(), node.parent);
-        let mut has_grown = false;
+        let mut grows = false;
         while let Some(place) = up {
             let above = &self.nodes[place.node()];
             let old = above.lane_box(place.lane());
-            if old.contains(if has_grown { &around } else { aabb }) {
+            if old.contains(&around) {
                 break;
             }
             if measure(&around) > LOOSENESS * sum {
-                return None;
+                return false;
             }
-            has_grown = true;
+            grows = true;
             sum = above.measure_of_children() - measure(&old) + measure(&around);
             around.merge(&above.around());
             up = above.parent;
         }
-        self.wear += usize::from(has_grown);
-        Some(own)
+        self.wear += usize::from(grows);
+        self.fit(place.node(), own);
+        true
     }
 
     /// The node that a box should go into. The boxes on the way there grow.
@@ -119,7 +120,7 @@ impl BoxTree {
         let node = match self.free.pop() {
             Some(node) => node as usize,
             None => {
-                self.nodes.push(Node::empty(None));
+                self.nodes.push(Node::empty());
                 self.nodes.len() - 1
             }
         };
@@ -239,19 +240,8 @@ fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
         before[axis] = maxs - mins;
         after[axis] = maxs.max(W::splat(aabb.maxs[axis])) - mins.min(W::splat(aabb.mins[axis]));
     }
-    let (before, after) = (wide_measure(before), wide_measure(after));
+    let (before, after) = (measure_of(before), measure_of(after));
     after + W::splat(WEIGHT_OF_GROWTH) * (after - before)
-}
-
-/// The [measure] of boxes of these extents.
-#[inline(always)]
-fn wide_measure<W: Wide>(extents: [W; DIM]) -> W {
-    let mut sum = W::zero();
-    for axis in 0..DIM {
-        let other = extents[(axis + 1) % DIM];
-        sum = sum + if DIM == 2 { extents[axis] } else { extents[axis] * other };
-    }
-    sum
 }
 
 /// Sorts the children of an overfull node so that it is best divided before the one whose number is the answer.

@@ -30,8 +30,10 @@ mod tests;
 pub use nearest::nearest;
 pub use probe::{BoxProbe, PointProbe, Probe, SlabProbe};
 
+use core::ops::{Add, Mul};
 use node::{Node, Place};
 use parry::bounding_volume::Aabb;
+use parry::math::{DIM, Real};
 
 /// Numbered boxes, in a tree.
 #[derive(Clone, Debug, Default)]
@@ -85,11 +87,18 @@ impl BoxTree {
 }
 
 /// What the chance of a random line to meet a box is proportional to: half the surface, or half the outline.
-fn measure(aabb: &Aabb) -> parry::math::Real {
+fn measure(aabb: &Aabb) -> Real {
     let extents = aabb.extents();
-    if parry::math::DIM == 2 {
-        return extents.element_sum();
+    measure_of(core::array::from_fn(|axis| extents[axis]))
+}
+
+/// The same for extents of boxes, one per lane or a single one.
+#[inline(always)]
+fn measure_of<T: Copy + Add<Output = T> + Mul<Output = T>>(extents: [T; DIM]) -> T {
+    let [first, second] = [extents[0], extents[1]];
+    if DIM == 2 {
+        return first + second;
     }
-    let dims = parry::math::DIM;
-    (0..dims).map(|axis| extents[axis] * extents[(axis + 1) % dims]).sum()
+    let third = extents[DIM - 1];
+    first * second + second * third + third * first
 }

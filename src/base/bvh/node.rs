@@ -8,10 +8,6 @@ use parry::math::{DIM, Real, Vector};
 /// Lower bounds of all children per axis, then upper bounds per axis.
 pub type Planes = [Lane; 2 * DIM];
 
-/// The bounds of a lane without a child: they add nothing to what is around it.
-const NOTHING_ABOVE: Lane = Lane::splat(Real::MAX);
-const NOTHING_BELOW: Lane = Lane::splat(Real::MIN);
-
 /// What a lane leads to: another node, or the slot of a box.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
@@ -86,10 +82,11 @@ pub struct Node {
 }
 
 impl Node {
-    pub fn empty(parent: Option<Place>) -> Self {
-        let mut planes = [NOTHING_ABOVE; 2 * DIM];
-        planes[DIM..].fill(NOTHING_BELOW);
-        Self { planes, children: [Child::NONE; LANES], parent, count: 0 }
+    pub fn empty() -> Self {
+        let planes = [Lane::ZERO; 2 * DIM];
+        let mut node = Self { planes, children: [Child::NONE; LANES], parent: None, count: 0 };
+        node.set_len(0);
+        node
     }
 
     /// One bit for each child.
@@ -127,7 +124,7 @@ impl Node {
         self.children[lane] = entry.child;
     }
 
-    /// Says how many children there are. No bounds of others are left.
+    /// Says how many children there are. The bounds of other lanes add nothing to what is around the node.
     pub fn set_len(&mut self, len: usize) {
         self.count = len as u32;
         for lane in len..LANES {
@@ -139,8 +136,8 @@ impl Node {
     pub fn around(&self) -> Aabb {
         let (mut mins, mut maxs) = (Vector::ZERO, Vector::ZERO);
         for axis in 0..DIM {
-            mins[axis] = least(&self.planes[axis], |a, b| if a < b { a } else { b });
-            maxs[axis] = least(&self.planes[DIM + axis], |a, b| if a > b { a } else { b });
+            mins[axis] = extreme(&self.planes[axis], |a, b| if a < b { a } else { b });
+            maxs[axis] = extreme(&self.planes[DIM + axis], |a, b| if a > b { a } else { b });
         }
         Aabb::new(mins, maxs)
     }
@@ -151,10 +148,10 @@ impl Node {
     }
 }
 
-/// The number of all lanes that is left when the half of them have been compared with the others, and so on: all lanes side by
-/// side, which is a few instructions.
+/// The least or greatest number of a lane, as `of` says. Halves are compared with halves, side by side, which is a few
+/// instructions.
 #[inline(always)]
-fn least(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {
+fn extreme(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {
     let mut left = lane.0;
     let mut count = LANES;
     while count > 1 {

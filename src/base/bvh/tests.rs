@@ -309,12 +309,15 @@ fn who_leaves_drags_nobody() {
     let place = |slot: u32| (2.0 * (slot % 20) as Real, 2.0 * (slot / 20) as Real);
     let leavers = |step: u32| {
         (400..560).map(move |slot| {
-            let (x, y) = place((slot - 400) / 8 * 20);
+            let (x, y) = place((slot - 400) / 8 * 21);
             (slot, at(x + 0.3 * step as Real, y))
         })
     };
     (0..400).for_each(|slot| tree.insert(&at(place(slot).0, place(slot).1), slot));
-    for step in 0..3000 {
+    leavers(0).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
+    // Now each eight of them share a node.
+    tree.rebuild();
+    for step in 1..3000 {
         leavers(step).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
     }
     let mut between = at(450.0, 0.0);
@@ -322,5 +325,5 @@ fn who_leaves_drags_nobody() {
     let crosses = |node: &Node| (0..node.len()).any(|k| node.lane_box(k).intersects(&between));
     let crossing = tree.nodes.iter().filter(|node| crosses(node)).count();
     let all = tree.nodes.len();
-    assert!(10 * crossing <= all, "{crossing} of {all} nodes reach from one end to the other");
+    assert!(25 * crossing <= all, "{crossing} of {all} nodes reach from one end to the other");
 }

@@ -1,20 +1,21 @@
 //! Lists that threads make together.
 
 use super::Tasks;
+use crate::base::pool::Pool;
 use core::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Puts what threads find in ranges of a loop into one list, in the order of the ranges, whoever was first. Keeps its memory.
 #[derive(Debug)]
 pub struct Gather<T> {
-    idle: Mutex<Vec<Vec<T>>>,
+    idle: Pool<Vec<T>>,
     /// What was found, with the first index of each range.
     found: Mutex<Vec<(usize, Vec<T>)>>,
 }
 
 impl<T> Default for Gather<T> {
     fn default() -> Self {
-        Self { idle: Mutex::default(), found: Mutex::default() }
+        Self { idle: Pool::default(), found: Mutex::default() }
     }
 }
 
@@ -34,16 +35,16 @@ impl<T: Send> Gather<T> {
         self.found.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
         let Self { idle, found } = &*self;
         tasks.par_for(count, grain, |range| {
-            let mut part = lock(idle).pop().unwrap_or_default();
+            let mut part = idle.take();
             let start = range.start;
             find(range, &mut part);
             lock(found).push((start, part));
         });
-        let (mut idle, mut found) = (lock(idle), lock(found));
+        let mut found = lock(found);
         found.sort_unstable_by_key(|&(start, _)| start);
         for (_, mut part) in found.drain(..) {
             list.append(&mut part);
-            idle.push(part);
+            idle.put(part);
         }
     }
 }

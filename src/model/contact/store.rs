@@ -63,7 +63,8 @@ pub(crate) struct PairState {
     pub slack: Real,
     /// Does somebody want to hear of strong contact forces of this pair?
     pub reports_force: bool,
-    /// Have contacts of a body with an obstacle ever been found?
+    /// Have contacts of a body with an obstacle ever been found? Seams are looked for among such pairs alone, and most
+    /// of a body's pairs are none.
     pub met_obstacle: bool,
 }
 

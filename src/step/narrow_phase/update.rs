@@ -28,7 +28,7 @@ const PAIRS_PER_TASK: usize = 16;
 /// How many turns before it is needed memory is asked for.
 const TURNS_AHEAD: usize = 2;
 /// The same, where nothing else is done in a turn.
-const SLOTS_AHEAD: usize = 8;
+const SLOTS_AHEAD: usize = 32;
 
 /// What the narrow phase reads.
 #[derive(Copy, Clone)]
@@ -151,20 +151,18 @@ fn update_store<P: Update>(
     look_at_all(tasks, around, store, due, outcomes, workers);
     P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
     changes.clear();
-    for (&id, outcome) in due.iter().zip(outcomes.iter()) {
+    for (index, (&id, outcome)) in due.iter().zip(outcomes.iter()).enumerate() {
+        let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
+        if later.is_some() {
+            store.prefetch_slots(due[index + SLOTS_AHEAD]);
+        }
         let state = store.state_mut(id);
         state.slack = outcome.slack;
         state.reports_force = outcome.reports_force;
         if outcome.is_renewed {
             store.renew(id);
         }
-        changes.extend(outcome.change.map(|change| ([0; 2], id, change)));
-    }
-    for index in 0..changes.len() {
-        if let Some(&(_, later, _)) = changes.get(index + SLOTS_AHEAD) {
-            store.prefetch_slots(later);
-        }
-        changes[index].0 = store.collider_slots(changes[index].1);
+        changes.extend(outcome.change.map(|change| (store.collider_slots(id), id, change)));
     }
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.

@@ -547,8 +547,8 @@ impl Kernel for Run<'_> {
     fn run<W: Wide>(self) {
         for position in self.range.clone() {
             let index = self.order.map_or(position, |order| order[position] as usize);
-            // SAFETY: each block belongs to one task, the constraints of one colour share no body that is not
-            // read-only, and one colour is done before the next begins.
+            // SAFETY: each block belongs to one task. Stages that change bodies run colour by colour, and the
+            // constraints of one colour share no body that is not read-only; the others change their block alone.
             unsafe { self.run_block::<W>(index) };
         }
     }
