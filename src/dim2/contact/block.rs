@@ -100,6 +100,27 @@ impl ContactBlock {
         }
     };
 
+    /// Copies what normal impulses need to know from a lane of another block.
+    pub fn copy_normal_lane(&mut self, lane: usize, from: &Self, source: usize) {
+        let copy = |to: &mut Lane, from: &Lane| to.0[lane] = from.0[source];
+        let copy_vector = |to: &mut WideVector<Lane>, from: &WideVector<Lane>| {
+            to.set_lane(lane, from.lane(source));
+        };
+        copy_vector(&mut self.normal, &from.normal);
+        copy_vector(&mut self.offset, &from.offset);
+        for (to, from) in self.points.iter_mut().zip(&from.points) {
+            copy(&mut to.x, &from.x);
+        }
+        for (to, from) in self.coupling.iter_mut().zip(&from.coupling) {
+            copy(to, from);
+        }
+        for body in 0..2 {
+            self.bodies[body][lane] = from.bodies[body][source];
+            copy_vector(&mut self.inv_mass[body], &from.inv_mass[body]);
+            copy(&mut self.inv_inertia[body], &from.inv_inertia[body]);
+        }
+    }
+
     /// Scales the impulses with which the next substep starts.
     pub fn scale_impulses(&mut self, factor: Real) {
         let normal = self.points.iter_mut().map(|point| &mut point.impulse);

@@ -63,6 +63,11 @@ impl SolverBodies {
         self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
     }
 
+    /// The bodies that may move.
+    pub fn moving(&self) -> [Range<usize>; 2] {
+        self.moving.clone()
+    }
+
     /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
     pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
         let [_, members] = &self.moving;
@@ -142,16 +147,18 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Takes over what an impact did to the velocities since the `start`, or as much of it as `share` says for an
+    /// Takes over what an impact did to the velocities of bodies since the `start`, or as much of it as `share` says for an
     /// island: as if it had happened at the mean time of the blows that a body got, and was no impulse. `delays` are
     /// the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
         &mut self,
+        touched: &[u32],
         start: &[BodyState],
         delays: &[BodyState],
         share: impl Fn(u32) -> Real,
     ) {
-        for index in self.moving.clone().into_iter().flatten() {
+        for &index in touched {
+            let index = index as usize;
             let ((old_v, old_w), (v, w)) = (start[index].velocity(), self.states[index].velocity());
             if (v, w) == (old_v, old_w) {
                 continue;

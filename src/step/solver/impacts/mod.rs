@@ -77,10 +77,12 @@
 
 mod points;
 mod rows;
+mod struck;
+mod touched;
 
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, for_each_color};
-use super::joints::SolverJoints;
+use super::joints::{Changes, SolverJoints};
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -93,7 +95,12 @@ use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
 pub(super) use points::NormalRows;
-pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED, SETTLED, SWEEPS};
+pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED};
+#[cfg(test)]
+pub(super) use struck::StruckBlock;
+use struck::{Round, Struck, Turn};
+pub(super) use struck::{SETTLED, SWEEPS};
+use touched::Touched;
 
 /// Visits of all contacts that hit, per substep, in an island with a contact of restitution 1.
 const VISITS: usize = 128;
@@ -110,34 +117,10 @@ pub(super) struct Impacts {
     /// Those of one colour stand together.
     blocks: Vec<ImpactBlock>,
     colors: Vec<Range<usize>>,
+    /// What a round is about, often little of all that could be hit.
     struck: Struck,
+    touched: Touched,
     memory: Memory,
-}
-
-/// What a round is about, often little of all that could be hit.
-#[derive(Default)]
-struct Struck {
-    /// The blocks with a contact that hits; those of one colour stand together.
-    blocks: Vec<u32>,
-    colors: Vec<Range<usize>>,
-    /// The islands that they are in.
-    islands: Vec<u32>,
-}
-
-impl Struck {
-    fn clear(&mut self) {
-        self.blocks.clear();
-        self.colors.clear();
-        self.islands.clear();
-    }
-
-    /// Includes an island.
-    fn strike(&mut self, island: u32, account: &mut Account) {
-        if !account.is_struck {
-            account.is_struck = true;
-            self.islands.push(island);
-        }
-    }
 }
 
 /// What is known of bodies, by their index, or of islands.
@@ -145,10 +128,6 @@ impl Struck {
 struct Memory {
     /// How bodies moved when the last substep ended.
     last: Vec<BodyState>,
-    /// How they moved when the round began.
-    start: Vec<BodyState>,
-    /// In place of a velocity: the sum of impulses in this round, and of impulse times time.
-    delays: Vec<BodyState>,
     accounts: Vec<Account>,
     /// By island: the work of joints in this round.
     works: Vec<Real>,
@@ -230,23 +209,30 @@ impl Impacts {
             return;
         }
         swap_velocities(bodies);
-        self.pass(Stage::Begin, contacts, bodies, &mut around, pass);
+        let (links, place) = &mut around.links;
+        links.begin_impact(bodies, pass);
+        links.mark_struck(*place, bodies, pass);
+        self.look(Stage::Begin, contacts, bodies, &around, pass);
         let hits = self.blocks.iter().any(|block| block.struck != 0);
         let hits = hits || around.links.0.struck().next().is_some();
         if hits {
             let bound = bodies.island_bound().max(around.links.0.island_bound());
             self.grant_visits(bound, around.links.0);
-            while self.find_struck(around.links.0) {
-                self.solve_round(contacts, bodies, &mut around, pass);
-                self.pass(Stage::Mark, contacts, bodies, &mut around, pass);
+            let held = self.begin(bodies, &around);
+            while self.find_struck(contacts, around.links.0) {
+                self.solve_round(held, bodies, &mut around, pass);
+                let (links, place) = &mut around.links;
+                links.mark_struck(*place, bodies, pass);
+                self.look(Stage::Mark, contacts, bodies, &around, pass);
             }
         }
-        self.pass(Stage::PutAside, contacts, bodies, &mut around, pass);
+        around.links.0.put_aside();
+        self.look(Stage::PutAside, contacts, bodies, &around, pass);
         if hits {
             self.begin_round(bodies, around.links.0);
-            self.pass(Stage::Rub, contacts, bodies, &mut around, pass);
-            bodies.accept_impact(&self.memory.start, &self.memory.delays, |_| 1.0);
-            around.links.0.accept_impact(pass.substep, |_| 1.0);
+            around.links.0.rub_struck(&mut bodies.states);
+            self.look(Stage::Rub, contacts, bodies, &around, pass);
+            self.accept(bodies, &mut around, |_| 1.0, pass);
             around.joints.forget_places();
         }
         around.links.0.end_impact();
@@ -284,36 +270,29 @@ impl Impacts {
         }
     }
 
-    /// Finds the islands where something hits, as long as they have visits left. Is there any?
-    fn find_struck(&mut self, links: &mut SolverMultibodies) -> bool {
-        let Self { blocks, colors, struck, memory } = self;
+    /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls. How many are they?
+    fn begin(&mut self, bodies: &SolverBodies, around: &Around<'_>) -> usize {
+        self.touched.begin(bodies.states.len());
+        self.touched.add(around.joints.held());
+        let held = self.touched.bodies.len();
+        if around.links.0.bounce() {
+            self.touched.add_all(bodies.moving());
+        }
+        held
+    }
+
+    /// Finds the contacts that hit, in islands that have visits left. Is there any?
+    fn find_struck(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
+        let Self { blocks, colors, struck, touched, memory } = self;
         let accounts = &mut memory.accounts;
         for account in accounts.iter_mut() {
             (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
         }
         struck.clear();
         for color in &*colors {
-            let start = struck.blocks.len();
-            for index in color.clone() {
-                let block = &mut blocks[index];
-                for lane in lanes(block.struck) {
-                    let island = block.islands[lane];
-                    let account = &mut accounts[island as usize];
-                    if account.visits > 0 {
-                        struck.strike(island, account);
-                    } else {
-                        block.let_be(lane);
-                        block.struck &= !(1 << lane);
-                    }
-                }
-                if block.struck != 0 {
-                    struck.blocks.push(index as u32);
-                }
-            }
-            if start < struck.blocks.len() {
-                struck.colors.push(start..struck.blocks.len());
-            }
+            struck.add_color(color.clone(), blocks, contacts, accounts);
         }
+        struck.blocks.iter().for_each(|block| touched.add(block.bodies()));
         for contact in links.struck() {
             let island = contact.strike.island;
             let account = &mut accounts[island as usize];
@@ -330,7 +309,7 @@ impl Impacts {
     /// Parts the contacts that hit.
     fn solve_round(
         &mut self,
-        contacts: Blocks<'_>,
+        held: usize,
         bodies: &mut SolverBodies,
         around: &mut Around<'_>,
         pass: &ImpactPass,
@@ -341,23 +320,29 @@ impl Impacts {
         self.memory.works.clear();
         self.memory.works.resize(self.memory.accounts.len(), 0.0);
         for _ in 0..ROUND_VISITS {
-            self.pass(Stage::Visit, contacts, bodies, around, pass);
+            around.links.0.visit_struck(&mut bodies.states);
+            self.visit(Turn::Visit, bodies, around);
             if !self.find_moving(around.links.0) {
                 break;
             }
-            let Memory { start, accounts, works, .. } = &mut self.memory;
+            let Memory { accounts, works, .. } = &mut self.memory;
             let islands = &bodies.islands;
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
             let add_work = |body: u32, work: Real| works[islands[body as usize] as usize] += work;
-            let states = (&bodies.poses[..], &mut bodies.states[..], &start[..]);
+            let changes = Changes {
+                held: &self.touched.bodies[..held],
+                start: &self.touched.start,
+                states: &mut bodies.states,
+                poses: &bodies.poses,
+            };
             let Around { joints, joint_pass, simd, tasks, .. } = around;
-            joints.project(states, is_moving, add_work, joint_pass, (*simd, *tasks));
+            joints.project(changes, is_moving, add_work, joint_pass, (*simd, *tasks));
         }
-        self.pass(Stage::End, contacts, bodies, around, pass);
-        for &index in &self.struck.blocks {
-            let block = &self.blocks[index as usize];
-            for lane in lanes(block.struck) {
+        around.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
+        self.visit(Turn::End, bodies, around);
+        for block in &self.struck.blocks {
+            for lane in block.lanes() {
                 let account = &mut self.memory.accounts[block.islands[lane] as usize];
                 account.stopped += block.stopped.0[lane];
                 account.surplus += block.surplus.0[lane];
@@ -368,7 +353,7 @@ impl Impacts {
             account.stopped += contact.strike.stopped;
             account.surplus += contact.strike.surplus;
         }
-        around.joints.share_delays(&mut self.memory.delays);
+        around.joints.share_delays(&mut self.touched.delays);
         self.settle_round(bodies, around, pass);
     }
 
@@ -379,7 +364,7 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        let Memory { start, delays, accounts, works, .. } = &mut self.memory;
+        let Memory { accounts, works, .. } = &mut self.memory;
         for (account, work) in accounts.iter_mut().zip(works) {
             account.stopped += *work;
             account.surplus += *work;
@@ -387,41 +372,47 @@ impl Impacts {
                 account.visits = 0;
             }
         }
+        let accounts = &self.memory.accounts;
         let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
-        for &index in &self.struck.blocks {
-            let block = &mut self.blocks[index as usize];
-            let (struck, islands) = (block.struck, block.islands);
-            lanes(struck).for_each(|lane| block.settle(lane, share(islands[lane])));
-        }
+        self.struck.blocks.iter().for_each(|block| block.settle(&mut self.blocks, share));
         let islands = &bodies.islands;
         around.joints.settle_blows(|body| share(islands[body as usize]));
-        bodies.accept_impact(start, delays, share);
         around.links.0.settle_round(share);
+        self.accept(bodies, around, share, pass);
+    }
+
+    /// Bodies and multibodies take over what the round did, or the share of it for their island.
+    fn accept(
+        &self,
+        bodies: &mut SolverBodies,
+        around: &mut Around<'_>,
+        share: impl Fn(u32) -> Real + Copy,
+        pass: &ImpactPass,
+    ) {
+        let Touched { bodies: touched, start, delays, .. } = &self.touched;
+        bodies.accept_impact(touched, start, delays, share);
         around.links.0.accept_impact(pass.substep, share);
     }
 
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
     /// Is there any?
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
-        let Self { blocks, struck, memory, .. } = self;
+        let Self { struck, memory, .. } = self;
         let accounts = &mut memory.accounts;
         for &island in &struck.islands {
             let account = &mut accounts[island as usize];
             account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
             account.is_moving = false;
         }
-        for &index in &struck.blocks {
-            let block = &blocks[index as usize];
-            let moving = block.struck & block.moving;
-            lanes(moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        for block in &struck.blocks {
+            lanes(block.moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
         }
         for contact in links.struck().filter(|contact| contact.strike.moving) {
             accounts[contact.strike.island as usize].is_moving = true;
         }
         let mut any = false;
-        for &index in &struck.blocks {
-            let block = &mut blocks[index as usize];
-            for lane in lanes(block.struck) {
+        for block in &mut struck.blocks {
+            for lane in block.lanes() {
                 let account = &mut accounts[block.islands[lane] as usize];
                 if account.is_moving {
                     any = true;
@@ -445,57 +436,41 @@ impl Impacts {
 
     fn begin_round(&mut self, bodies: &SolverBodies, links: &mut SolverMultibodies) {
         links.begin_round();
-        let Memory { start, delays, .. } = &mut self.memory;
-        start.clear();
-        start.extend_from_slice(&bodies.states);
-        delays.clear();
-        delays.resize(bodies.states.len(), BodyState::default());
+        self.touched.note_start(&bodies.states);
     }
 
-    fn pass(
+    /// Takes a look at all blocks.
+    fn look(
         &mut self,
         stage: Stage,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        around: &mut Around<'_>,
+        around: &Around<'_>,
         pass: &ImpactPass,
     ) {
-        self.pass_links(stage, bodies, around, pass);
         let (_, states, loaded) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
-        let delays = DisjointMut::new(&mut self.memory.delays);
         let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
         let all = 0..impacts.len();
-        let (colors, order) = match stage {
+        let colors = match stage {
+            Stage::Rub => &self.colors,
             // They change no body: all blocks may be looked at at once.
-            Stage::Begin | Stage::Mark | Stage::PutAside => (core::slice::from_ref(&all), None),
-            Stage::Visit | Stage::End => (&self.struck.colors[..], Some(&self.struck.blocks[..])),
-            Stage::Rub => (&self.colors[..], None),
+            _ => core::slice::from_ref(&all),
         };
         for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Run { stage, range, order, contacts, impacts, states, delays, known, pass });
+            simd.run(Look { stage, range, contacts, impacts, states, known, pass });
         });
     }
 
-    fn pass_links(
-        &mut self,
-        stage: Stage,
-        bodies: &mut SolverBodies,
-        around: &mut Around<'_>,
-        pass: &ImpactPass,
-    ) {
-        let (links, place) = (&mut *around.links.0, around.links.1);
-        match stage {
-            Stage::Begin => {
-                links.begin_impact(bodies, pass);
-                links.mark_struck(place, bodies, pass);
-            }
-            Stage::Mark => links.mark_struck(place, bodies, pass),
-            Stage::Visit => links.visit_struck(&mut bodies.states),
-            Stage::End => links.end_round(&mut bodies.states, &mut self.memory.delays),
-            Stage::PutAside => links.put_aside(),
-            Stage::Rub => links.rub_struck(&mut bodies.states),
-        }
+    /// Visits the blocks of the round.
+    fn visit(&mut self, turn: Turn, bodies: &mut SolverBodies, around: &Around<'_>) {
+        let (_, states, _) = bodies.shared();
+        let Self { struck: Struck { blocks, colors, .. }, touched, .. } = self;
+        let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
+        let simd = around.simd;
+        for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
+            simd.run(Round { turn, range, blocks, states, delays });
+        });
     }
 }
 
@@ -519,71 +494,59 @@ fn lanes(bits: u32) -> impl Iterator<Item = usize> {
 enum Stage {
     Begin,
     Mark,
-    Visit,
-    End,
     PutAside,
     Rub,
 }
 
-/// A stage, for some blocks of one colour.
-struct Run<'a> {
+/// A stage, for some blocks.
+struct Look<'a> {
     stage: Stage,
     range: Range<usize>,
-    /// Which blocks these are, if not all are wanted.
-    order: Option<&'a [u32]>,
     contacts: Blocks<'a>,
     impacts: DisjointMut<'a, ImpactBlock>,
     states: DisjointMut<'a, BodyState>,
-    delays: DisjointMut<'a, BodyState>,
     /// How the bodies moved when the last substep ended, and with its impulses in this one.
     known: [&'a [BodyState]; 2],
     pass: &'a ImpactPass,
 }
 
-impl Kernel for Run<'_> {
+impl Kernel for Look<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        for position in self.range.clone() {
-            let index = self.order.map_or(position, |order| order[position] as usize);
-            // SAFETY: each block belongs to one task. Stages that change bodies run colour by colour, and the
+        for index in self.range.clone() {
+            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour, and the
             // constraints of one colour share no body that is not read-only; the others change their block alone.
-            unsafe { self.run_block::<W>(index) };
+            unsafe { self.look_at::<W>(index) };
         }
     }
 }
 
-impl Run<'_> {
+impl Look<'_> {
     /// # Safety
-    /// Nobody else may touch the block, or the states and delays of its bodies, meanwhile.
+    /// Nobody else may touch the block, or write the states of its bodies, meanwhile.
     #[inline(always)]
-    unsafe fn run_block<W: Wide>(&self, index: usize) {
+    unsafe fn look_at<W: Wide>(&self, index: usize) {
         let (states, pass) = (&self.states, self.pass);
         // SAFETY: the caller's promise.
         unsafe {
             let impact = self.impacts.get_mut(index);
             let (block, coulomb) = self.contacts.get(impact.at);
             match self.stage {
-                Stage::Begin => impact.recall(block),
-                Stage::PutAside => return impact.put_aside(block),
-                Stage::Rub if impact.was_struck => return impact.rub::<W>(block, coulomb, states),
-                Stage::Rub => return,
-                _ => {}
-            }
-            let mut rows = NormalRows::<W>::gather(states, block);
-            match self.stage {
                 Stage::Begin => {
+                    impact.recall(block);
+                    let rows = NormalRows::<W>::gather(states, block);
                     impact.begin(&rows, block, self.known, pass);
                     impact.mark(&rows, block, pass);
                 }
-                Stage::Mark => impact.mark(&rows, block, pass),
-                Stage::Visit => {
-                    impact.visit(&mut rows);
-                    rows.scatter(states);
+                Stage::Mark => {
+                    let rows = NormalRows::<W>::gather(states, block);
+                    impact.mark(&rows, block, pass);
                 }
-                Stage::End => impact.end(&rows, block, &self.delays),
-                Stage::PutAside | Stage::Rub => {}
+                Stage::PutAside => impact.put_aside(block),
+                Stage::Rub if impact.was_struck => impact.rub::<W>(block, coulomb, states),
+                Stage::Rub => {}
             }
         }
     }

@@ -1,17 +1,13 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part.
+//! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `struck.rs`.
 
 use super::points::{self, NormalRows};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::{BodyState, gather_states, scatter_states};
+use crate::dim::state::BodyState;
 use crate::model::params::ImpactPass;
 
-/// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
-pub(in super::super) const SWEEPS: usize = 4;
-/// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
-pub(in super::super) const SETTLED: Real = 1.0e-3;
 /// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
 pub(in super::super) const BEND_MAX: Real = 0.25;
 /// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
@@ -35,16 +31,46 @@ struct ImpactRow {
     borne: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
-    /// `1 / K` where it hits in this round, zero elsewhere.
-    mass: Lane,
-    /// Its velocity of approach in this round (negative), and the one with which it is to part.
-    approach: Lane,
-    target: Lane,
-    /// When it hits, from the beginning of the substep (s).
-    time: Lane,
-    /// Impulses of this round, and of the whole impact: of each round the share that it went.
-    impulse: Lane,
+    /// Impulses of the whole impact: of each round the share that it went.
     given: Lane,
+    /// What is to happen in this round, where the block is struck.
+    strike: Strike<Lane>,
+}
+
+/// How a point that hits is to part, in one lane or all.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Strike<T> {
+    /// `1 / K` where it hits in this round, zero elsewhere.
+    pub mass: T,
+    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    pub borne: T,
+    /// Its velocity of approach in this round (negative), and the one with which it is to part.
+    pub approach: T,
+    pub target: T,
+    /// When it hits, from the beginning of the substep (s).
+    pub time: T,
+}
+
+impl Strike<Lane> {
+    /// That of one lane.
+    pub fn lane(&self, lane: usize) -> Strike<Real> {
+        Strike {
+            mass: self.mass.0[lane],
+            borne: self.borne.0[lane],
+            approach: self.approach.0[lane],
+            target: self.target.0[lane],
+            time: self.time.0[lane],
+        }
+    }
+
+    /// Sets that of one lane.
+    pub fn set_lane(&mut self, lane: usize, strike: &Strike<Real>) {
+        self.mass.0[lane] = strike.mass;
+        self.borne.0[lane] = strike.borne;
+        self.approach.0[lane] = strike.approach;
+        self.target.0[lane] = strike.target;
+        self.time.0[lane] = strike.time;
+    }
 }
 
 /// The contacts of one block that bounce.
@@ -62,12 +88,6 @@ pub(in super::super) struct ImpactBlock {
     pub struck: u32,
     /// Has any point hit in this substep?
     pub was_struck: bool,
-    /// One bit per lane: did the last visit have to change anything?
-    pub moving: u32,
-    /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
-    /// should be at most.
-    pub stopped: Lane,
-    pub surplus: Lane,
 }
 
 impl ImpactBlock {
@@ -81,9 +101,6 @@ impl ImpactBlock {
             islands,
             struck: 0,
             was_struck: false,
-            moving: 0,
-            stopped: Lane::ZERO,
-            surplus: Lane::ZERO,
         }
     }
 
@@ -145,104 +162,54 @@ impl ImpactBlock {
         pass: &ImpactPass,
     ) {
         let (velocities, separations) = (rows.velocities(), rows.separations());
-        let (zero, half) = (W::zero(), W::splat(0.5));
-        let (h, inv_h) = (W::splat(pass.substep), W::splat(pass.inv_substep));
+        let (zero, h) = (W::zero(), W::splat(pass.substep));
         let restitution = W::load(&self.restitution);
+        let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
         self.struck = 0;
         for (k, row) in self.rows.iter_mut().enumerate() {
             let velocity = velocities[k] + W::load(&row.borne);
-            let separation = separations[k];
-            let mass = W::load(&block.points[k].mass);
             // Points that the manifold has not got have no mass.
-            let can_be_hit = zero.lt(restitution) & zero.lt(mass);
+            let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
-            let end = separation + velocity * h;
-            let hits = comes & end.lt(zero);
+            let end = separations[k] + velocity * h;
+            hits[k] = comes & end.lt(zero);
             let waits = comes & zero.le(end);
             W::select(waits, W::splat(FAR), W::load(&row.separation)).store(&mut row.shown);
-            self.struck |= W::bits(hits);
-            let mass = W::select(hits, mass, zero);
-            let speed = W::select(hits, -velocity, W::splat(1.0));
-            let time = (separation / speed).max(W::splat(-pass.step)).min(h);
+            self.struck |= W::bits(hits[k]);
+        }
+        if self.struck == 0 {
+            return;
+        }
+        self.was_struck = true;
+        for (k, row) in self.rows.iter_mut().enumerate() {
+            let velocity = velocities[k] + W::load(&row.borne);
+            let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
+            let speed = W::select(hits[k], -velocity, W::splat(1.0));
+            let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
             let most = speed * W::splat(BEND_MAX);
-            let bend = W::load(&row.accelerated) * (time * inv_h - half);
+            let bend =
+                W::load(&row.accelerated) * (time * W::splat(pass.inv_substep) - W::splat(0.5));
             let bend = bend.max(-most).min(most);
             let target = (restitution * (speed - bend) - bend).max(zero);
-            (bend + bend - speed).store(&mut row.approach);
-            target.store(&mut row.target);
-            mass.store(&mut row.mass);
-            time.store(&mut row.time);
-            row.impulse = Lane::ZERO;
-        }
-        self.was_struck |= self.struck != 0;
-    }
-
-    /// Leaves a lane as it is for the rest of the round.
-    pub fn let_be(&mut self, lane: usize) {
-        self.rows.iter_mut().for_each(|row| row.mass.0[lane] = 0.0);
-    }
-
-    /// Visits the points that hit, in turn: pushes until they part as they are to.
-    #[inline(always)]
-    pub fn visit<W: Wide>(&mut self, rows: &mut NormalRows<'_, W>) {
-        self.moving = 0;
-        for sweep in 0..SWEEPS {
-            rows.visit(|k, velocity| {
-                let row = &mut self.rows[k];
-                let (mass, old) = (W::load(&row.mass), W::load(&row.impulse));
-                let missing = W::load(&row.target) - W::load(&row.borne) - velocity;
-                let new = (old + mass * missing).max(W::zero());
-                new.store(&mut row.impulse);
-                if sweep == 0 {
-                    let little = -(mass * W::load(&row.approach) * W::splat(SETTLED));
-                    self.moving |= W::bits(little.lt((new - old).abs()));
-                }
-                new - old
-            });
+            let strike = &mut row.strike;
+            mass.store(&mut strike.mass);
+            strike.borne = row.borne;
+            (bend + bend - speed).store(&mut strike.approach);
+            target.store(&mut strike.target);
+            time.store(&mut strike.time);
         }
     }
 
-    /// Ends a round: does the accounts of its energy, and tells the bodies when they were hit (see
-    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
-    ///
-    /// # Safety
-    /// Nobody else may touch the delays of the block's bodies meanwhile.
-    #[inline(always)]
-    pub unsafe fn end<W: Wide>(
-        &mut self,
-        rows: &NormalRows<'_, W>,
-        block: &ContactBlock,
-        delays: &DisjointMut<BodyState>,
-    ) {
-        let velocities = rows.velocities();
-        let half = W::splat(0.5);
-        let allowed = W::load(&self.restitution).max(W::splat(1.0));
-        let (mut stopped, mut surplus) = (W::zero(), W::zero());
-        let (mut weight, mut moment) = (W::zero(), W::zero());
-        for (k, row) in self.rows.iter().enumerate() {
-            let (impulse, approach) = (W::load(&row.impulse), W::load(&row.approach));
-            stopped = stopped + impulse * approach;
-            let velocity = velocities[k] + W::load(&row.borne);
-            surplus = surplus + impulse * (velocity + allowed * approach) * half;
-            weight = weight + impulse;
-            moment = moment + impulse * W::load(&row.time);
-        }
-        stopped.store(&mut self.stopped);
-        surplus.store(&mut self.surplus);
-        for indices in &block.bodies {
-            // SAFETY: the caller's promise.
-            unsafe {
-                let (mut motion, displacement) = gather_states::<W>(delays, indices);
-                motion.linear.x = motion.linear.x + weight;
-                motion.linear.y = motion.linear.y + moment;
-                scatter_states(delays, indices, (motion, displacement));
-            }
-        }
+    /// How the points of a lane are to part.
+    pub(super) fn strikes(&self, lane: usize) -> [Strike<Real>; MAX_MANIFOLD_POINTS] {
+        core::array::from_fn(|k| self.rows[k].strike.lane(lane))
     }
 
-    /// Counts the impulses of a round in a lane: the share that its island went.
-    pub fn settle(&mut self, lane: usize, share: Real) {
-        self.rows.iter_mut().for_each(|row| row.given.0[lane] += share * row.impulse.0[lane]);
+    /// Counts impulses at the points of a lane.
+    pub fn give(&mut self, lane: usize, impulses: [Real; MAX_MANIFOLD_POINTS]) {
+        for (row, impulse) in self.rows.iter_mut().zip(impulses) {
+            row.given.0[lane] += impulse;
+        }
     }
 
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.

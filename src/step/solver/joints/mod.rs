@@ -129,6 +129,16 @@ struct Seat {
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
+/// How a round of an impact has changed velocities.
+pub(super) struct Changes<'a> {
+    /// The [bodies](SolverJoints::held) that joints can change, each once.
+    pub held: &'a [u32],
+    /// How they moved when the round began, and move now.
+    pub start: &'a [BodyState],
+    pub states: &'a mut [BodyState],
+    pub poses: &'a [BodyPose],
+}
+
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
@@ -224,13 +234,19 @@ impl SolverJoints {
         direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))
     }
 
-    /// Makes of the changes of velocities since the `start` the nearest ones that the joints allow which are solved
+    /// The bodies of the joints that are solved exactly, those that do not move included; some more than once.
+    pub fn held(&self) -> impl Iterator<Item = u32> {
+        let exact = self.members.iter().filter(|member| self.direct.contains(member.slot));
+        exact.flat_map(|member| member.bodies).map(|body| body & !READ_ONLY)
+    }
+
+    /// Makes of the changes of velocities since the start of a round the nearest ones that the joints allow which are solved
     /// exactly, where the bodies are, with the inertias that contacts know: in components with a body that is `wanted`.
     /// For impacts: what the impulses are is kept apart until [`Self::settle_blows`], and the next step does not start with them.
     /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
-        (poses, states, start): (&[BodyPose], &mut [BodyState], &[BodyState]),
+        Changes { held, start, states, poses }: Changes<'_>,
         wanted: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
         pass: &JointPass,
@@ -239,8 +255,9 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        for (state, start) in states.iter_mut().zip(start) {
-            let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
+        for &body in held {
+            let state = &mut states[body as usize];
+            let ((v, w), (old_v, old_w)) = (state.velocity(), start[body as usize].velocity());
             state.set_velocity(v - old_v, w - old_w);
         }
         self.direct.begin();
@@ -270,8 +287,9 @@ impl SolverJoints {
                 add_work(block.movable(lane), memory[index].work(lane, velocities));
             }
         }
-        for (state, start) in states.iter_mut().zip(start) {
-            let ((v, w), (old_v, old_w)) = (state.velocity(), start.velocity());
+        for &body in held {
+            let state = &mut states[body as usize];
+            let ((v, w), (old_v, old_w)) = (state.velocity(), start[body as usize].velocity());
             state.set_velocity(old_v + v, old_w + w);
         }
     }

@@ -12,7 +12,7 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{ContactInput, ContactReport, Placement};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::{ImpactBlock, NormalRows};
+use crate::step::solver::impacts::{ImpactBlock, NormalRows, StruckBlock};
 use crate::step::solver::keep::keep;
 use parry::shape::{Cuboid, Shape};
 
@@ -348,14 +348,16 @@ unsafe fn bounce<W: Wide>(
     impact.recall(block);
     // SAFETY: the caller's promise.
     unsafe {
-        let mut rows = NormalRows::<W>::gather(states, block);
+        let rows = NormalRows::<W>::gather(states, block);
         impact.begin(&rows, block, known, pass);
         impact.mark(&rows, block, pass);
-        impact.visit(&mut rows);
+        let mut struck = StruckBlock::EMPTY;
+        let hit = (0..LANES).filter(|lane| impact.struck >> lane & 1 == 1);
+        hit.for_each(|lane| struck.push((0, lane), &impact, block));
+        struck.visit::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
-        impact.end(&rows, block, &DisjointMut::new(&mut delays));
-        rows.scatter(states);
-        (0..LANES).for_each(|lane| impact.settle(lane, 1.0));
+        struck.end::<W>(states, &DisjointMut::new(&mut delays));
+        struck.settle(core::slice::from_mut(&mut impact), |_| 1.0);
         impact.put_aside(block);
         impact.rub::<W>(block, coulomb, states);
     }

@@ -1,0 +1,273 @@
+//! The contacts that hit in a round, side by side.
+//!
+//! Among hundreds that could be hit a few are, seldom two of one block. They are visited again and again until the round
+//! is settled, so what a visit reads of them is copied to blocks of their own: 2D `spinner` visits a quarter of the blocks
+//! that way. Lanes do not depend on each other, and the order of colours is kept: no bit changes.
+
+use super::points::NormalRows;
+use super::rows::{ImpactBlock, Strike};
+use super::{Account, lanes};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::dim::contact::ContactBlock;
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim::state::{BodyState, gather_states, scatter_states};
+use crate::step::solver::contacts::Blocks;
+use core::ops::Range;
+
+/// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
+pub(in super::super) const SWEEPS: usize = 4;
+/// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
+pub(in super::super) const SETTLED: Real = 1.0e-3;
+
+/// All contacts of a round.
+#[derive(Default)]
+pub(super) struct Struck {
+    pub blocks: Vec<StruckBlock>,
+    /// Those of one colour stand together.
+    pub colors: Vec<Range<usize>>,
+    /// The islands that they are in.
+    pub islands: Vec<u32>,
+}
+
+impl Struck {
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.colors.clear();
+        self.islands.clear();
+    }
+
+    /// Includes an island.
+    pub fn strike(&mut self, island: u32, account: &mut Account) {
+        if !account.is_struck {
+            account.is_struck = true;
+            self.islands.push(island);
+        }
+    }
+
+    /// Copies the contacts of a colour that hit, in the islands that have visits left.
+    pub fn add_color(
+        &mut self,
+        color: Range<usize>,
+        impacts: &[ImpactBlock],
+        contacts: Blocks<'_>,
+        accounts: &mut [Account],
+    ) {
+        let start = self.blocks.len();
+        for index in color {
+            let impact = &impacts[index];
+            for lane in lanes(impact.struck) {
+                let island = impact.islands[lane];
+                let account = &mut accounts[island as usize];
+                if account.visits == 0 {
+                    continue;
+                }
+                self.strike(island, account);
+                if self.blocks[start..].last().is_none_or(StruckBlock::is_full) {
+                    self.blocks.push(StruckBlock::EMPTY);
+                }
+                // SAFETY: no task runs meanwhile.
+                let (contact, _) = unsafe { contacts.get(impact.at) };
+                let block = self.blocks.last_mut().expect("has just been pushed");
+                block.push((index, lane), impact, contact);
+            }
+        }
+        if start < self.blocks.len() {
+            self.colors.push(start..self.blocks.len());
+        }
+    }
+}
+
+/// One contact point of each lane.
+#[derive(Copy, Clone, Debug)]
+struct StruckRow {
+    strike: Strike<Lane>,
+    /// The impulse of this round.
+    impulse: Lane,
+}
+
+/// Up to [`LANES`] contacts of one colour that hit.
+#[derive(Clone, Debug)]
+pub(in super::super) struct StruckBlock {
+    /// Copies of what normal impulses need to know.
+    contact: ContactBlock,
+    rows: [StruckRow; MAX_MANIFOLD_POINTS],
+    restitution: Lane,
+    /// Which of all blocks each lane is from, and which lane of it.
+    from: [(u32, u32); LANES],
+    /// The island of each lane.
+    pub islands: [u32; LANES],
+    count: usize,
+    /// One bit per lane: did the last visit have to change anything?
+    pub moving: u32,
+    /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
+    /// should be at most.
+    pub stopped: Lane,
+    pub surplus: Lane,
+}
+
+impl StruckBlock {
+    /// No contact in any lane.
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        let strike = Strike { mass: zero, borne: zero, approach: zero, target: zero, time: zero };
+        Self {
+            contact: ContactBlock::EMPTY,
+            rows: [StruckRow { strike, impulse: zero }; MAX_MANIFOLD_POINTS],
+            restitution: zero,
+            from: [(0, 0); LANES],
+            islands: [0; LANES],
+            count: 0,
+            moving: 0,
+            stopped: zero,
+            surplus: zero,
+        }
+    };
+
+    fn is_full(&self) -> bool {
+        self.count == LANES
+    }
+
+    /// The lanes that are taken.
+    pub fn lanes(&self) -> Range<usize> {
+        0..self.count
+    }
+
+    /// The two bodies of each contact.
+    pub fn bodies(&self) -> impl Iterator<Item = u32> {
+        self.contact.bodies.iter().flat_map(|bodies| &bodies[self.lanes()]).copied()
+    }
+
+    /// Copies a lane of a block.
+    pub fn push(
+        &mut self,
+        (index, lane): (usize, usize),
+        impact: &ImpactBlock,
+        contact: &ContactBlock,
+    ) {
+        let to = self.count;
+        self.count += 1;
+        self.contact.copy_normal_lane(to, contact, lane);
+        self.restitution.0[to] = impact.restitution.0[lane];
+        self.islands[to] = impact.islands[lane];
+        self.from[to] = (index as u32, lane as u32);
+        for (row, strike) in self.rows.iter_mut().zip(impact.strikes(lane)) {
+            row.strike.set_lane(to, &strike);
+        }
+    }
+
+    /// Leaves a lane as it is for the rest of the round.
+    pub fn let_be(&mut self, lane: usize) {
+        self.rows.iter_mut().for_each(|row| row.strike.mass.0[lane] = 0.0);
+    }
+
+    /// Counts the impulses of the round: of each lane the share that its island went.
+    pub fn settle(&self, impacts: &mut [ImpactBlock], share: impl Fn(u32) -> Real) {
+        for lane in self.lanes() {
+            let (share, (index, from)) = (share(self.islands[lane]), self.from[lane]);
+            let impulses = self.rows.map(|row| share * row.impulse.0[lane]);
+            impacts[index as usize].give(from as usize, impulses);
+        }
+    }
+
+    /// Visits the points, in turn: pushes until they part as they are to.
+    ///
+    /// # Safety
+    /// Nobody else may touch the states of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn visit<W: Wide>(&mut self, states: &DisjointMut<BodyState>) {
+        let Self { contact, rows, moving, .. } = self;
+        // SAFETY: the caller's promise.
+        let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
+        *moving = 0;
+        for sweep in 0..SWEEPS {
+            normals.visit(|k, velocity| {
+                let StruckRow { strike, impulse } = &mut rows[k];
+                let (mass, old) = (W::load(&strike.mass), W::load(impulse));
+                let missing = W::load(&strike.target) - W::load(&strike.borne) - velocity;
+                let new = (old + mass * missing).max(W::zero());
+                new.store(impulse);
+                if sweep == 0 {
+                    let little = -(mass * W::load(&strike.approach) * W::splat(SETTLED));
+                    *moving |= W::bits(little.lt((new - old).abs()));
+                }
+                new - old
+            });
+        }
+        // SAFETY: the caller's promise.
+        unsafe { normals.scatter(states) };
+    }
+
+    /// Ends the round: does the accounts of its energy, and tells the bodies when they were hit (see
+    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
+    ///
+    /// # Safety
+    /// Nobody else may touch the states and delays of the block's bodies meanwhile.
+    #[inline(always)]
+    pub unsafe fn end<W: Wide>(
+        &mut self,
+        states: &DisjointMut<BodyState>,
+        delays: &DisjointMut<BodyState>,
+    ) {
+        // SAFETY: the caller's promise.
+        let velocities = unsafe { NormalRows::<W>::gather(states, &self.contact) }.velocities();
+        let half = W::splat(0.5);
+        let allowed = W::load(&self.restitution).max(W::splat(1.0));
+        let (mut stopped, mut surplus) = (W::zero(), W::zero());
+        let (mut weight, mut moment) = (W::zero(), W::zero());
+        for (k, StruckRow { strike, impulse }) in self.rows.iter().enumerate() {
+            let (impulse, approach) = (W::load(impulse), W::load(&strike.approach));
+            stopped = stopped + impulse * approach;
+            let velocity = velocities[k] + W::load(&strike.borne);
+            surplus = surplus + impulse * (velocity + allowed * approach) * half;
+            weight = weight + impulse;
+            moment = moment + impulse * W::load(&strike.time);
+        }
+        stopped.store(&mut self.stopped);
+        surplus.store(&mut self.surplus);
+        for indices in &self.contact.bodies {
+            // SAFETY: the caller's promise.
+            unsafe {
+                let (mut motion, displacement) = gather_states::<W>(delays, indices);
+                motion.linear.x = motion.linear.x + weight;
+                motion.linear.y = motion.linear.y + moment;
+                scatter_states(delays, indices, (motion, displacement));
+            }
+        }
+    }
+}
+
+/// What is done with each block.
+#[derive(Copy, Clone)]
+pub(super) enum Turn {
+    Visit,
+    End,
+}
+
+/// A turn, for some blocks of one colour.
+pub(super) struct Round<'a> {
+    pub turn: Turn,
+    pub range: Range<usize>,
+    pub blocks: DisjointMut<'a, StruckBlock>,
+    pub states: DisjointMut<'a, BodyState>,
+    pub delays: DisjointMut<'a, BodyState>,
+}
+
+impl Kernel for Round<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, the constraints of one colour share no body that is not
+            // read-only, and one colour is done before the next begins.
+            unsafe {
+                let block = self.blocks.get_mut(index);
+                match self.turn {
+                    Turn::Visit => block.visit::<W>(&self.states),
+                    Turn::End => block.end::<W>(&self.states, &self.delays),
+                }
+            }
+        }
+    }
+}
