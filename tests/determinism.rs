@@ -179,6 +179,30 @@ fn determinism_on_any_number_of_threads() {
     }
 }
 
+/// Threads that the pipeline was given: its own, and those of a pool, from within the pool and from outside.
+#[test]
+fn determinism_with_threads_of_the_pipeline() {
+    let expected = run(world());
+    let run_on = |threads: &Threads| {
+        let mut world = world();
+        world.physics_pipeline.set_threads(threads.clone());
+        run(world)
+    };
+    for count in [0, 1, 2, 5, 80] {
+        let threads = Threads::new(count).expect("threads");
+        assert_eq!(expected, run_on(&threads), "{count} threads");
+    }
+    #[cfg(feature = "parallel")]
+    {
+        let pool =
+            rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool of threads");
+        let pool = std::sync::Arc::new(pool);
+        let threads = Threads::of_pool(std::sync::Arc::clone(&pool));
+        assert_eq!(expected, run_on(&threads), "from outside");
+        assert_eq!(expected, pool.install(|| run_on(&threads)), "from within");
+    }
+}
+
 #[test]
 fn determinism_with_any_instructions() {
     let mut plain = world();

@@ -1,5 +1,6 @@
 //! Collision detection without a simulation.
 
+use crate::base::tasks::Threads;
 use crate::dim::math::Vector;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
@@ -28,6 +29,11 @@ impl CollisionPipeline {
     /// A pipeline with empty buffers.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    pub fn set_threads(&mut self, threads: Threads) {
+        self.scratch.set_threads(threads);
     }
 
     /// Brings all contacts and intersections up to date and sends the events of those that began or

@@ -1,6 +1,7 @@
 //! The step of a whole simulation.
 
 use crate::base::measure::is_point;
+use crate::base::tasks::Threads;
 use crate::dim::math::Vector;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
@@ -32,6 +33,11 @@ impl PhysicsPipeline {
     /// A pipeline with empty buffers.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    pub fn set_threads(&mut self, threads: Threads) {
+        self.scratch.set_threads(threads);
     }
 
     /// Lets the solver use the widest instructions that the machine has (the default), or only those

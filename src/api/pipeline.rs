@@ -3,6 +3,7 @@
 pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;
 pub use super::world::PhysicsWorld;
+pub use crate::base::tasks::{Threads, ThreadsError};
 pub use crate::base::timer::Timer;
 pub use crate::controllers::QueryPipelineMut;
 #[cfg(feature = "debug-render")]

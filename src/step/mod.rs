@@ -18,7 +18,7 @@ mod advance;
 mod events;
 
 use crate::base::held::HeldPanic;
-use crate::base::tasks::Tasks;
+use crate::base::tasks::{Tasks, Threads};
 use crate::base::wide::Simd;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
@@ -61,6 +61,7 @@ pub(crate) struct StepScratch {
     pairs: Vec<(ColliderHandle, ColliderHandle)>,
     narrow_phase: NarrowPhaseScratch,
     simd: Simd,
+    threads: Threads,
     solver: SolverScratch,
     quarantine: Quarantine,
     continuous: continuous::ContinuousScratch,
@@ -68,14 +69,15 @@ pub(crate) struct StepScratch {
     sleep: islands::SleepScratch,
 }
 
-/// One step of the world, on the threads of the caller's pool. The parameters must be valid.
+/// One step of the world. The parameters must be valid.
 pub(crate) fn step(
     parts: StepParts<'_>,
     joints: &mut ImpulseJointSet,
     multibodies: &mut MultibodyJointSet,
     scratch: &mut StepScratch,
 ) {
-    Tasks::open(|tasks| step_with(tasks, parts, joints, multibodies, scratch));
+    let threads = scratch.threads.clone();
+    threads.open(|tasks| step_with(tasks, parts, joints, multibodies, scratch));
 }
 
 fn step_with(
@@ -172,7 +174,8 @@ pub(crate) fn detect_collisions(
         Digest { structure, tree, joints, multibodies, params, events }.run_removals();
     }
     let mut panic = HeldPanic::default();
-    let found = panic.hold(|| Tasks::open(|tasks| find_contacts(tasks, &mut parts, scratch)));
+    let threads = scratch.threads.clone();
+    let found = panic.hold(|| threads.open(|tasks| find_contacts(tasks, &mut parts, scratch)));
     // Removals have changed the lists of who is awake even if a hook has panicked since.
     parts.bodies.renew_places();
     if found.is_some() {
@@ -322,6 +325,11 @@ fn report(parts: &StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mu
 }
 
 impl StepScratch {
+    /// Lets steps run on these threads.
+    pub fn set_threads(&mut self, threads: Threads) {
+        self.threads = threads;
+    }
+
     /// Lets the solver use the widest instructions that the machine has, or those that every machine
     /// has.
     pub fn set_wide_instructions(&mut self, wide: bool) {

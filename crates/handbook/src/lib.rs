@@ -33,5 +33,6 @@ pages! {
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",
+    threads: "../../../docs/guide/threads.md",
     seeing: "../../../docs/guide/seeing.md",
 }

@@ -1,13 +1,13 @@
 //! Spreading work over threads. The only folder that knows the feature `parallel`.
 //!
-//! With the feature, work runs in the rayon pool of the thread that steps the simulation: wrap the
-//! step in `ThreadPool::install` to choose the pool. Without it, or in a pool of one thread, all is a
-//! plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
+//! With the feature, work runs in the rayon pool of the thread that steps the simulation, or on the [`Threads`] that the
+//! pipeline was given. Without it, or with one thread, all is a plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
 //! item is worked on once, by itself, and results go to a place that depends on the item alone.
 
 #[cfg(feature = "parallel")]
 mod crew;
 mod gather;
+mod threads;
 
 use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
@@ -16,6 +16,7 @@ use core::ops::Range;
 use std::sync::Arc;
 
 pub use gather::Gather;
+pub use threads::{Threads, ThreadsError};
 
 /// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
 #[cfg(feature = "parallel")]
@@ -42,15 +43,24 @@ impl Tasks<'_> {
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        let threads = rayon::current_num_threads();
-        if threads <= 1 {
+        Self::open_with(rayon::current_num_threads(), |help| rayon::spawn(help), work)
+    }
+
+    /// Calls `work` with the calling thread and others, so many in all: `spawn` has them run what it is given.
+    #[cfg(feature = "parallel")]
+    fn open_with<R>(
+        count: usize,
+        spawn: impl Fn(Box<dyn FnOnce() + Send>),
+        work: impl FnOnce(Tasks<'_>) -> R,
+    ) -> R {
+        if count <= 1 {
             return work(Tasks::SERIAL);
         }
-        let crew = Arc::new(crew::Crew::new(threads));
+        let crew = Arc::new(crew::Crew::new(count));
         // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
         let hire = |number| {
             let crew = Arc::clone(&crew);
-            rayon::spawn(move || crew.help(number));
+            spawn(Box::new(move || crew.help(number)));
         };
         let _owner = crew.own();
         work(Tasks { crew: Some((&crew, &hire)), unshared: PhantomData })

@@ -1,0 +1,81 @@
+//! Which threads steps run on: a setting of the pipelines.
+
+use super::Tasks;
+#[cfg(feature = "parallel")]
+use std::sync::Arc;
+
+/// Which threads steps run on.
+///
+/// By default those of the rayon pool in which the step is called; outside of any that is rayon's global pool, with a thread
+/// per core. The number of threads does not change a bit of the results. Without the feature `parallel` there is the calling
+/// thread alone, whatever is asked for.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut world = PhysicsWorld::new();
+/// world.physics_pipeline.set_threads(Threads::new(2)?);
+/// world.step();
+/// # Ok::<(), ThreadsError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Threads {
+    /// How many, and from where those come that help the calling one.
+    #[cfg(feature = "parallel")]
+    crew: Option<(usize, Arc<rayon::ThreadPool>)>,
+}
+
+/// Threads that the system does not give.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{count} threads cannot be had: {reason}")]
+pub struct ThreadsError {
+    /// How many were asked for.
+    pub count: usize,
+    /// What the system says to that.
+    pub reason: String,
+}
+
+impl Threads {
+    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0.
+    ///
+    /// Helpers live as long as this and its clones do, and sleep between steps.
+    ///
+    /// # Errors
+    /// If the system does not let them be made.
+    #[cfg(feature = "parallel")]
+    pub fn new(count: usize) -> Result<Self, ThreadsError> {
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let count = if count == 0 { cores() } else { count };
+        let helpers = rayon::ThreadPoolBuilder::new()
+            // Asked for none, rayon would make one per core. Who works alone hires nobody.
+            .num_threads((count - 1).max(1))
+            .thread_name(|index| format!("physics {}", index + 1));
+        let pool = helpers.build();
+        let pool = pool.map_err(|error| ThreadsError { count, reason: error.to_string() })?;
+        Ok(Self { crew: Some((count, Arc::new(pool))) })
+    }
+
+    /// The calling thread: there are others with the feature `parallel`.
+    ///
+    /// # Errors
+    /// None.
+    #[cfg(not(feature = "parallel"))]
+    pub fn new(_count: usize) -> Result<Self, ThreadsError> {
+        Ok(Self {})
+    }
+
+    /// As many threads as a pool has: the calling one, whether or not it is of that pool, and the others from there. They help
+    /// where they are idle; a step does not wait for those that are busy.
+    #[cfg(feature = "parallel")]
+    pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
+        Self { crew: Some((pool.current_num_threads(), pool)) }
+    }
+
+    /// Calls `work` with these threads.
+    pub(crate) fn open<R>(&self, work: impl FnOnce(Tasks<'_>) -> R) -> R {
+        #[cfg(feature = "parallel")]
+        if let Some((count, pool)) = &self.crew {
+            return Tasks::open_with(*count, |help| pool.spawn(help), work);
+        }
+        Tasks::open(work)
+    }
+}
