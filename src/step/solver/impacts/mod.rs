@@ -89,7 +89,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::Real;
-use crate::dim::state::BodyState;
+use crate::dim::state::{BodyState, READ_ONLY};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
@@ -129,16 +129,30 @@ struct Memory {
     /// How bodies moved when the last substep ended.
     last: Vec<BodyState>,
     accounts: Vec<Account>,
-    /// By island: the work of joints in this round.
+    /// By island: nothing until something hits in this step.
+    grants: Vec<Grant>,
+    /// By island that is struck: the work of joints in this round.
     works: Vec<Real>,
+}
+
+/// How many visits an island is worth: how many of its contacts bounce, and the largest restitution among them.
+#[derive(Copy, Clone, Default)]
+struct Grant {
+    contacts: usize,
+    restitution: Real,
+}
+
+impl Grant {
+    fn visits(&self) -> usize {
+        let smallness = SMALL_ISLAND as Real / self.contacts as Real;
+        let worth = self.restitution.max(smallness).min(1.0);
+        (VISITS as Real * worth).ceil() as usize
+    }
 }
 
 /// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
 #[derive(Copy, Clone, Default)]
 struct Account {
-    /// How many of its contacts bounce, and the largest restitution among them.
-    contacts: usize,
-    restitution: Real,
     /// Visits that are left in this substep.
     visits: usize,
     is_struck: bool,
@@ -175,6 +189,7 @@ impl Impacts {
     pub fn load(&mut self, lanes: &ContactLanes, colors: &[Range<usize>], bodies: &SolverBodies) {
         self.blocks.clear();
         self.colors.clear();
+        self.memory.grants.clear();
         for color in colors {
             let start = self.blocks.len();
             for at in color.clone().filter(|&at| lanes.blocks[at].input.restitution != Lane::ZERO) {
@@ -216,8 +231,7 @@ impl Impacts {
         let hits = self.blocks.iter().any(|block| block.struck != 0);
         let hits = hits || around.links.0.struck().next().is_some();
         if hits {
-            let bound = bodies.island_bound().max(around.links.0.island_bound());
-            self.grant_visits(bound, around.links.0);
+            self.open_accounts(bodies, around.links.0);
             let held = self.begin(bodies, &around);
             while self.find_struck(contacts, around.links.0) {
                 self.solve_round(held, bodies, &mut around, pass);
@@ -246,49 +260,57 @@ impl Impacts {
 
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
     /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
-    fn grant_visits(&mut self, island_bound: usize, links: &SolverMultibodies) {
-        let accounts = &mut self.memory.accounts;
-        accounts.clear();
-        accounts.resize(island_bound, Account::default());
-        // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
-        let mut count = |island: u32, restitution: Real| {
-            if let Some(account) = accounts.get_mut(island as usize).filter(|_| restitution != 0.0)
-            {
-                account.contacts += 1;
-                account.restitution = account.restitution.max(restitution);
+    fn open_accounts(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
+        let Self { blocks, struck, memory, .. } = self;
+        let Memory { accounts, grants, works, .. } = memory;
+        if grants.is_empty() {
+            grants.resize(bodies.island_bound().max(links.island_bound()), Grant::default());
+            // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
+            let mut count = |island: u32, restitution: Real| {
+                if let Some(grant) = grants.get_mut(island as usize).filter(|_| restitution != 0.0)
+                {
+                    grant.contacts += 1;
+                    grant.restitution = grant.restitution.max(restitution);
+                }
+            };
+            for block in blocks {
+                let lanes = block.islands.iter().zip(&block.restitution.0);
+                lanes.for_each(|(&island, &restitution)| count(island, restitution));
             }
-        };
-        for block in &self.blocks {
-            let lanes = block.islands.iter().zip(&block.restitution.0);
-            lanes.for_each(|(&island, &restitution)| count(island, restitution));
+            links.restitutions().for_each(|(island, restitution)| count(island, restitution));
         }
-        links.restitutions().for_each(|(island, restitution)| count(island, restitution));
-        for account in accounts {
-            let smallness = SMALL_ISLAND as Real / account.contacts as Real;
-            let worth = account.restitution.max(smallness).min(1.0);
-            account.visits = (VISITS as Real * worth).ceil() as usize;
-        }
+        accounts.clear();
+        let account = |grant: &Grant| Account { visits: grant.visits(), ..Account::default() };
+        accounts.extend(grants.iter().map(account));
+        works.clear();
+        works.resize(grants.len(), 0.0);
+        struck.clear();
     }
 
     /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls. How many are they?
     fn begin(&mut self, bodies: &SolverBodies, around: &Around<'_>) -> usize {
         self.touched.begin(bodies.states.len());
         self.touched.add(around.joints.held());
-        let held = self.touched.bodies.len();
+        let of_joints = self.touched.bodies.len();
+        // What a multibody that is hit pushes can be anything.
         if around.links.0.bounce() {
             self.touched.add_all(bodies.moving());
         }
-        held
+        self.touched.keep();
+        of_joints
     }
 
     /// Finds the contacts that hit, in islands that have visits left. Is there any?
     fn find_struck(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
         let Self { blocks, colors, struck, touched, memory } = self;
         let accounts = &mut memory.accounts;
-        for account in accounts.iter_mut() {
+        for island in struck.islands.drain(..) {
+            let account = &mut accounts[island as usize];
             (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
+            memory.works[island as usize] = 0.0;
         }
         struck.clear();
+        touched.begin_round();
         for color in &*colors {
             struck.add_color(color.clone(), blocks, contacts, accounts);
         }
@@ -317,8 +339,6 @@ impl Impacts {
         self.begin_round(bodies, around.links.0);
         around.joints.forget_places();
         around.joints.begin_blows();
-        self.memory.works.clear();
-        self.memory.works.resize(self.memory.accounts.len(), 0.0);
         for _ in 0..ROUND_VISITS {
             around.links.0.visit_struck(&mut bodies.states);
             self.visit(Turn::Visit, bodies, around);
@@ -365,9 +385,10 @@ impl Impacts {
         pass: &ImpactPass,
     ) {
         let Memory { accounts, works, .. } = &mut self.memory;
-        for (account, work) in accounts.iter_mut().zip(works) {
-            account.stopped += *work;
-            account.surplus += *work;
+        for &island in &self.struck.islands {
+            let (account, work) = (&mut accounts[island as usize], works[island as usize]);
+            account.stopped += work;
+            account.surplus += work;
             if account.share() == 0.0 {
                 account.visits = 0;
             }
@@ -451,6 +472,7 @@ impl Impacts {
         let (_, states, loaded) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
+        let changed = &self.touched.is_changed[..];
         let all = 0..impacts.len();
         let colors = match stage {
             Stage::Rub => &self.colors,
@@ -458,7 +480,7 @@ impl Impacts {
             _ => core::slice::from_ref(&all),
         };
         for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Look { stage, range, contacts, impacts, states, known, pass });
+            simd.run(Look { stage, range, contacts, impacts, states, known, changed, pass });
         });
     }
 
@@ -507,6 +529,8 @@ struct Look<'a> {
     states: DisjointMut<'a, BodyState>,
     /// How the bodies moved when the last substep ended, and with its impulses in this one.
     known: [&'a [BodyState]; 2],
+    /// By body: may the round have changed it?
+    changed: &'a [bool],
     pass: &'a ImpactPass,
 }
 
@@ -524,6 +548,11 @@ impl Kernel for Look<'_> {
 }
 
 impl Look<'_> {
+    fn is_changed(&self, block: &ContactBlock) -> bool {
+        let mut bodies = block.bodies.iter().flatten();
+        bodies.any(|body| self.changed[(body & !READ_ONLY) as usize])
+    }
+
     /// # Safety
     /// Nobody else may touch the block, or write the states of its bodies, meanwhile.
     #[inline(always)]
@@ -540,6 +569,8 @@ impl Look<'_> {
                     impact.begin(&rows, block, self.known, pass);
                     impact.mark(&rows, block, pass);
                 }
+                // What nobody has changed is as it was when it was marked last.
+                Stage::Mark if !self.is_changed(block) => {}
                 Stage::Mark => {
                     let rows = NormalRows::<W>::gather(states, block);
                     impact.mark(&rows, block, pass);
