@@ -1,6 +1,6 @@
 //! Links touch the world, other bodies and each other.
 
-use super::stage::{Chain, momentum};
+use super::stage::{Chain, energy, momentum};
 use crate::dim::{cuboid, hinge, vec};
 use crate::suite::physics::stage::{G, add_ground, penetration, run, steps, weightless, world};
 use rapier::prelude::*;
@@ -46,6 +46,41 @@ fn a_chain_on_the_ground_lies_still_and_sleeps() {
         world.step();
         let awake = chain.bodies.iter().all(|&body| !world.bodies[body].is_sleeping());
         assert!(awake, "all links wake with one of them");
+    }
+}
+
+/// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no more energy for it. (The levers
+/// of such contacts are next to nothing.)
+#[test]
+fn links_that_touch_at_their_joints_gain_nothing() {
+    for (count, limit) in [(5, 0.5), (20, 0.5), (20, 0.2), (20, 2.0)] {
+        let mut world = world(60);
+        let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
+        let mut parent = world.insert_body(RigidBodyBuilder::fixed());
+        for k in 0..count {
+            let at = vec(0.5 * (k + 1) as Real, 0.0);
+            let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
+            let (body, _) = world.insert(body, ColliderBuilder::capsule_x(0.15, 0.1));
+            let joint = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
+            let joint = joint.limits([-limit, limit]);
+            let joint = world.multibody_joints.insert(parent, body, joint, true);
+            chain.joints.push(joint.expect("it fits"));
+            chain.bodies.push(body);
+            parent = body;
+        }
+        let start = energy(&world, &chain.bodies);
+        let (mass, length) = (world.bodies[parent].mass() * count as Real, 0.5 * count as Real);
+        for step in 0..600 {
+            world.step();
+            let gained = energy(&world, &chain.bodies) - start;
+            // A hundredth of what it falls through: to hold overlap apart takes some work.
+            let most = 0.01 * mass * G * length;
+            assert!(
+                gained < most,
+                "{count} links gained {gained} J by step {step}, at {limit} rad"
+            );
+            assert!(world.bodies[parent].is_enabled(), "the last link is disabled");
+        }
     }
 }
 

@@ -43,7 +43,7 @@ impl Tasks<'_> {
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        Self::open_with(rayon::current_num_threads(), |help| rayon::spawn(help), work)
+        Self::open_with(rayon::current_num_threads(), rayon::spawn, work)
     }
 
     /// Calls `work` with the calling thread and others, so many in all: `spawn` has them run what it is given.

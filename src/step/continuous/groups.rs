@@ -116,8 +116,9 @@ impl Groups {
         self.members.sort_unstable();
         self.members.dedup();
         // The first ones, too.
-        let firsts: Vec<u32> = self.members.iter().map(|member| member.0).collect();
-        self.members.extend(firsts.into_iter().map(|first| (first, first)));
+        let listed = self.members.len();
+        self.members.extend_from_within(..);
+        self.members[listed..].iter_mut().for_each(|member| member.1 = member.0);
         self.members.sort_unstable();
         self.members.dedup();
     }

@@ -68,8 +68,8 @@ impl Struck {
                 }
                 // SAFETY: no task runs meanwhile.
                 let (contact, _) = unsafe { contacts.get(impact.at) };
-                let block = self.blocks.last_mut().expect("has just been pushed");
-                block.push((index, lane), impact, contact);
+                let last = self.blocks.len() - 1;
+                self.blocks[last].push((index, lane), impact, contact);
             }
         }
         if start < self.blocks.len() {

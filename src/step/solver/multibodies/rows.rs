@@ -34,6 +34,12 @@ pub struct Row {
 }
 
 impl Row {
+    /// The same row, taken to yield to an impulse by no less than this, if that is a number.
+    pub fn yielding_at_least(self, k: Real) -> Self {
+        let most = 1.0 / k;
+        Self { mass: if most.is_finite() { self.mass.min(most) } else { self.mass }, ..self }
+    }
+
     /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
     pub fn rewrite(&mut self, numbers: &mut Numbers, make: impl FnOnce(&mut Numbers) -> Self) {
         let Some(start) = self.parts.iter().find_map(Part::start) else { return };
