@@ -2,6 +2,7 @@
 
 use crate::catalog::Scene;
 use crate::engine::Kind;
+use crate::growth::Curve;
 use std::fmt;
 use std::io::Write;
 use std::str::FromStr;
@@ -33,7 +34,16 @@ pub struct Options {
     pub profile: bool,
     /// Ask questions instead of taking steps.
     pub queries: bool,
+    /// Let worlds grow instead of running scenes.
+    pub growth: bool,
+    /// What grows.
+    pub curves: Vec<Curve>,
+    /// The most bodies that worlds grow to.
+    pub bodies_max: usize,
 }
+
+/// So far worlds grow if the user does not say.
+const BODIES_MAX: usize = 1_000_000;
 
 /// Why the command line cannot be followed.
 #[derive(Debug, PartialEq)]
@@ -48,6 +58,8 @@ pub enum UsageError {
     UnknownScene(String),
     /// There is no such engine.
     UnknownEngine(String),
+    /// There is no such curve.
+    UnknownCurve(String),
 }
 
 impl fmt::Display for UsageError {
@@ -64,10 +76,26 @@ impl fmt::Display for UsageError {
                 write!(f, "no scene is called `{name}`; `--help` lists the scenes")
             }
             Self::UnknownEngine(name) => {
-                write!(f, "no engine is called `{name}`; there are `this`, `rapier` and `box`")
+                write!(
+                    f,
+                    "no engine is called `{name}`; there are {}",
+                    listed(Kind::ALL.map(Kind::name))
+                )
+            }
+            Self::UnknownCurve(name) => {
+                write!(
+                    f,
+                    "no curve is called `{name}`; there are {}",
+                    listed(Curve::ALL.map(Curve::name))
+                )
             }
         }
     }
+}
+
+/// `a`, `b`, `c`
+fn listed<const N: usize>(names: [&str; N]) -> String {
+    names.map(|name| format!("`{name}`")).join(", ")
 }
 
 /// Understands the arguments (without the program's name).
@@ -81,6 +109,9 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
         write: false,
         profile: false,
         queries: false,
+        growth: false,
+        curves: Vec::new(),
+        bodies_max: BODIES_MAX,
     };
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
@@ -90,6 +121,9 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
             "--write" => options.write = true,
             "--profile" => options.profile = true,
             "--queries" => options.queries = true,
+            "--growth" => options.growth = true,
+            "--curve" => options.curves.push(find_curve(value()?)?),
+            "--bodies-max" => options.bodies_max = number(argument, value()?)?,
             "--scene" => options.scenes.extend(find_scenes(value()?, scenes)?),
             "--engine" => options.engines.push(find_engine(value()?)?),
             "--steps" => options.steps = Some(number(argument, value()?)?),
@@ -108,6 +142,9 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
     }
     if options.engines.is_empty() {
         options.engines = Kind::ALL.to_vec();
+    }
+    if options.curves.is_empty() {
+        options.curves = Curve::ALL.to_vec();
     }
     Ok(Request::Run(options))
 }
@@ -132,6 +169,11 @@ fn find_engine(name: &str) -> Result<Kind, UsageError> {
     found.ok_or_else(|| UsageError::UnknownEngine(name.to_owned()))
 }
 
+fn find_curve(name: &str) -> Result<Curve, UsageError> {
+    let found = Curve::ALL.into_iter().find(|curve| curve.name() == name);
+    found.ok_or_else(|| UsageError::UnknownCurve(name.to_owned()))
+}
+
 /// Says how to call the program.
 pub fn print_help(scenes: &[Scene]) -> std::io::Result<()> {
     let mut out = std::io::stdout().lock();
@@ -142,13 +184,17 @@ pub fn print_help(scenes: &[Scene]) -> std::io::Result<()> {
 Usage: bench [OPTIONS]
 
   --scene NAME      a scene: large_pyramid, 3d/large_pyramid, or 3d for all in 3D; may be repeated
-  --engine NAME     this, rapier, or box (Box3D and Box2D); may be repeated (default: all)
+  --engine NAME     this, rapier, box (Box3D and Box2D), or double (this engine, f64); may be repeated (default: all)
   --threads N,...   numbers of threads (default: 1)
   --steps N         take N steps in every scene, not the scene's own number
   --rounds N        turns of each engine, each in a fresh world; the median counts (default: 3)
   --profile         the stages of this engine's step instead
   --queries         rays and shapes a second instead of steps
-  --write           also write the table to docs/benchmarks/latest.md
+  --growth          worlds that grow instead of scenes; --scene 3d or 2d chooses a dimension. All curves run with the
+                    first number of threads, but that over threads with all, or with 1 to all there are if one is given
+  --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)
+  --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
+  --write           also write the table and its chart to docs/benchmarks/latest.md, or to growth.md
   -h, --help        print this
 
 Box3D and Box2D take part when they are built in (they need cmake, libclang and a C compiler):
@@ -180,7 +226,8 @@ mod tests {
         let options = options("").unwrap();
         assert_eq!(options.engines, Kind::ALL);
         assert_eq!((options.threads, options.rounds, options.steps), (vec![1], 3, None));
-        assert!(!options.scenes.is_empty());
+        assert!(!options.scenes.is_empty() && !options.growth);
+        assert_eq!((options.curves, options.bodies_max), (Curve::ALL.to_vec(), BODIES_MAX));
     }
 
     #[test]
@@ -191,6 +238,15 @@ mod tests {
         assert_eq!(options.engines, [Kind::Rapier]);
         assert_eq!(options.steps, Some(7));
         assert_eq!(options.scenes.len(), 1);
+    }
+
+    #[test]
+    fn growth_is_understood() {
+        let options = options("--growth --curve static --engine double --bodies-max 300").unwrap();
+        assert!(options.growth);
+        assert_eq!(options.curves, [Curve::Static]);
+        assert_eq!(options.engines, [Kind::Double]);
+        assert_eq!(options.bodies_max, 300);
     }
 
     #[test]
@@ -205,6 +261,7 @@ mod tests {
         assert_eq!(error("--steps"), UsageError::MissingValue("--steps".into()));
         assert_eq!(error("--scene x"), UsageError::UnknownScene("x".into()));
         assert_eq!(error("--engine x"), UsageError::UnknownEngine("x".into()));
+        assert_eq!(error("--curve x"), UsageError::UnknownCurve("x".into()));
         assert_eq!(error("-x"), UsageError::UnknownOption("-x".into()));
     }
 }

@@ -35,6 +35,7 @@ pub fn engine_name(kind: Kind, dimension: &str) -> &'static str {
         Kind::Rapier => "Rapier 0.36.1",
         Kind::Box if dimension == "2d" => "Box2D",
         Kind::Box => "Box3D",
+        Kind::Double => "this engine, f64",
     }
 }
 

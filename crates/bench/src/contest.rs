@@ -1,10 +1,11 @@
 //! One scene, several engines, by turns.
 
 use crate::args::Options;
-use crate::catalog::Scene;
+use crate::catalog::{Scene, engine_name};
 use crate::clock::Clock;
-use crate::engine::{Kind, Stats, Template, Unsupported};
+use crate::engine::{Engine, Kind, Stats, Template, Unsupported};
 use crate::memory::live_bytes;
+use crate::units::{mean_of_steps, middle};
 use gallery::Progress;
 
 /// What became of one scene with one number of threads.
@@ -36,42 +37,68 @@ impl Score {
     ///
     /// A step does the same work in every round, so what disturbs one step of one round is ignored.
     pub fn median(&self) -> f64 {
-        self.mean_of_steps(|sorted| {
-            let middle = sorted.len() / 2;
-            if sorted.len() % 2 == 1 {
-                sorted[middle]
-            } else {
-                0.5 * (sorted[middle - 1] + sorted[middle])
-            }
-        })
+        mean_of_steps(&self.rounds, middle)
     }
 
     /// Mean over the steps (ms) of the fastest round: the least disturbed that this machine has to offer.
     pub fn best(&self) -> f64 {
-        self.mean_of_steps(|sorted| sorted[0])
+        mean_of_steps(&self.rounds, |sorted| sorted[0])
+    }
+
+    /// Adds another round.
+    fn add(&mut self, round: Score) {
+        self.rounds.extend(round.rounds);
+        self.setups.extend(round.setups);
+        self.stats = round.stats;
+        self.bytes = round.bytes;
+    }
+
+    /// Number of steps of a round, the first one too.
+    pub fn steps(&self) -> usize {
+        self.rounds[0].len() + 1
     }
 
     /// The fastest of all rounds to make the world and take the first step (ms).
     pub fn setup(&self) -> f64 {
         self.setups.iter().copied().fold(f64::INFINITY, f64::min)
     }
-
-    /// Mean over the steps of what `choose` makes of the step's sorted durations in all rounds.
-    fn mean_of_steps(&self, choose: impl Fn(&[f64]) -> f64) -> f64 {
-        let steps = self.rounds[0].len();
-        let chosen = (0..steps).map(|step| {
-            let mut durations: Vec<f64> = self.rounds.iter().map(|round| round[step]).collect();
-            durations.sort_by(f64::total_cmp);
-            choose(&durations)
-        });
-        chosen.sum::<f64>() / steps as f64
-    }
 }
 
 impl Contest {
     /// The score of this engine, if it took part.
     pub fn ours(&self) -> Option<&Score> {
-        self.results.iter().find(|(kind, _)| *kind == Kind::This)?.1.as_ref().ok()
+        self.score(Kind::This)
+    }
+
+    /// The score of an engine, if it took part.
+    pub fn score(&self, kind: Kind) -> Option<&Score> {
+        self.scores().find(|(other, _)| *other == kind).map(|(_, score)| score)
+    }
+
+    /// All scores, in the order in which the engines took turns.
+    pub fn scores(&self) -> impl Iterator<Item = (Kind, &Score)> {
+        self.results.iter().filter_map(|(kind, result)| Some((*kind, result.as_ref().ok()?)))
+    }
+
+    /// The peer with the smallest median, and that (ms).
+    pub fn fastest_peer(&self) -> Option<(Kind, f64)> {
+        let peers = self.scores().filter(|(kind, _)| kind.is_peer());
+        peers.map(|(kind, score)| (kind, score.median())).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// `2d` or `3d`.
+    pub fn dimension(&self) -> &str {
+        self.scene.split('/').next().unwrap_or_default()
+    }
+
+    /// The scene's name without the dimension.
+    pub fn name(&self) -> &str {
+        self.scene.split_once('/').map_or(&self.scene, |(_, name)| name)
+    }
+
+    /// What an engine is called here.
+    pub fn engine_name(&self, kind: Kind) -> &'static str {
+        engine_name(kind, self.dimension())
     }
 }
 
@@ -80,59 +107,88 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
     let template = (scene.build)();
     // The first step belongs to the making of the world.
     let steps = options.steps.unwrap_or(scene.steps).max(2);
+    let results = take_turns(&options.engines, options.rounds, |round, kind| {
+        let label = format!(
+            "{}, {threads} thread(s), round {} of {}, {}",
+            scene.title(),
+            round + 1,
+            options.rounds,
+            scene.engine_name(kind)
+        );
+        let mut progress = Progress::new(&label, label.len(), steps);
+        let (clock, look) = (Clock::start, |engine: &dyn Engine| engine.stats());
+        let turn = Turn { template: &*template, kind, threads, settle: 1, steps, clock, look };
+        let score = turn.play(&mut |done| progress.advance(done));
+        progress.clear();
+        score
+    });
+    let dynamic_bodies = template.dynamic_bodies();
+    Contest { scene: scene.title(), dynamic_bodies, threads, results }
+}
+
+/// One round of each engine, then the next round. `play` is told the round and the engine. Who cannot take part is asked once.
+pub fn take_turns(
+    engines: &[Kind],
+    rounds: usize,
+    mut play: impl FnMut(usize, Kind) -> Result<Score, Unsupported>,
+) -> Vec<(Kind, Result<Score, Unsupported>)> {
     let mut results: Vec<(Kind, Result<Score, Unsupported>)> = Vec::new();
-    for round in 0..options.rounds {
-        for (position, &kind) in options.engines.iter().enumerate() {
-            let label = format!(
-                "{}, {threads} thread(s), round {} of {}, {}",
-                scene.title(),
-                round + 1,
-                options.rounds,
-                scene.engine_name(kind)
-            );
+    for round in 0..rounds {
+        for (position, &kind) in engines.iter().enumerate() {
             match results.get_mut(position) {
-                None => results.push((kind, play(&*template, kind, threads, steps, &label))),
+                None => results.push((kind, play(round, kind))),
                 Some((_, Ok(so_far))) => {
-                    if let Ok(score) = play(&*template, kind, threads, steps, &label) {
-                        so_far.rounds.extend(score.rounds);
-                        so_far.setups.extend(score.setups);
-                        so_far.stats = score.stats;
-                        so_far.bytes = score.bytes;
+                    if let Ok(score) = play(round, kind) {
+                        so_far.add(score);
                     }
                 }
                 Some((_, Err(_))) => {}
             }
         }
     }
-    let dynamic_bodies = template.dynamic_bodies();
-    Contest { scene: scene.title(), dynamic_bodies, threads, results }
+    results
 }
 
-/// One round of one engine.
-fn play(
-    template: &dyn Template,
-    kind: Kind,
-    threads: usize,
-    steps: usize,
-    label: &str,
-) -> Result<Score, Unsupported> {
-    let mut progress = Progress::new(label, label.len(), steps);
-    let mut durations = Vec::with_capacity(steps);
-    let bytes_before = live_bytes();
-    let clock = Clock::start(threads);
-    let mut engine = template.start(kind, threads)?;
-    engine.step();
-    let setup = clock.milliseconds();
-    for done in 2..=steps {
-        let clock = Clock::start(threads);
-        engine.step();
-        durations.push(clock.milliseconds());
-        progress.advance(done);
+/// What an engine is to do, in a fresh world.
+pub struct Turn<'t> {
+    /// The world.
+    pub template: &'t dyn Template,
+    /// The engine.
+    pub kind: Kind,
+    /// Number of threads.
+    pub threads: usize,
+    /// So many of the first steps belong to the making of the world.
+    pub settle: usize,
+    /// Number of steps, those first ones too.
+    pub steps: usize,
+    /// Starts the clock for this number of threads.
+    pub clock: fn(usize) -> Clock,
+    /// Looks at the world in the end.
+    pub look: fn(&dyn Engine) -> Stats,
+}
+
+impl Turn<'_> {
+    /// Takes the turn: a score of one round.
+    pub fn play(&self, after_step: &mut dyn FnMut(usize)) -> Result<Score, Unsupported> {
+        let mut durations = Vec::with_capacity(self.steps - self.settle);
+        let bytes_before = live_bytes();
+        let clock = (self.clock)(self.threads);
+        let mut engine = self.template.start(self.kind, self.threads)?;
+        for done in 1..=self.settle {
+            engine.step();
+            after_step(done);
+        }
+        let setup = clock.milliseconds();
+        for done in self.settle + 1..=self.steps {
+            let clock = (self.clock)(self.threads);
+            engine.step();
+            durations.push(clock.milliseconds());
+            after_step(done);
+        }
+        let bytes = live_bytes().saturating_sub(bytes_before) + engine.foreign_bytes();
+        let (rounds, setups) = (vec![durations], vec![setup]);
+        Ok(Score { rounds, setups, stats: (self.look)(&*engine), bytes })
     }
-    progress.clear();
-    let bytes = live_bytes().saturating_sub(bytes_before) + engine.foreign_bytes();
-    let (rounds, setups) = (vec![durations], vec![setup]);
-    Ok(Score { rounds, setups, stats: engine.stats(), bytes })
 }
 
 #[cfg(test)]
@@ -150,6 +206,19 @@ mod tests {
         assert_eq!(score.median(), (3.5 + 7.0) / 2.0);
         assert_eq!(score.best(), (3.0 + 5.0) / 2.0);
         assert_eq!(score.setup(), 1.0);
+    }
+
+    #[test]
+    fn who_cannot_take_part_is_asked_once() {
+        let mut asked = Vec::new();
+        let results = take_turns(&[Kind::This, Kind::Box], 3, |round, kind| {
+            asked.push((round, kind));
+            let absent = Err(Unsupported::because("absent"));
+            if kind == Kind::This { Ok(score(&[&[round as f64]])) } else { absent }
+        });
+        let rounds = results[0].1.as_ref().map(|score| score.rounds.len());
+        assert_eq!((rounds, results[1].1.is_err()), (Ok(3), true));
+        assert_eq!(asked.len(), 4);
     }
 
     #[test]

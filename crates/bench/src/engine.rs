@@ -9,11 +9,13 @@ pub enum Kind {
     Rapier,
     /// Box3D in 3D, Box2D in 2D.
     Box,
+    /// This engine in double precision.
+    Double,
 }
 
 impl Kind {
     /// All, in the order in which they take turns.
-    pub const ALL: [Kind; 3] = [Kind::This, Kind::Rapier, Kind::Box];
+    pub const ALL: [Kind; 4] = [Kind::This, Kind::Rapier, Kind::Box, Kind::Double];
 
     /// What the command line calls it.
     pub fn name(self) -> &'static str {
@@ -21,7 +23,13 @@ impl Kind {
             Kind::This => "this",
             Kind::Rapier => "rapier",
             Kind::Box => "box",
+            Kind::Double => "double",
         }
+    }
+
+    /// Is it another engine than this one?
+    pub fn is_peer(self) -> bool {
+        matches!(self, Kind::Rapier | Kind::Box)
     }
 }
 
@@ -65,7 +73,10 @@ pub trait Engine {
     /// Advances by 1/60 s.
     fn step(&mut self);
 
-    /// Looks at the world as it is now. Not part of the time measured.
+    /// Counts what it simulates, by its own account. Not part of the time measured.
+    fn counts(&self) -> Counts;
+
+    /// Counts, and measures how good the world is as it is now. Not part of the time measured.
     fn stats(&self) -> Stats;
 
     /// Sends rays, or balls of a radius, as far as they go, and counts those that hit something; `None` if it
@@ -81,13 +92,26 @@ pub trait Engine {
     }
 }
 
-/// What a world is like at one moment.
+/// How much an engine simulates, by its own account.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
-pub struct Stats {
-    /// Pairs of colliders that touch or are about to, by the engine's own account.
+pub struct Counts {
+    /// Bodies of all kinds.
+    pub bodies: usize,
+    /// Dynamic bodies that are awake.
+    pub awake: usize,
+    /// Substeps of a step.
+    pub substeps: usize,
+    /// Pairs of colliders that touch or are about to.
     pub pairs: usize,
     /// The contact points of these pairs.
     pub points: usize,
+}
+
+/// What a world is like at one moment.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// What is simulated.
+    pub counts: Counts,
     /// How deep the worst of all pairs overlaps (length units), measured from shapes and poses in the
     /// same way for all engines.
     pub overlap: f64,

@@ -5,8 +5,11 @@
 //! with other things; what disturbs one engine is then likely to disturb the next, so that the ratio
 //! means more than the milliseconds. With one thread only time on the processor counts.
 //!
-//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps, no continuous collision
-//! detection, contact stiffness and recycling as each engine's own
+//! This engine in double precision takes part as one more engine; it is no peer. Where nothing is asked but
+//! how costs grow (`--growth`), worlds are made of one thing again and again.
+//!
+//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps (but where sleeping
+//! bodies are what grows), no continuous collision detection, contact stiffness and recycling as each engine's own
 //! defaults have them, the same compiler profile. Every step counts, the first one too.
 //!
 //! All engines are linked into one program. This engine and Rapier share the geometry crate, and
@@ -20,15 +23,20 @@
 
 mod args;
 mod catalog;
+mod chart;
 mod clock;
 mod contest;
 mod engine;
+mod equal;
 mod flat;
+mod growth;
+mod means;
 mod memory;
 mod profile;
 mod queries;
 mod report;
 mod solid;
+mod units;
 
 use args::{Options, Request};
 use std::io::Write;
@@ -47,6 +55,7 @@ fn main() -> ExitCode {
         Ok(Request::Help) => args::print_help(&scenes),
         Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
         Ok(Request::Run(options)) if options.queries => queries::run(&scenes, &options),
+        Ok(Request::Run(options)) if options.growth => growth::run(&scenes, &options),
         Ok(Request::Run(options)) => run(&scenes, &options),
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "bench: {error}");

@@ -1,12 +1,13 @@
 //! The table of results, for the terminal and for the documentation.
 
 use crate::args::Options;
-use crate::catalog::engine_name;
 use crate::contest::{Contest, Score};
 use crate::engine::Kind;
+use crate::units::counted;
+use crate::{chart, equal, means};
 use gallery::{Table, grouped};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 const HEADINGS: [&str; 14] = [
     "scene",
@@ -25,8 +26,12 @@ const HEADINGS: [&str; 14] = [
     "bytes/body",
 ];
 
-/// Where `--write` leaves the page, seen from the root of the repository.
-const PAGE: &str = "docs/benchmarks/latest.md";
+/// Where `--write` leaves pages and charts, seen from the root of the repository.
+const FOLDER: &str = "docs/benchmarks";
+/// The page.
+const PAGE: &str = "latest.md";
+/// The chart in it.
+const CHART: &str = "latest.svg";
 
 /// What the columns mean, and the rules.
 const LEGEND: &str = "\
@@ -40,7 +45,7 @@ apart: largest distance between the two anchors of any joint at the end, measure
 kinetic: energy of all dynamic bodies at the end.
 bytes/body: memory of the world at the end per dynamic body, contacts and all.";
 
-/// Prints the table.
+/// Prints the table, and what it comes to.
 pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
     let mut table = Table::new(&HEADINGS);
     rows(contests).into_iter().for_each(|row| table.push(row));
@@ -48,49 +53,83 @@ pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
     for line in absences(contests) {
         writeln!(out, "{line}")?;
     }
-    writeln!(out, "\n{LEGEND}")
+    writeln!(out, "\n{LEGEND}\n")?;
+    for line in means::lines(contests).into_iter().chain(equal::notes(contests)) {
+        writeln!(out, "{line}")?;
+    }
+    Ok(())
 }
 
-/// Writes the table as a page of the documentation.
+/// Writes the table as a page of the documentation, with a chart.
 pub fn write(contests: &[Contest], options: &Options) -> io::Result<()> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let path = root.join(PAGE);
-    std::fs::create_dir_all(path.parent().unwrap_or(&root))?;
-    std::fs::write(&path, page(contests, options))
+    let folder = folder()?;
+    let has_chart = chart::ratios(&folder.join(CHART), contests)?;
+    std::fs::write(folder.join(PAGE), page(contests, options, has_chart))
+}
+
+/// The folder of pages and charts, made if it is not there.
+pub fn folder() -> io::Result<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(FOLDER);
+    std::fs::create_dir_all(&folder)?;
+    Ok(folder)
 }
 
 /// The page, in Markdown.
-fn page(contests: &[Contest], options: &Options) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
     let mut page = format!(
         "# Beside its peers\n\n\
-         Made by `cargo run --release -p bench --features box3d,box2d -- --write`, engines by turns in one\n\
-         process, {} rounds. Machine: {}.\n\
+         {}, {}.\n\
+         Machine: {}.\n\
          All: steps of 1/60 s, 4 substeps, no sleeping, no continuous collision detection.\n\n",
-        options.rounds,
+        written_by(),
+        counted(options.rounds, "round"),
         machine()
     );
-    page += &line(&HEADINGS.map(str::to_owned));
-    page += &line(&HEADINGS.map(|heading| {
-        let text = ["scene", "engine"].contains(&heading);
-        if text { "---" } else { "--:" }.to_owned()
-    }));
-    page.extend(rows(contests).iter().map(|row| line(row)));
+    let points = |lines: Vec<String>| lines.into_iter().map(|line| format!("* {line}.\n"));
+    page.extend(points(means::lines(contests)));
+    if has_chart {
+        page += &format!(
+            "\n![The fastest peer's time divided by this engine's, for each scene]({CHART})\n"
+        );
+    }
+    page += "\n## Figures\n\n";
+    page += &markdown(&HEADINGS, &["scene", "engine"], &rows(contests));
     page.push('\n');
-    page.extend(absences(contests).iter().map(|absence| format!("* {absence}\n")));
+    page.extend(points(absences(contests)));
     page.push_str("\n```text\n");
     page.push_str(LEGEND);
-    page.push_str("\n```\n");
+    page.push_str("\n```\n\n## Equal work\n\n");
+    page.extend(equal::notes(contests).into_iter().map(|note| format!("* {note}\n")));
     page
+}
+
+/// Says what made a page.
+pub fn written_by() -> String {
+    let features = [("box3d", cfg!(feature = "box3d")), ("box2d", cfg!(feature = "box2d"))];
+    let features: Vec<&str> =
+        features.iter().filter(|(_, on)| *on).map(|(name, _)| *name).collect();
+    let features = match features.as_slice() {
+        [] => String::new(),
+        names => format!(" --features {}", names.join(",")),
+    };
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let command = format!("cargo run --release -p bench{features} -- {}", words.join(" "));
+    format!("Written by\n\n    {command}\n\nEngines by turns in one process")
+}
+
+/// A table in Markdown. Columns are figures but for those with these headings.
+pub fn markdown(headings: &[&str], texts: &[&str], rows: &[Vec<String>]) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let mut table = line(&headings.iter().map(|&heading| heading.to_owned()).collect::<Vec<_>>());
+    let rule = |heading: &&str| if texts.contains(heading) { "---" } else { "--:" }.to_owned();
+    table += &line(&headings.iter().map(rule).collect::<Vec<_>>());
+    table.extend(rows.iter().map(|row| line(row)));
+    table
 }
 
 fn rows(contests: &[Contest]) -> Vec<Vec<String>> {
     let rows_of = |contest: &Contest| {
-        let scores = contest
-            .results
-            .iter()
-            .filter_map(|(kind, result)| Some((*kind, result.as_ref().ok()?)));
-        scores.map(|(kind, score)| row(contest, kind, score)).collect::<Vec<_>>()
+        contest.scores().map(|(kind, score)| row(contest, kind, score)).collect::<Vec<_>>()
     };
     contests.iter().flat_map(rows_of).collect()
 }
@@ -104,14 +143,14 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
     vec![
         contest.scene.clone(),
         contest.threads.to_string(),
-        name(contest, kind).to_owned(),
+        contest.engine_name(kind).to_owned(),
         format!("{:.3}", score.median()),
         ratio(Score::median),
         format!("{:.3}", score.best()),
         ratio(Score::best),
         format!("{:.1}", score.setup()),
-        grouped(stats.pairs),
-        grouped(stats.points),
+        grouped(stats.counts.pairs),
+        grouped(stats.counts.points),
         format!("{:.4}", stats.overlap),
         stats.separation.map_or_else(String::new, |gap| format!("{gap:.4}")),
         format!("{:.3}", stats.kinetic_energy),
@@ -125,8 +164,12 @@ fn absences(contests: &[Contest]) -> Vec<String> {
     for contest in contests {
         for (kind, result) in &contest.results {
             if let Err(reason) = result {
-                let line =
-                    format!("{}: without {}: {}", contest.scene, name(contest, *kind), reason.0);
+                let line = format!(
+                    "{}: without {}: {}",
+                    contest.scene,
+                    contest.engine_name(*kind),
+                    reason.0
+                );
                 if !lines.contains(&line) {
                     lines.push(line);
                 }
@@ -136,12 +179,8 @@ fn absences(contests: &[Contest]) -> Vec<String> {
     lines
 }
 
-fn name(contest: &Contest, kind: Kind) -> &'static str {
-    engine_name(kind, contest.scene.split('/').next().unwrap_or_default())
-}
-
 /// The processor, as far as the system tells.
-fn machine() -> String {
+pub fn machine() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
     let model = model.map_or("unknown processor", |(_, model)| model);

@@ -1,12 +1,15 @@
 //! A scene as this engine has built it, to be run here or transcribed elsewhere.
 
+use super::double::Double;
 use super::examples;
 use super::ours::prelude::*;
 use super::rapier::Rapier;
 use super::this::This;
+use super::worlds;
 use super::{BOX_FEATURE, start_box, three};
 use crate::catalog::Scene;
 use crate::engine::{Engine, Kind, Unsupported};
+use crate::growth::World;
 use std::collections::HashMap;
 
 /// Length of a step for all engines (s).
@@ -17,7 +20,9 @@ pub const SUBSTEPS: usize = 4;
 /// A scene, built but not yet run.
 pub struct Template {
     /// Builds it.
-    build: fn() -> examples::Scene,
+    build: Box<dyn Fn() -> PhysicsWorld>,
+    /// May the bodies sleep that the scene lets sleep? If not, none may.
+    pub may_sleep: bool,
     /// What was built.
     pub world: PhysicsWorld,
     /// Its bodies, in the order in which other engines get them.
@@ -27,9 +32,9 @@ pub struct Template {
 }
 
 impl Template {
-    /// Builds the scene.
-    pub fn new(build: fn() -> examples::Scene) -> Self {
-        let world = build().world;
+    /// Builds a scene.
+    fn new(may_sleep: bool, build: impl Fn() -> PhysicsWorld + 'static) -> Self {
+        let world = build();
         let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
         let positions: HashMap<_, _> = bodies.iter().copied().zip(0..).collect();
         let joints = world.impulse_joints();
@@ -37,19 +42,31 @@ impl Template {
             ([joint.body1(), joint.body2()].map(|body| positions[&body]), joint.data)
         });
         let joints = joints.collect();
-        Self { build, world, bodies, joints }
+        Self { build: Box::new(build), may_sleep, world, bodies, joints }
+    }
+
+    /// Builds a world that grows.
+    pub fn grown(world: World) -> Self {
+        Self::new(matches!(world, World::Sleeping { .. }), move || worlds::build(world))
     }
 
     /// The scene once more, with the rules that hold for all engines.
     pub fn fresh_world(&self) -> PhysicsWorld {
-        let mut world = (self.build)().world;
+        let mut world = (self.build)();
         world.integration_parameters.dt = DT;
         world.integration_parameters.num_solver_iterations = SUBSTEPS;
         world.integration_parameters.max_ccd_substeps = 0;
         for (_, body) in world.bodies.iter_mut() {
-            *body.activation_mut() = RigidBodyActivation::cannot_sleep();
+            if !self.lets_sleep(body) {
+                *body.activation_mut() = RigidBodyActivation::cannot_sleep();
+            }
         }
         world
+    }
+
+    /// May this body of the template fall asleep?
+    pub fn lets_sleep(&self, body: &RigidBody) -> bool {
+        self.may_sleep && body.activation().normalized_linear_threshold >= 0.0
     }
 
     /// Each body with its colliders, in order.
@@ -77,7 +94,7 @@ pub fn catalog(dimension: &'static str, names: &[(&str, bool)]) -> Vec<Scene> {
             dimension,
             steps: info.steps,
             by_default,
-            build: Box::new(|| Box::new(Template::new(info.build))),
+            build: Box::new(|| Box::new(Template::new(false, || (info.build)().world))),
         })
         .collect()
 }
@@ -101,7 +118,8 @@ impl crate::engine::Template for Template {
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
         match kind {
             Kind::This => Ok(Box::new(This::new(self))),
-            Kind::Rapier => Ok(Box::new(Rapier::new(self))),
+            Kind::Rapier => Ok(Box::new(Rapier::new(self)?)),
+            Kind::Double => Ok(Box::new(Double::new(self)?)),
             Kind::Box => start_box(self, threads).unwrap_or_else(|| {
                 Err(Unsupported::because(format!("built without the feature {BOX_FEATURE}")))
             }),

@@ -2,11 +2,13 @@
 
 #[path = "common.rs"]
 mod common;
+#[path = "contacts.rs"]
+mod contacts;
 
 use super::ours as engine;
+use super::same as numbers;
 use super::template::Template;
-use crate::engine::{Engine, Probes, Stats};
-use common::{count_hits, note_bodies};
+use crate::engine::{Counts, Engine, Probes, Stats};
 use engine::prelude::*;
 
 /// A world in this engine.
@@ -28,20 +30,16 @@ impl Engine for This<'_> {
     }
 
     fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
-        Some(count_hits(&self.world, probes, radius))
+        Some(common::count_hits(&self.world, probes, radius))
+    }
+
+    fn counts(&self) -> Counts {
+        let mut counts = common::count_bodies(&self.world);
+        contacts::count_contacts(&self.world, &mut counts);
+        counts
     }
 
     fn stats(&self) -> Stats {
-        let mut stats = Stats::default();
-        let pairs = self.world.contact_pairs().map(|(_, _, pair)| pair);
-        for pair in pairs.filter(|pair| pair.has_any_active_contact) {
-            stats.pairs += 1;
-            stats.points +=
-                pair.manifolds.iter().map(|m| m.data.num_active_contacts()).sum::<usize>();
-        }
-        let bodies: Vec<&RigidBody> =
-            self.template.bodies.iter().map(|&handle| &self.world.bodies[handle]).collect();
-        note_bodies(self.template, &bodies, &mut stats);
-        stats
+        common::measure(self.template, &self.world, &self.template.bodies, self.counts())
     }
 }

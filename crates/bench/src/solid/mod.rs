@@ -2,23 +2,34 @@
 
 use examples3d as examples;
 use rapier3d as ours;
+use rapier3d_f64 as double_engine;
 use rapier3d_peer as peer;
 
 #[cfg(feature = "box3d")]
 mod box3d;
+mod dim;
+#[path = "../both/double.rs"]
+mod double;
 #[path = "../both/overlap.rs"]
 mod overlap;
 #[path = "../both/rapier.rs"]
 mod rapier;
+#[path = "../both/same.rs"]
+mod same;
 #[path = "../both/separation.rs"]
 mod separation;
 #[path = "../both/template.rs"]
 mod template;
 #[path = "../both/this.rs"]
 mod this;
+#[path = "../both/wide.rs"]
+mod wide;
+#[path = "../both/worlds.rs"]
+mod worlds;
 
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
+use crate::growth::World;
 use ours::math::Vector;
 use template::Template;
 
@@ -80,6 +91,11 @@ const SCENES: [(&str, bool); 23] = [
 /// The scenes in 3D.
 pub fn scenes() -> Vec<Scene> {
     template::catalog("3d", &SCENES)
+}
+
+/// A world that grows, in 3D.
+pub fn grown(world: World) -> Box<dyn crate::engine::Template> {
+    Box::new(Template::grown(world))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use super::overlap::deepest_overlap;
 use super::separation::largest_separation;
 use super::template::{DT, SUBSTEPS, Template};
 use super::vector_of;
-use crate::engine::{Engine, Probes, Stats, Unsupported};
+use crate::engine::{Counts, Engine, Probes, Stats, Unsupported};
 use box3d_sys::*;
 
 /// Box3D's own limit.
@@ -58,7 +58,7 @@ impl<'t> Box3d<'t> {
         let mut meshes = Vec::new();
         let mut bodies = Vec::with_capacity(template.bodies.len());
         for (body, colliders) in template.parts() {
-            let id = create_body(&world, body)?;
+            let id = create_body(&world, body, template.lets_sleep(body))?;
             for collider in colliders {
                 let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
                 create_shape(id, collider, &local, &mut meshes)?;
@@ -88,13 +88,29 @@ impl Engine for Box3d<'_> {
         unsafe { b3World_Step(self.world.0, DT, SUBSTEPS as i32) };
     }
 
-    fn stats(&self) -> Stats {
-        let mut stats = Stats::default();
-        let mut poses = Vec::with_capacity(self.bodies.len());
+    fn counts(&self) -> Counts {
+        // SAFETY: the world is live.
+        let all = unsafe { b3World_GetCounters(self.world.0) }.bodyCount;
+        // One of them is the ground that this file has added.
+        let bodies = usize::try_from(all - 1).unwrap_or(0);
+        let mut counts = Counts { bodies, substeps: SUBSTEPS, ..Counts::default() };
         for &body in &self.bodies {
             let (pairs, points) = count_contacts(body);
-            stats.pairs += pairs;
-            stats.points += points;
+            counts.pairs += pairs;
+            counts.points += points;
+            // SAFETY: the body is live as long as the world is.
+            let awake = unsafe {
+                b3Body_GetType(body) == b3BodyType_b3_dynamicBody && b3Body_IsAwake(body)
+            };
+            counts.awake += usize::from(awake);
+        }
+        counts
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats { counts: self.counts(), ..Stats::default() };
+        let mut poses = Vec::with_capacity(self.bodies.len());
+        for &body in &self.bodies {
             stats.kinetic_energy += kinetic_energy(body);
             // SAFETY: the body is live as long as the world is.
             let (p, q) = unsafe { (b3Body_GetPosition(body), b3Body_GetRotation(body)) };
@@ -134,7 +150,7 @@ fn create_world(template: &Template, threads: usize) -> World {
     unsafe {
         let mut definition = b3DefaultWorldDef();
         definition.gravity = vector(template.world.gravity);
-        definition.enableSleep = false;
+        definition.enableSleep = template.may_sleep;
         definition.enableContinuous = false;
         definition.frictionCallback = Some(average);
         definition.restitutionCallback = Some(average);
@@ -148,7 +164,7 @@ extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f
     0.5 * (coefficient1 + coefficient2)
 }
 
-fn create_body(world: &World, body: &RigidBody) -> Result<b3BodyId, Unsupported> {
+fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b3BodyId, Unsupported> {
     if body.dominance_group() != 0 {
         return Err(Unsupported::because("no dominance"));
     }
@@ -169,7 +185,7 @@ fn create_body(world: &World, body: &RigidBody) -> Result<b3BodyId, Unsupported>
         definition.linearDamping = body.linear_damping();
         definition.angularDamping = body.angular_damping();
         definition.gravityScale = body.gravity_scale();
-        definition.enableSleep = false;
+        definition.enableSleep = may_sleep;
         definition.isEnabled = body.is_enabled();
         definition.motionLocks = b3MotionLocks {
             linearX: axes.contains(LockedAxes::TRANSLATION_LOCKED_X),

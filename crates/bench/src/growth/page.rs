@@ -1,0 +1,119 @@
+//! The curves as tables, for the terminal and for the documentation, and as charts.
+
+use super::curve::Setting;
+use super::{Curve, Growth};
+use crate::args::Options;
+use crate::catalog::engine_name;
+use crate::chart::{self, Panel};
+use crate::contest::Score;
+use crate::engine::Kind;
+use crate::report::{folder, machine, markdown, written_by};
+use crate::units::counted;
+use gallery::{Table, grouped};
+use std::io::{self, Write};
+
+/// The page.
+const PAGE: &str = "growth.md";
+
+const HEADINGS: [&str; 8] =
+    ["engine", "bodies", "threads", "awake", "pairs", "points", "ms/step", "bytes/body"];
+
+/// What the columns mean.
+const LEGEND: &str = "\
+bodies: those that the curve is about. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their contact
+points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall asleep, of the step's median over the rounds; with one
+thread it is time on the processor, with more it is time on the wall. bytes/body: memory of the world at the end divided by all its bodies,
+contacts, floors and all.";
+
+/// Prints a curve as a table.
+pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {
+    writeln!(out, "{}\n{}\n", title(growth), growth.curve.says())?;
+    let mut table = Table::new(&HEADINGS);
+    rows(growth).into_iter().for_each(|row| table.push(row));
+    table.print(out)?;
+    for remark in growth.remarks() {
+        writeln!(out, "{remark}")?;
+    }
+    writeln!(out)
+}
+
+/// `Fixed bodies, 3D`
+fn title(growth: &Growth) -> String {
+    format!("{}, {}", growth.curve.heading(), growth.dimension.to_uppercase())
+}
+
+fn rows(growth: &Growth) -> Vec<Vec<String>> {
+    let row = |(setting, kind, score): (&Setting, Kind, &Score)| {
+        let counts = &score.stats.counts;
+        vec![
+            engine_name(kind, growth.dimension).to_owned(),
+            grouped(setting.world.bodies()),
+            setting.threads.to_string(),
+            grouped(counts.awake),
+            grouped(counts.pairs),
+            grouped(counts.points),
+            format!("{:.3}", score.median()),
+            grouped(bytes_per_body(score) as usize),
+        ]
+    };
+    growth.scores().map(row).collect()
+}
+
+/// Writes the page and its charts.
+pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
+    let folder = folder()?;
+    let mut page = format!(
+        "# How costs grow\n\n\
+         {}, {} (one with a million bodies).\n\
+         Machine: {}. Steps of 1/60 s, 4 substeps, no continuous collision detection, no sleeping unless it is said.\n\n\
+         ```text\n{LEGEND}\n```\n",
+        written_by(),
+        counted(options.rounds, "round"),
+        machine()
+    );
+    let mut last = None;
+    for growth in growths {
+        if last.replace(growth.curve) != Some(growth.curve) {
+            page += &format!("\n## {}\n\n{}\n", growth.curve.heading(), growth.curve.says());
+        }
+        let picture = format!("growth-{}-{}.svg", growth.curve.name(), growth.dimension);
+        chart::panels(&folder.join(&picture), &title(growth), &panels(growth))?;
+        page += &format!("\n![{}]({picture})\n\n", title(growth));
+        page += &markdown(&HEADINGS, &["engine"], &rows(growth));
+        let remarks = growth.remarks();
+        page.extend(remarks.iter().map(|remark| format!("\n* {remark}\n")));
+    }
+    std::fs::write(folder.join(PAGE), page)
+}
+
+/// Bytes for each body, whether it moves or not.
+fn bytes_per_body(score: &Score) -> f64 {
+    score.bytes as f64 / score.stats.counts.bodies.max(1) as f64
+}
+
+/// Time and memory.
+fn panels(growth: &Growth) -> [Panel; 2] {
+    let panel = |heading, value: fn(&Score) -> f64| {
+        let curves = Kind::ALL.into_iter().enumerate();
+        let curves = curves.filter_map(|(place, kind)| {
+            let points = points(growth, kind, value);
+            let name = engine_name(kind, growth.dimension);
+            (!points.is_empty()).then_some(chart::Curve { name, place, points })
+        });
+        Panel { heading, below: growth.curve.below(), curves: curves.collect() }
+    };
+    [panel("ms per step", Score::median), panel("bytes per body", bytes_per_body)]
+}
+
+/// A curve of one engine. What cannot stand on a logarithmic axis is left out.
+fn points(growth: &Growth, kind: Kind, value: fn(&Score) -> f64) -> Vec<(f64, f64)> {
+    let scores = growth.scores().filter(|(_, other, _)| *other == kind);
+    let points = scores.map(|(setting, _, score)| {
+        let x = match growth.curve {
+            Curve::Contacts => score.stats.counts.points,
+            _ => setting.grows.unwrap_or_default(),
+        };
+        (x as f64, value(score))
+    });
+    points.filter(|&(x, y)| x > 0.0 && y > 0.0).collect()
+}
