@@ -1,6 +1,6 @@
 //! Steps in which nothing new happens ask for no memory.
 
-use crate::dim::{self, cuboid, hinge, vec};
+use crate::dim::{self, cuboid, vec};
 use allocation_counter::measure;
 use rapier::prelude::*;
 
@@ -45,24 +45,6 @@ fn pyramid(can_sleep: bool) -> PhysicsWorld {
 #[test]
 fn a_pile_asks_for_no_memory() {
     assert_eq!(allocations(pyramid(false)), 0);
-}
-
-/// Chains that swing, fast enough that their paths are searched.
-#[test]
-fn chains_of_joints_ask_for_no_memory() {
-    let mut world = world_with_floor();
-    for chain in 0..4_u8 {
-        let x = 12.0 * Real::from(chain);
-        let mut parent = world.insert_body(RigidBodyBuilder::fixed().translation(vec(x, 9.0)));
-        for link in 1..=10_u8 {
-            let at = vec(x + 0.5 * Real::from(link), 9.0);
-            let (body, _) = world.insert(body(at), ColliderBuilder::ball(0.2));
-            let joint = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
-            world.impulse_joints.insert(parent, body, joint, true);
-            parent = body;
-        }
-    }
-    assert_eq!(allocations(world), 0);
 }
 
 /// Boxes and balls at rest on a floor of many pieces.

@@ -53,7 +53,7 @@ pub(crate) struct StepParts<'a> {
     pub counters: &'a mut Counters,
 }
 
-/// Buffers that are reused from step to step. They hold nothing that the next step needs to know.
+/// Buffers that are reused from step to step, and how steps are to run. They hold nothing that the next step needs to know of the world.
 #[derive(Default)]
 pub(crate) struct StepScratch {
     notes: StepNotes,

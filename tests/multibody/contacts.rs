@@ -49,39 +49,71 @@ fn a_chain_on_the_ground_lies_still_and_sleeps() {
     }
 }
 
+/// A chain of capsules that hangs by its end, stretched out along x: they touch with their round ends, where they are hinged, with limits.
+/// Every third has so many times the mass of the others. The post is a capsule, too, if it `is_solid`.
+fn capsules(
+    world: &mut PhysicsWorld,
+    count: usize,
+    limit: Real,
+    mass: Real,
+    is_solid: bool,
+) -> Chain {
+    let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
+    let mut parent = world.insert_body(RigidBodyBuilder::fixed());
+    if is_solid {
+        world.insert_collider(ColliderBuilder::capsule_x(0.15, 0.1), Some(parent));
+    }
+    for k in 0..count {
+        let at = vec(0.5 * (k + 1) as Real, 0.0);
+        let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
+        let density = if k % 3 == 0 { mass } else { 1.0 };
+        let capsule = ColliderBuilder::capsule_x(0.15, 0.1).density(density);
+        let (body, _) = world.insert(body, capsule);
+        let joint = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
+        let joint =
+            world.multibody_joints.insert(parent, body, joint.limits([-limit, limit]), true);
+        chain.joints.push(joint.expect("it fits"));
+        chain.bodies.push(body);
+        parent = body;
+    }
+    chain
+}
+
 /// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no more energy for it. (The levers
 /// of such contacts are next to nothing.)
 #[test]
 fn links_that_touch_at_their_joints_gain_nothing() {
-    for (count, limit) in [(5, 0.5), (20, 0.5), (20, 0.2), (20, 2.0)] {
-        let mut world = world(60);
-        let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
-        let mut parent = world.insert_body(RigidBodyBuilder::fixed());
-        for k in 0..count {
-            let at = vec(0.5 * (k + 1) as Real, 0.0);
-            let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
-            let (body, _) = world.insert(body, ColliderBuilder::capsule_x(0.15, 0.1));
-            let joint = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
-            let joint = joint.limits([-limit, limit]);
-            let joint = world.multibody_joints.insert(parent, body, joint, true);
-            chain.joints.push(joint.expect("it fits"));
-            chain.bodies.push(body);
-            parent = body;
-        }
-        let start = energy(&world, &chain.bodies);
-        let (mass, length) = (world.bodies[parent].mass() * count as Real, 0.5 * count as Real);
-        for step in 0..600 {
-            world.step();
-            let gained = energy(&world, &chain.bodies) - start;
-            // A hundredth of what it falls through: to hold overlap apart takes some work.
-            let most = 0.01 * mass * G * length;
-            assert!(
-                gained < most,
-                "{count} links gained {gained} J by step {step}, at {limit} rad"
-            );
-            assert!(world.bodies[parent].is_enabled(), "the last link is disabled");
+    for is_solid in [false, true] {
+        for (count, limit, mass) in
+            [(5, 0.5, 1.0), (20, 0.5, 1.0), (20, 0.2, 1.0), (20, 2.0, 1.0), (12, 0.5, 30.0)]
+        {
+            let mut world = world(60);
+            let chain = capsules(&mut world, count, limit, mass, is_solid);
+            let start = energy(&world, &chain.bodies);
+            let all: Real = chain.bodies.iter().map(|&body| world.bodies[body].mass()).sum();
+            for step in 0..600 {
+                world.step();
+                let gained = energy(&world, &chain.bodies) - start;
+                // A hundredth of what it falls through: to hold overlap apart takes some work.
+                let most = 0.01 * all * G * 0.5 * count as Real;
+                let case = format!("{count} links, {limit} rad, {mass}, {is_solid}");
+                assert!(gained < most, "{case}: {gained} J gained by step {step}");
+                let last = &world.bodies[chain.bodies[count - 1]];
+                assert!(last.is_enabled(), "{case}: the last link is disabled");
+            }
         }
     }
+}
+
+/// Those of an arm that is closed as far as they let it are held apart all the same: within its limits the ends of two capsules overlap by
+/// `2 r (1 - cos(α/2))`, which is what the contact is there to prevent.
+#[test]
+fn links_that_touch_at_their_joints_are_held_apart() {
+    let mut world = world(60);
+    let chain = capsules(&mut world, 4, 2.0, 1.0, false);
+    run(&mut world, 10.0);
+    assert!(penetration(&world) < 0.01, "{} deep", penetration(&world));
+    drop(chain);
 }
 
 /// The ground carries the weight of all links: the contacts' impulses of a step are `m g dt`.

@@ -33,6 +33,11 @@ pages! {
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",
-    threads: "../../../docs/guide/threads.md",
     seeing: "../../../docs/guide/seeing.md",
+}
+
+// What it shows is there with the feature alone.
+#[cfg(feature = "parallel")]
+pages! {
+    threads: "../../../docs/guide/threads.md",
 }

@@ -30,7 +30,7 @@ use std::panic::{catch_unwind, resume_unwind};
 use std::sync::{Mutex, PoisonError};
 
 /// No more threads than this work on one step: as many as a word has bits.
-const MAX_THREADS: usize = 64;
+pub const MAX_THREADS: usize = 64;
 /// How often a thread that waits looks again before it lets others run, and how often before it leaves: some
 /// hundred microseconds in all, more than any serial stretch of a step with thousands of bodies.
 const SPINS: u32 = 256;

@@ -168,6 +168,7 @@ mod tests {
     #[cfg(feature = "parallel")]
     mod pools {
         use super::*;
+        use crate::base::tasks::Threads;
         use std::panic::{AssertUnwindSafe, catch_unwind, panic_any};
         use std::sync::Arc;
         use std::sync::atomic::{AtomicUsize, Ordering};
@@ -190,6 +191,19 @@ mod tests {
                     });
                 });
             }
+        }
+
+        #[test]
+        fn threads_of_a_pipeline_help() {
+            for count in [1, 2, 5] {
+                Threads::new(count).unwrap().open(|tasks| {
+                    check_cover(tasks);
+                    assert_eq!(ranges(tasks, 1000, 1).len() > 1, count > 1);
+                });
+            }
+            let pool = Arc::new(pool(2));
+            Threads::of_pool(Arc::clone(&pool)).open(check_cover);
+            pool.install(|| Threads::of_pool(Arc::clone(&pool)).open(check_cover));
         }
 
         /// Serial stretches between loops, longer than helpers wait and shorter.

@@ -2,12 +2,14 @@
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
+use super::crew::MAX_THREADS;
+#[cfg(feature = "parallel")]
 use std::sync::Arc;
 
 /// Which threads steps run on.
 ///
 /// By default those of the rayon pool in which the step is called; outside of any that is rayon's global pool, with a thread
-/// per core. The number of threads does not change a bit of the results. Without the feature `parallel` there is the calling
+/// per core if nobody has said otherwise. Rays that are cast by the thousand go to these, whatever a pipeline was given. The number of threads does not change a bit of the results. Without the feature `parallel` there is the calling
 /// thread alone, whatever is asked for.
 ///
 /// ```
@@ -19,9 +21,17 @@ use std::sync::Arc;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Threads {
-    /// How many, and from where those come that help the calling one.
     #[cfg(feature = "parallel")]
-    crew: Option<(usize, Arc<rayon::ThreadPool>)>,
+    crew: Option<Helpers>,
+}
+
+/// Who helps the calling thread.
+#[cfg(feature = "parallel")]
+#[derive(Clone, Debug)]
+enum Helpers {
+    Nobody,
+    /// Threads of a pool: with the calling one so many.
+    Of(Arc<rayon::ThreadPool>, usize),
 }
 
 /// Threads that the system does not give.
@@ -35,7 +45,7 @@ pub struct ThreadsError {
 }
 
 impl Threads {
-    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0.
+    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0. More than 64 are not of use.
     ///
     /// Helpers live as long as this and its clones do, and sleep between steps.
     ///
@@ -44,14 +54,14 @@ impl Threads {
     #[cfg(feature = "parallel")]
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-        let count = if count == 0 { cores() } else { count };
-        let helpers = rayon::ThreadPoolBuilder::new()
-            // Asked for none, rayon would make one per core. Who works alone hires nobody.
-            .num_threads((count - 1).max(1))
-            .thread_name(|index| format!("physics {}", index + 1));
-        let pool = helpers.build();
+        let count = if count == 0 { cores() } else { count }.min(MAX_THREADS);
+        if count == 1 {
+            return Ok(Self { crew: Some(Helpers::Nobody) });
+        }
+        let helpers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
+        let pool = helpers.thread_name(|index| format!("physics {}", index + 1)).build();
         let pool = pool.map_err(|error| ThreadsError { count, reason: error.to_string() })?;
-        Ok(Self { crew: Some((count, Arc::new(pool))) })
+        Ok(Self { crew: Some(Helpers::Of(Arc::new(pool), count)) })
     }
 
     /// The calling thread: there are others with the feature `parallel`.
@@ -67,14 +77,19 @@ impl Threads {
     /// where they are idle; a step does not wait for those that are busy.
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
-        Self { crew: Some((pool.current_num_threads(), pool)) }
+        let count = pool.current_num_threads();
+        Self { crew: Some(Helpers::Of(pool, count)) }
     }
 
     /// Calls `work` with these threads.
     pub(crate) fn open<R>(&self, work: impl FnOnce(Tasks<'_>) -> R) -> R {
         #[cfg(feature = "parallel")]
-        if let Some((count, pool)) = &self.crew {
-            return Tasks::open_with(*count, |help| pool.spawn(help), work);
+        match &self.crew {
+            Some(Helpers::Nobody) => return work(Tasks::SERIAL),
+            Some(Helpers::Of(pool, count)) => {
+                return Tasks::open_with(*count, |help| pool.spawn(help), work);
+            }
+            None => {}
         }
         Tasks::open(work)
     }

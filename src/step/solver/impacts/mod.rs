@@ -12,7 +12,7 @@
 //! 3. This makes others approach. Those are the next round's `S`.
 //!
 //! What is hit at the same moment is thrown back together, so a box that lands flat rises flat; what is hit by what was
-//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`Impacts::grant_visits`): the
+//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`Grant`): the
 //! rest of the approach is stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
 //!
 //! ## Energy
@@ -157,7 +157,7 @@ struct Account {
     visits: usize,
     is_struck: bool,
     is_moving: bool,
-    /// Sums over the contacts, see [`ImpactBlock`].
+    /// Sums over the contacts, see [`struck::StruckBlock`].
     stopped: Real,
     surplus: Real,
 }
@@ -306,7 +306,8 @@ impl Impacts {
         let accounts = &mut memory.accounts;
         for island in struck.islands.drain(..) {
             let account = &mut accounts[island as usize];
-            (account.is_struck, account.stopped, account.surplus) = (false, 0.0, 0.0);
+            (account.is_struck, account.is_moving) = (false, false);
+            (account.stopped, account.surplus) = (0.0, 0.0);
             memory.works[island as usize] = 0.0;
         }
         struck.clear();
@@ -549,8 +550,8 @@ impl Kernel for Look<'_> {
 
 impl Look<'_> {
     fn is_changed(&self, block: &ContactBlock) -> bool {
-        let mut bodies = block.bodies.iter().flatten();
-        bodies.any(|body| self.changed[(body & !READ_ONLY) as usize])
+        let mut movable = block.bodies.iter().flatten().filter(|&body| body & READ_ONLY == 0);
+        movable.any(|&body| self.changed[body as usize])
     }
 
     /// # Safety

@@ -2,7 +2,7 @@
 //!
 //! Among hundreds that could be hit a few are, seldom two of one block. They are visited again and again until the round
 //! is settled, so what a visit reads of them is copied to blocks of their own: 2D `spinner` visits a quarter of the blocks
-//! that way. Lanes do not depend on each other, and the order of colours is kept: no bit changes.
+//! that way. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
 use super::rows::{ImpactBlock, Strike};

@@ -14,7 +14,7 @@ pub(super) struct Touched {
     is_listed: Vec<bool>,
     /// The same, of this round alone.
     pub is_changed: Vec<bool>,
-    /// How they moved when the round began. Of others nothing is known.
+    /// How they moved when the round began. At rest, for others.
     pub start: Vec<BodyState>,
     /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Nothing, for others.
     pub delays: Vec<BodyState>,
@@ -26,6 +26,7 @@ impl Touched {
         for body in self.bodies.drain(..) {
             self.is_listed[body as usize] = false;
             self.is_changed[body as usize] = false;
+            self.start[body as usize] = BodyState::default();
             self.delays[body as usize] = BodyState::default();
         }
         self.is_listed.resize(count, false);

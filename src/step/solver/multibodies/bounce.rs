@@ -61,7 +61,7 @@ pub struct Blow {
     given: Real,
 }
 
-/// A contact in an impact. See `ImpactBlock` in `impacts/rows.rs`.
+/// A contact in an impact. See `impacts/rows.rs` and `impacts/struck.rs`.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Strike {
     /// The island of its links.

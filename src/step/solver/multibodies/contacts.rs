@@ -18,14 +18,14 @@ use crate::model::island::NONE;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
-/// How much a contact between links of one multibody yields at least, as a share of what it would if no joint held them.
+/// How much a contact between a link and its parent yields at least, as a share of what it would if no joint held them.
 ///
-/// Neighbours that touch close to their joint's axis have a lever `l` of next to nothing there, and `K = l²/I`. What stops
-/// them is then an impulse of `I ω / l`, and friction as large; and when the lever is another in the next substep, so is the turn
-/// that the same impulse gives. Twenty capsules in a row, hinged end to end with limits, threw each other to 10¹⁸ J in half a second. A
-/// contact with a lever of a seventh of the links' radii of gyration, and any longer one, is what it was; a shorter one is obeyed more
-/// slowly, and overlaps no more than it has of a lever.
-const LEAST_YIELD: Real = 0.01;
+/// Where they touch close to their joint's axis the lever `l` is next to nothing, and so is `K = l²/I`. What stops
+/// them there is an impulse of `I ω / l`, and friction as large; and when the lever is another in the next substep, so is the turn
+/// that the same impulse gives. Twenty capsules in a row, hinged end to end with limits, threw each other to 10¹⁸ J in half a second.
+/// With a lever of a fifth of the radius of gyration or more nothing changes; with a shorter one the contact is obeyed more
+/// slowly, and what overlaps meanwhile is as small as the lever.
+const LEAST_YIELD: Real = 0.02;
 
 /// One contact point.
 #[derive(Copy, Clone, Debug)]
@@ -67,6 +67,8 @@ pub struct LinkContacts {
 /// One side of a manifold as it stands now.
 pub(super) struct Side<'a> {
     place: Option<LinkPlace>,
+    /// The same, and roots that are led, too: these are ordinary bodies here.
+    link: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     pub body: Option<(&'a RigidBody, u32)>,
     pub rotation: Rotation,
@@ -128,13 +130,15 @@ impl SolverMultibodies {
     ) -> Side<'a> {
         let body = world.at_slot(slot).map(|(_, body)| body);
         let body = body.filter(|body| body.is_dynamic_or_kinematic());
-        if let Some(place) = self.place(slot).filter(|place| place.is_moved) {
+        let link = self.place(slot);
+        if let Some(place) = link.filter(|place| place.is_moved) {
             let frame = &self.moving[place.multibody].motion.kinematics.links[place.link];
             let (rotation, center) = (frame.rotation, Some(frame.center));
-            return Side { place: Some(place), body: None, rotation, center, gives_way };
+            return Side { place: link, link, body: None, rotation, center, gives_way };
         }
         Side {
             place: None,
+            link,
             rotation: body.map_or(Rotation::IDENTITY, |body| body.pose.rotation),
             center: body.map(|body| body.mprops.world_com),
             body: body.map(|body| (body, bodies.index_of(slot))),
@@ -255,10 +259,21 @@ impl SolverMultibodies {
     /// The row of the second side's velocity against the first's along a direction, at a point of each.
     fn row(&mut self, sides: &[Side<'_>; 2], points: [Vector; 2], direction: Vector) -> Row {
         let [first, second] = points;
-        self.row_of_wrenches(
-            sides,
-            [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)],
-        )
+        let wrenches = [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)];
+        let row = self.row_of_wrenches(sides, wrenches);
+        row.yielding_at_least(LEAST_YIELD * self.yield_without_joint(sides))
+    }
+
+    /// How much a link and its parent would yield to an impulse through their centres if no joint held them. Zero for other pairs.
+    fn yield_without_joint(&self, sides: &[Side<'_>; 2]) -> Real {
+        let [Some(one), Some(two)] = [sides[0].link, sides[1].link] else { return 0.0 };
+        let links = &self.moving[one.multibody].motion.kinematics.links;
+        let are_joined = one.multibody == two.multibody
+            && (links[one.link].parent == Some(two.link)
+                || links[two.link].parent == Some(one.link));
+        let moving = [one, two].into_iter().filter(|place| are_joined && place.is_moved);
+        let masses = moving.map(|place| links[place.link].mass);
+        masses.filter(|&mass| mass > 0.0).map(|mass| 1.0 / mass).sum()
     }
 
     /// The row whose impulse gives each side a wrench about its centre of mass.
@@ -276,12 +291,7 @@ impl SolverMultibodies {
                     kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
                 };
                 let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
-                let links = &self.moving[one.multibody].motion.kinematics.links;
-                let free = 1.0 / links[one.link].mass + 1.0 / links[two.link].mass;
-                return self
-                    .numbers
-                    .row([part, Part::Nothing])
-                    .yielding_at_least(LEAST_YIELD * free);
+                [part, Part::Nothing]
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };

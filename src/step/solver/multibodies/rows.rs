@@ -34,10 +34,9 @@ pub struct Row {
 }
 
 impl Row {
-    /// The same row, taken to yield to an impulse by no less than this, if that is a number.
+    /// The same row, taken to yield to an impulse by no less than this.
     pub fn yielding_at_least(self, k: Real) -> Self {
-        let most = 1.0 / k;
-        Self { mass: if most.is_finite() { self.mass.min(most) } else { self.mass }, ..self }
+        Self { mass: if k > 0.0 { self.mass.min(1.0 / k) } else { self.mass }, ..self }
     }
 
     /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
