@@ -473,7 +473,7 @@ impl Impacts {
         let (_, states, loaded) = bodies.shared();
         let impacts = DisjointMut::new(&mut self.blocks);
         let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
-        let changed = &self.touched.is_changed[..];
+        let touched = &self.touched;
         let all = 0..impacts.len();
         let colors = match stage {
             Stage::Rub => &self.colors,
@@ -481,7 +481,7 @@ impl Impacts {
             _ => core::slice::from_ref(&all),
         };
         for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Look { stage, range, contacts, impacts, states, known, changed, pass });
+            simd.run(Look { stage, range, contacts, impacts, states, known, touched, pass });
         });
     }
 
@@ -508,7 +508,7 @@ fn swap_velocities(bodies: &mut SolverBodies) {
 }
 
 /// The lanes whose bits are set.
-fn lanes(bits: u32) -> impl Iterator<Item = usize> {
+pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }
 
@@ -530,8 +530,7 @@ struct Look<'a> {
     states: DisjointMut<'a, BodyState>,
     /// How the bodies moved when the last substep ended, and with its impulses in this one.
     known: [&'a [BodyState]; 2],
-    /// By body: may the round have changed it?
-    changed: &'a [bool],
+    touched: &'a Touched,
     pass: &'a ImpactPass,
 }
 
@@ -551,7 +550,7 @@ impl Kernel for Look<'_> {
 impl Look<'_> {
     fn is_changed(&self, block: &ContactBlock) -> bool {
         let mut movable = block.bodies.iter().flatten().filter(|&body| body & READ_ONLY == 0);
-        movable.any(|&body| self.changed[body as usize])
+        movable.any(|&body| self.touched.is_changed(body))
     }
 
     /// # Safety

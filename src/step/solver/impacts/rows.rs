@@ -27,13 +27,11 @@ struct ImpactRow {
     /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
     /// act again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
-    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
-    borne: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
     /// Impulses of the whole impact: of each round the share that it went.
     given: Lane,
-    /// What is to happen in this round, where the block is struck.
+    /// What is borne, and where the block is struck what is to happen in this round.
     strike: Strike<Lane>,
 }
 
@@ -142,7 +140,7 @@ impl ImpactBlock {
         for (k, row) in self.rows.iter_mut().enumerate() {
             let forced = free[k] - then[k];
             let borne = (loaded[k] - free[k]).min(-forced).max(zero);
-            borne.store(&mut row.borne);
+            borne.store(&mut row.strike.borne);
             let now = free[k] + borne;
             let at_rest = threshold.le(now.max(then[k]));
             (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
@@ -167,7 +165,7 @@ impl ImpactBlock {
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
         self.struck = 0;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let velocity = velocities[k] + W::load(&row.borne);
+            let velocity = velocities[k] + W::load(&row.strike.borne);
             // Points that the manifold has not got have no mass.
             let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
@@ -182,7 +180,7 @@ impl ImpactBlock {
         }
         self.was_struck = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let velocity = velocities[k] + W::load(&row.borne);
+            let velocity = velocities[k] + W::load(&row.strike.borne);
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
             let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
@@ -193,7 +191,6 @@ impl ImpactBlock {
             let target = (restitution * (speed - bend) - bend).max(zero);
             let strike = &mut row.strike;
             mass.store(&mut strike.mass);
-            strike.borne = row.borne;
             (bend + bend - speed).store(&mut strike.approach);
             target.store(&mut strike.target);
             time.store(&mut strike.time);

@@ -10,10 +10,10 @@ pub(super) struct Touched {
     pub bodies: Vec<u32>,
     /// The number of these.
     always: usize,
-    /// By the index of a body: is it among them?
-    is_listed: Vec<bool>,
-    /// The same, of this round alone.
-    pub is_changed: Vec<bool>,
+    /// This round, counted from one.
+    round: u32,
+    /// By the index of a body: the last round that may change it, zero for those that are not among them.
+    rounds: Vec<u32>,
     /// How they moved when the round began. At rest, for others.
     pub start: Vec<BodyState>,
     /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Nothing, for others.
@@ -24,13 +24,12 @@ impl Touched {
     /// Begins an impact among so many bodies.
     pub fn begin(&mut self, count: usize) {
         for body in self.bodies.drain(..) {
-            self.is_listed[body as usize] = false;
-            self.is_changed[body as usize] = false;
+            self.rounds[body as usize] = 0;
             self.start[body as usize] = BodyState::default();
             self.delays[body as usize] = BodyState::default();
         }
-        self.is_listed.resize(count, false);
-        self.is_changed.resize(count, false);
+        self.round = 1;
+        self.rounds.resize(count, 0);
         self.start.resize(count, BodyState::default());
         self.delays.resize(count, BodyState::default());
     }
@@ -42,16 +41,16 @@ impl Touched {
 
     /// Begins a round.
     pub fn begin_round(&mut self) {
-        for (index, &body) in self.bodies.iter().enumerate() {
-            self.is_changed[body as usize] = index < self.always;
+        self.round += 1;
+        for &body in &self.bodies[..self.always] {
+            self.rounds[body as usize] = self.round;
         }
     }
 
     /// These bodies may change, but for those that are read-only.
     pub fn add(&mut self, bodies: impl Iterator<Item = u32>) {
         for body in bodies.filter(|body| body & READ_ONLY == 0) {
-            self.is_changed[body as usize] = true;
-            if !core::mem::replace(&mut self.is_listed[body as usize], true) {
+            if core::mem::replace(&mut self.rounds[body as usize], self.round) == 0 {
                 self.bodies.push(body);
             }
         }
@@ -60,6 +59,11 @@ impl Touched {
     /// The same, for all of these.
     pub fn add_all(&mut self, bodies: impl IntoIterator<Item = Range<usize>>) {
         bodies.into_iter().for_each(|range| self.add(range.map(|body| body as u32)));
+    }
+
+    /// May this round change a body?
+    pub fn is_changed(&self, body: u32) -> bool {
+        self.rounds[body as usize] == self.round
     }
 
     /// Notes how bodies move before the round.

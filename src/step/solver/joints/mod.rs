@@ -129,6 +129,7 @@ struct Seat {
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
+
 /// How a round of an impact has changed velocities.
 pub(super) struct Changes<'a> {
     /// The [bodies](SolverJoints::held) that joints can change, each once.
@@ -137,6 +138,18 @@ pub(super) struct Changes<'a> {
     pub start: &'a [BodyState],
     pub states: &'a mut [BodyState],
     pub poses: &'a [BodyPose],
+}
+
+impl Changes<'_> {
+    /// Adds so many times what they were at the start to the velocities.
+    fn add_start(&mut self, times: Real) {
+        for &body in self.held {
+            let state = &mut self.states[body as usize];
+            let ((v, w), (start_v, start_w)) =
+                (state.velocity(), self.start[body as usize].velocity());
+            state.set_velocity(v + start_v * times, w + start_w * times);
+        }
+    }
 }
 
 impl SolverJoints {
@@ -246,7 +259,7 @@ impl SolverJoints {
     /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
-        Changes { held, start, states, poses }: Changes<'_>,
+        mut changes: Changes<'_>,
         wanted: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
         pass: &JointPass,
@@ -255,26 +268,21 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        for &body in held {
-            let state = &mut states[body as usize];
-            let ((v, w), (old_v, old_w)) = (state.velocity(), start[body as usize].velocity());
-            state.set_velocity(v - old_v, w - old_w);
-        }
+        changes.add_start(-1.0);
         self.direct.begin();
-        let (count, shared) = (self.blocks.len(), DisjointMut::new(states));
+        let (count, states) = (self.blocks.len(), DisjointMut::new(&mut *changes.states));
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            let states = shared;
             simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
         });
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
-            memory.take_inertias(block, poses);
+            memory.take_inertias(block, changes.poses);
         }
         let wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, shared, wanted, simd, tasks);
+        self.direct.solve(&mut self.memory, states, wanted, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
         let blows = DisjointMut::new(&mut self.blows);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -283,15 +291,11 @@ impl SolverJoints {
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for lane in 0..self.layout.block(index).len() {
                 let bodies = block.bodies.map(|bodies| bodies[lane] & !READ_ONLY);
-                let velocities = bodies.map(|body| start[body as usize].velocity());
+                let velocities = bodies.map(|body| changes.start[body as usize].velocity());
                 add_work(block.movable(lane), memory[index].work(lane, velocities));
             }
         }
-        for &body in held {
-            let state = &mut states[body as usize];
-            let ((v, w), (old_v, old_w)) = (state.velocity(), start[body as usize].velocity());
-            state.set_velocity(old_v + v, old_w + w);
-        }
+        changes.add_start(1.0);
     }
 
     /// Begins a round of an impact, in which joints have given nothing yet.

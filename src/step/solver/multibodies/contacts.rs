@@ -66,8 +66,7 @@ pub struct LinkContacts {
 
 /// One side of a manifold as it stands now.
 pub(super) struct Side<'a> {
-    place: Option<LinkPlace>,
-    /// The same, and roots that are led, too: these are ordinary bodies here.
+    /// Links, and roots that are led, which are ordinary bodies here.
     link: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     pub body: Option<(&'a RigidBody, u32)>,
@@ -111,7 +110,7 @@ impl SolverMultibodies {
                 self.side(slots[0], dominance <= 0, world, bodies),
                 self.side(slots[1], dominance >= 0, world, bodies),
             ];
-            for place in sides.iter().filter_map(|side| side.place) {
+            for place in sides.iter().filter_map(Side::place) {
                 self.moving[place.multibody].touches = true;
             }
             let normal = normal_of(&sides, &pair.placement, manifold);
@@ -130,19 +129,22 @@ impl SolverMultibodies {
     ) -> Side<'a> {
         let body = world.at_slot(slot).map(|(_, body)| body);
         let body = body.filter(|body| body.is_dynamic_or_kinematic());
-        let link = self.place(slot);
-        if let Some(place) = link.filter(|place| place.is_moved) {
+        let side = Side {
+            link: self.place(slot),
+            body: None,
+            rotation: Rotation::IDENTITY,
+            center: None,
+            gives_way,
+        };
+        if let Some(place) = side.place() {
             let frame = &self.moving[place.multibody].motion.kinematics.links[place.link];
-            let (rotation, center) = (frame.rotation, Some(frame.center));
-            return Side { place: link, link, body: None, rotation, center, gives_way };
+            return Side { rotation: frame.rotation, center: Some(frame.center), ..side };
         }
         Side {
-            place: None,
-            link,
             rotation: body.map_or(Rotation::IDENTITY, |body| body.pose.rotation),
             center: body.map(|body| body.mprops.world_com),
             body: body.map(|body| (body, bodies.index_of(slot))),
-            gives_way,
+            ..side
         }
     }
 
@@ -246,13 +248,13 @@ impl SolverMultibodies {
 
     /// With what share of their last impulses two sides begin.
     pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
-        let place = sides.iter().find_map(|side| side.place);
+        let place = sides.iter().find_map(Side::place);
         place.map_or(1.0, |place| self.moving[place.multibody].share)
     }
 
     /// The island of the links among two sides.
     fn island_of(&self, sides: &[Side<'_>; 2]) -> u32 {
-        let place = sides.iter().find_map(|side| side.place);
+        let place = sides.iter().find_map(Side::place);
         place.map_or(NONE, |place| self.moving[place.multibody].island)
     }
 
@@ -282,7 +284,7 @@ impl SolverMultibodies {
         sides: &[Side<'_>; 2],
         wrenches: [SpatialVector; 2],
     ) -> Row {
-        let parts = match [sides[0].place, sides[1].place] {
+        let parts = match [sides[0].place(), sides[1].place()] {
             [Some(one), Some(two)] if one.multibody == two.multibody => {
                 let gives_way = sides[0].gives_way || sides[1].gives_way;
                 let fill = |moving: &super::Moving, jacobian: &mut [Real], sizes: &mut [Real]| {
@@ -299,7 +301,7 @@ impl SolverMultibodies {
     }
 
     fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
-        if let Some(place) = side.place {
+        if let Some(place) = side.place() {
             return self.numbers.add_links(
                 &mut self.moving,
                 place.multibody,
@@ -324,6 +326,11 @@ impl SolverMultibodies {
 }
 
 impl Side<'_> {
+    /// The link that it is, if its multibody moves it.
+    fn place(&self) -> Option<LinkPlace> {
+        self.link.filter(|place| place.is_moved)
+    }
+
     /// How far its centre of mass has gone since the step began.
     fn way_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
         let start = world.at_slot(slot).map(|(_, body)| body.mprops.world_com);

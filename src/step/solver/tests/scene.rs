@@ -12,7 +12,7 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{ContactInput, ContactReport, Placement};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::{ImpactBlock, NormalRows, StruckBlock};
+use crate::step::solver::impacts::{ImpactBlock, NormalRows, StruckBlock, lanes};
 use crate::step::solver::keep::keep;
 use parry::shape::{Cuboid, Shape};
 
@@ -352,8 +352,7 @@ unsafe fn bounce<W: Wide>(
         impact.begin(&rows, block, known, pass);
         impact.mark(&rows, block, pass);
         let mut struck = StruckBlock::EMPTY;
-        let hit = (0..LANES).filter(|lane| impact.struck >> lane & 1 == 1);
-        hit.for_each(|lane| struck.push((0, lane), &impact, block));
+        lanes(impact.struck).for_each(|lane| struck.push((0, lane), &impact, block));
         struck.visit::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
         struck.end::<W>(states, &DisjointMut::new(&mut delays));
