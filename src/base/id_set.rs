@@ -7,6 +7,8 @@
 use core::ops::Range;
 
 const BITS: u32 = u64::BITS;
+/// Words on a page: as many as fill a byte of bits above them.
+const PAGE: usize = 8;
 
 /// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
 #[derive(Clone, Debug, Default)]
@@ -80,14 +82,18 @@ impl IdSet {
         self.iter_in(0..self.page_count())
     }
 
-    /// Numbers stand on pages of 4096, in their order.
+    /// Numbers stand on pages of 512, in their order.
     pub fn page_count(&self) -> usize {
-        self.filled.len()
+        self.words.len().div_ceil(PAGE)
     }
 
     /// The numbers on some pages, smallest first.
     pub fn iter_in(&self, pages: Range<usize>) -> impl Iterator<Item = u32> {
-        let words = |page: usize| ones(self.filled[page]).map(move |bit| page as u32 * BITS + bit);
+        let words = |page: usize| {
+            let first = page * PAGE;
+            let filled = self.filled[first / BITS as usize] >> (first % BITS as usize);
+            ones(filled & 0xff).map(move |bit| first as u32 + bit)
+        };
         let filled = pages.flat_map(words);
         filled.flat_map(|index| ones(self.words[index as usize]).map(move |bit| index * BITS + bit))
     }

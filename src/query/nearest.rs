@@ -1,4 +1,4 @@
-//! The search for the nearest: best first, through both trees.
+//! The search for the nearest: best first, through all trees.
 
 use super::view::QueryView;
 use crate::base::bvh::{Probe, nearest};

@@ -5,9 +5,8 @@ use super::hits::Dispatcher;
 use super::view::QueryView;
 use crate::base::bvh::BoxProbe;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::body::RigidBodyType;
 use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
-use crate::model::tree::{BoxMargin, Tree, shape_box};
+use crate::model::tree::{BoxMargin, TreeKind, Trees, shape_box};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::query::{
     NonlinearRigidMotion, PointProjection, Ray, RayIntersection, ShapeCastHit, ShapeCastOptions,
@@ -41,8 +40,7 @@ const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
 /// [`BroadPhaseBvh::as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline).
 #[derive(Clone, Default, Debug)]
 pub struct QueryPipeline {
-    fixed: Tree,
-    movable: Tree,
+    trees: Trees,
     /// By slot.
     entries: Vec<Option<Entry>>,
     read: Bookmark,
@@ -78,8 +76,7 @@ impl QueryPipeline {
             None => self.rebuild(colliders),
         }
         self.read = end;
-        self.fixed.tidy();
-        self.movable.tidy();
+        self.trees.tidy();
     }
 
     fn rebuild(&mut self, colliders: &ColliderSet) {
@@ -100,18 +97,12 @@ impl QueryPipeline {
             .and_then(|(handle, collider)| Some((handle, collider, whereabouts(collider)?)));
         let Some((handle, collider, aabb)) = placed else {
             self.entries[slot as usize] = None;
-            self.fixed.boxes.remove(slot);
-            self.movable.boxes.remove(slot);
+            self.trees.remove(slot);
             return;
         };
-        let is_fixed = matches!(collider.parent_type, None | Some(RigidBodyType::Fixed));
-        let (tree, other) = if is_fixed {
-            (&mut self.fixed, &mut self.movable)
-        } else {
-            (&mut self.movable, &mut self.fixed)
-        };
-        other.boxes.remove(slot);
-        tree.insert(aabb, slot);
+        let kind = TreeKind::of(collider.parent_type);
+        self.trees.remove_from_others(slot, kind);
+        self.trees.replace(slot, kind, &aabb);
         self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }
 
@@ -122,8 +113,7 @@ impl QueryPipeline {
         colliders: &'a ColliderSet,
         filter: QueryFilter<'a>,
     ) -> QueryView<'a> {
-        let trees = [&self.fixed.boxes, &self.movable.boxes];
-        QueryView::new(trees, &Dispatcher, colliders, filter)
+        QueryView::new(self.trees.all(), &Dispatcher, colliders, filter)
     }
 }
 
@@ -251,7 +241,7 @@ impl QueryPipeline {
         filter: QueryFilter<'_>,
         callback: impl FnMut(ColliderHandle) -> bool,
     ) {
-        let trees = [&self.fixed.boxes, &self.movable.boxes].into_iter();
+        let trees = self.trees.all().into_iter();
         let slots = trees.flat_map(|tree| tree.leaves(BoxProbe(*aabb), Real::MAX));
         let found = slots.filter_map(|slot| {
             let entry = self.entries.get(slot as usize)?.as_ref()?;

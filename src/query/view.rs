@@ -8,6 +8,9 @@ use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use parry::query::QueryDispatcher;
 
+/// Trees, by kind.
+pub(super) type AllBoxes<'a> = [&'a BoxTree; TreeKind::ALL.len()];
+
 /// Colliders that can be asked: borrowed trees of boxes, the colliders in them, and which of these are
 /// meant.
 ///
@@ -15,7 +18,7 @@ use parry::query::QueryDispatcher;
 /// dropped at no cost.
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
-    trees: [&'a BoxTree; 2],
+    trees: AllBoxes<'a>,
     /// How pairs of shapes are computed.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The colliders.
@@ -58,15 +61,14 @@ impl BroadPhaseBvh {
         colliders: &'a ColliderSet,
         filter: QueryFilter<'a>,
     ) -> QueryView<'a> {
-        let trees = [self.boxes(TreeKind::Fixed), self.boxes(TreeKind::Movable)];
-        QueryView::new(trees, dispatcher, colliders, filter)
+        QueryView::new(self.all_boxes(), dispatcher, colliders, filter)
     }
 }
 
 impl<'a> QueryView<'a> {
     /// Leaves of the trees are slots of the colliders.
     pub(super) fn new(
-        trees: [&'a BoxTree; 2],
+        trees: AllBoxes<'a>,
         dispatcher: &'a dyn QueryDispatcher,
         colliders: &'a ColliderSet,
         filter: QueryFilter<'a>,
@@ -80,7 +82,7 @@ impl<'a> QueryView<'a> {
         Self { filter, ..self }
     }
 
-    pub(super) fn trees(&self) -> [&'a BoxTree; 2] {
+    pub(super) fn trees(&self) -> AllBoxes<'a> {
         self.trees
     }
 

@@ -30,6 +30,7 @@ mod tests;
 pub use nearest::nearest;
 pub use probe::{BoxProbe, PointProbe, Probe, SlabProbe};
 
+use crate::base::wide::prefetch;
 use core::ops::{Add, Mul};
 use node::{Node, Place};
 use parry::bounding_volume::Aabb;
@@ -79,6 +80,13 @@ impl BoxTree {
     pub fn get(&self, slot: u32) -> Option<Aabb> {
         let place = self.place(slot)?;
         Some(self.nodes[place.node()].lane_box(place.lane()))
+    }
+
+    /// Begins to bring near what holds the box of a slot.
+    pub fn prefetch(&self, slot: u32) {
+        if let Some(node) = self.place(slot).and_then(|place| self.nodes.get(place.node())) {
+            prefetch(node);
+        }
     }
 
     fn place(&self, slot: u32) -> Option<Place> {

@@ -93,11 +93,27 @@ pub(crate) struct Partners {
 /// The parts of a store that differ in who may write them.
 pub(crate) struct StoreParts<'a, P> {
     /// What the narrow phase asks, by id.
-    pub states: &'a [PairState],
+    pub states: &'a mut [PairState],
+    pub slots: PairSlots<'a>,
     /// The pairs of each collider slot.
     pub of_collider: &'a [Partners],
     /// All pairs by id.
     pub pairs: &'a mut [Option<P>],
+}
+
+/// By id, the slots of the two colliders of a pair.
+#[derive(Copy, Clone)]
+pub(crate) struct PairSlots<'a>(&'a [Place]);
+
+impl PairSlots<'_> {
+    pub fn of(&self, id: PairId) -> [u32; 2] {
+        self.0[id as usize].slots
+    }
+
+    /// Begins to bring near who the two colliders of a pair are.
+    pub fn prefetch(&self, id: PairId) {
+        prefetch(&self.0[id as usize]);
+    }
 }
 
 /// All pairs of one kind. See the [module](self).
@@ -323,16 +339,17 @@ impl<P: Pair> PairStore<P> {
         last.into_iter().for_each(|last| self.prefetch(self.free[last]));
     }
 
-    /// Begins to bring near who the two colliders of a pair are.
-    pub fn prefetch_slots(&self, id: PairId) {
-        prefetch(&self.places[id as usize]);
-    }
-
     /// Begins to bring a pair near to the processor.
     pub fn prefetch(&self, id: PairId) {
         if let Some(pair) = self.pairs.get(id as usize) {
             prefetch(pair);
         }
+    }
+
+    /// Begins to bring near where the lists of a pair's two colliders are.
+    pub fn prefetch_lists(&self, collider_slots: [u32; 2]) {
+        let lists = collider_slots.map(|slot| self.of_collider.get(slot as usize));
+        lists.into_iter().flatten().for_each(prefetch);
     }
 
     /// What the narrow phase visits, in the order of the ids.
@@ -388,7 +405,8 @@ impl<P: Pair> PairStore<P> {
     /// The store, taken apart.
     pub fn split(&mut self) -> StoreParts<'_, P> {
         StoreParts {
-            states: &self.states,
+            states: &mut self.states,
+            slots: PairSlots(&self.places),
             of_collider: &self.of_collider,
             pairs: Late::slice_mut(&mut self.pairs),
         }

@@ -307,10 +307,34 @@ impl Structure<'_> {
 
     /// Colliders came close.
     pub fn add_pairs(&mut self, pairs: &[(ColliderHandle, ColliderHandle)]) {
-        for &(collider1, collider2) in pairs {
-            self.narrow_phase.contacts.prefetch_vacancy(PAIRS_AHEAD);
+        for (turn, &(collider1, collider2)) in pairs.iter().enumerate() {
+            self.prefetch_addition(&pairs[turn..]);
             self.add_pair(collider1, collider2);
         }
+    }
+
+    /// Begins to bring near what the first of some pairs do not need yet when they are added, but the next ones. A collider names its
+    /// body, so it must be there before that can be asked for.
+    fn prefetch_addition(&self, pairs: &[(ColliderHandle, ColliderHandle)]) {
+        let contacts = &self.narrow_phase.contacts;
+        contacts.prefetch_vacancy(PAIRS_AHEAD);
+        if let Some(&(collider1, collider2)) = pairs.get(PAIRS_AHEAD) {
+            let slots = [collider1, collider2].map(|collider| collider.into_raw_parts().0);
+            slots.into_iter().for_each(|slot| self.colliders.prefetch(slot));
+            contacts.prefetch_lists(slots);
+        }
+        if let Some(&(collider1, collider2)) = pairs.get(PAIRS_AHEAD / 2) {
+            let slots = self.parent_slots([collider1, collider2]);
+            slots.into_iter().for_each(|slot| self.bodies.prefetch(slot));
+        }
+    }
+
+    /// Begins to bring near what is asked when a contact pair begins or ends.
+    pub fn prefetch_contact(&self, id: PairId) {
+        let contacts = &self.narrow_phase.contacts;
+        contacts.prefetch(id);
+        contacts.prefetch_lists(contacts.collider_slots(id));
+        contacts.bodies(id).into_iter().for_each(|slot| self.bodies.prefetch(slot));
     }
 
     /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. Nothing if a

@@ -1,9 +1,10 @@
 //! Trees of boxes: which colliders may touch which.
 //!
-//! Each collider stands in one of two trees, with a box somewhat larger than itself. While it stays
+//! Each collider stands in one of three trees, with a box somewhat larger than itself. While it stays
 //! inside, nothing is done; when it leaves, it gets a new box and is noted as moved, and only moved
 //! colliders look for new neighbours. Fixed colliders have a tree of their own, so that they never
-//! find each other. A step costs nothing for colliders that rest, however many there are.
+//! find each other, and so have those of kinematic bodies, which are few: who asks what is in the way of a fast body need not
+//! look at all dynamic ones to find them. A step costs nothing for colliders that rest, however many there are.
 
 mod enlarge;
 mod placement;
@@ -11,11 +12,13 @@ mod proxy;
 mod shape_box;
 #[cfg(test)]
 mod tests;
+mod trees;
 
 pub(crate) use enlarge::BoxMargin;
-pub(crate) use placement::stays;
+pub(crate) use placement::{Carried, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
+pub(crate) use trees::Trees;
 
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::dim::math::Real;
@@ -23,17 +26,11 @@ use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::seal::Seal;
 use parry::bounding_volume::Aabb;
 
-/// Below this number of boxes the order of insertion does not matter.
-const REBUILD_MIN: usize = 64;
-/// A tree is rebuilt when its boxes have been put elsewhere, or had those above them grow, this often, on average.
-const REBUILD_WEAR: usize = 8;
-
 /// The enlarged boxes of all colliders.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct BroadPhaseBvh {
-    fixed: Tree,
-    movable: Tree,
+    trees: Trees,
     /// Slots of the colliders that have a new box since the last search for pairs.
     moved: Vec<u32>,
     /// One bit for each slot: is it in `moved`?
@@ -42,8 +39,6 @@ pub struct BroadPhaseBvh {
     sizes: Vec<u16>,
     /// Has any collider of a fixed body ever asked for pairs with others of its kind?
     fixed_meet: bool,
-    /// Has any collider ever been on a kinematic body?
-    has_kinematics: bool,
     /// Has any collider ever been a sensor?
     has_sensors: bool,
     /// All memberships and wishes that colliders of these trees ever had, together.
@@ -82,15 +77,24 @@ impl BroadPhaseBvh {
         if proxy.keeps(kind, &needed) {
             return false;
         }
-        // A stale entry may stand at the slot if its former tenant was removed: look in the other tree, too.
-        self.tree_mut(kind.other()).boxes.remove(slot);
-        proxy.fat_aabb = margin.enlarged(&needed, kind);
-        proxy.clearance = proxy::clearance(&needed, &proxy.fat_aabb);
-        proxy.tree = Some(kind);
-        self.tree_mut(kind).insert(proxy.fat_aabb, slot);
-        self.note_size(slot, &proxy.fat_aabb);
-        self.mark_moved(slot);
+        // A stale entry may stand at the slot if its former tenant was removed: look in the other trees, too.
+        self.trees.remove_from_others(slot, kind);
+        proxy.grow(kind, &needed, margin);
+        self.replace(handle, kind, &proxy.fat_aabb);
         true
+    }
+
+    /// Gives a collider this box, in the tree in which it is or will be; it is in no other. Its proxy must know.
+    pub(crate) fn replace(&mut self, handle: ColliderHandle, kind: TreeKind, aabb: &Aabb) {
+        let (slot, _) = handle.into_raw_parts();
+        self.trees.replace(slot, kind, aabb);
+        self.note_size(slot, aabb);
+        self.mark_moved(slot);
+    }
+
+    /// Begins to bring near what will be changed when a collider is given another box.
+    pub(crate) fn prefetch(&self, handle: ColliderHandle, kind: TreeKind) {
+        self.boxes(kind).prefetch(handle.into_raw_parts().0);
     }
 
     fn note_size(&mut self, slot: u32, aabb: &Aabb) {
@@ -120,8 +124,7 @@ impl BroadPhaseBvh {
 
     /// Takes out whatever stands at the slot, after the collider is gone.
     pub(crate) fn remove_slot(&mut self, slot: u32) {
-        self.fixed.boxes.remove(slot);
-        self.movable.boxes.remove(slot);
+        self.trees.remove(slot);
     }
 
     /// Lets the next search look at all neighbours of the collider again, as after a change of its
@@ -155,11 +158,6 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// May any movable collider be on a kinematic body?
-    pub(crate) fn has_kinematics(&self) -> bool {
-        self.has_kinematics
-    }
-
     /// May any collider be a sensor?
     pub(crate) fn has_sensors(&self) -> bool {
         self.has_sensors
@@ -167,7 +165,7 @@ impl BroadPhaseBvh {
 
     /// Must a collider of this kind look for neighbours among those of the other?
     pub(crate) fn may_meet(&self, kind1: TreeKind, kind2: TreeKind) -> bool {
-        self.fixed_meet || kind1 == TreeKind::Movable || kind2 == TreeKind::Movable
+        self.fixed_meet || kind1.is_movable() || kind2.is_movable()
     }
 
     /// May a collider of these groups meet any other? Those that are there only to be found by queries, such as debris that
@@ -178,10 +176,12 @@ impl BroadPhaseBvh {
 
     /// The boxes of one kind of colliders, by slot.
     pub(crate) fn boxes(&self, kind: TreeKind) -> &BoxTree {
-        match kind {
-            TreeKind::Fixed => &self.fixed.boxes,
-            TreeKind::Movable => &self.movable.boxes,
-        }
+        self.trees.boxes(kind)
+    }
+
+    /// The boxes of all colliders, by slot, in trees.
+    pub(crate) fn all_boxes(&self) -> [&BoxTree; TreeKind::ALL.len()] {
+        self.trees.all()
     }
 
     /// Calls back for the slots of the colliders of one kind whose enlarged boxes overlap a box.
@@ -189,18 +189,9 @@ impl BroadPhaseBvh {
         self.boxes(kind).for_each_leaf(&BoxProbe(*aabb), visit);
     }
 
-    /// Puts the trees in good order after many colliders came in, at a cost that these colliders
-    /// have paid for: a tree is rebuilt only when half of its boxes are new.
+    /// See [`Trees::tidy`].
     pub(crate) fn tidy(&mut self) {
-        self.fixed.tidy();
-        self.movable.tidy();
-    }
-
-    fn tree_mut(&mut self, kind: TreeKind) -> &mut Tree {
-        match kind {
-            TreeKind::Fixed => &mut self.fixed,
-            TreeKind::Movable => &mut self.movable,
-        }
+        self.trees.tidy();
     }
 }
 
@@ -208,30 +199,4 @@ impl BroadPhaseBvh {
 fn exponent(length: Real) -> u16 {
     let bits = f64::from(length).to_bits();
     u16::try_from((bits >> 52) & 0x7ff).unwrap_or(0)
-}
-
-/// One tree and how much it grew.
-#[derive(Clone, Debug, Default)]
-#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Tree {
-    pub boxes: BoxTree,
-    /// Number of boxes when the tree was last built as a whole.
-    built: usize,
-}
-
-impl Tree {
-    /// Gives a slot its box, whether or not it had one.
-    pub fn insert(&mut self, aabb: Aabb, slot: u32) {
-        self.boxes.insert(&aabb, slot);
-    }
-
-    /// Rebuilds the tree if half of its boxes are new, or all have been put elsewhere many times.
-    pub fn tidy(&mut self) {
-        let count = self.boxes.len();
-        let is_worn = self.boxes.wear() > REBUILD_WEAR * count;
-        if count >= REBUILD_MIN && (count / 2 > self.built || is_worn) {
-            self.boxes.rebuild();
-            self.built = count;
-        }
-    }
 }

@@ -5,6 +5,7 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBody;
 use crate::model::collider::{ActiveCollisionTypes, Collider, ColliderHandle};
 use crate::model::params::IntegrationParameters;
+use parry::bounding_volume::Aabb;
 
 impl BroadPhaseBvh {
     /// Lets a collider's box follow the collider. `body` is the one that it is attached to. Returns whether
@@ -27,7 +28,6 @@ impl BroadPhaseBvh {
 
     /// Takes in whom a collider may meet, so that no search is spared that might find somebody.
     pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
-        self.has_kinematics |= body.is_some_and(RigidBody::is_kinematic);
         self.has_sensors |= collider.is_sensor();
         let groups = collider.collision_groups();
         self.groups = Some(self.groups.map_or(groups, |all| all.union(groups)));
@@ -38,23 +38,40 @@ impl BroadPhaseBvh {
     }
 }
 
-/// Is a collider where the trees have it, wherever it was carried? If not, it must follow.
-pub(crate) fn stays(
+/// Where a collider is that its body has carried, as the trees see it.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(crate) enum Carried {
+    /// In its box.
+    Stays,
+    /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::replace).
+    Leaves(TreeKind, Aabb),
+    /// In another tree than it should be, or in one though it should not: it must [follow](BroadPhaseBvh::follow).
+    IsElsewhere,
+}
+
+/// Gives a collider that its body has carried beyond its box another one. Looks at no tree, so that many can be carried at once.
+pub(crate) fn carry(
     collider: &mut Collider,
-    body: Option<&RigidBody>,
+    body: &RigidBody,
     params: &IntegrationParameters,
-) -> bool {
+) -> Carried {
     if !collider.is_enabled() {
-        return collider.proxy.tree.is_none();
+        return if collider.proxy.tree.is_none() { Carried::Stays } else { Carried::IsElsewhere };
     }
+    let kind = kind_of(Some(body));
     let tight = shape_box(collider.shape(), &collider.pose);
-    let needed = margin_of(collider, body, params).needed(&tight);
-    needed.is_some_and(|needed| collider.proxy.keeps(kind_of(body), &needed))
+    let margin = margin_of(collider, Some(body), params);
+    let needed = margin.needed(&tight).filter(|_| collider.proxy.tree == Some(kind));
+    let Some(needed) = needed else { return Carried::IsElsewhere };
+    if collider.proxy.keeps(kind, &needed) {
+        return Carried::Stays;
+    }
+    collider.proxy.grow(kind, &needed, &margin);
+    Carried::Leaves(kind, collider.proxy.fat_aabb)
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {
-    let is_movable = body.is_some_and(|body| body.is_dynamic_or_kinematic());
-    if is_movable { TreeKind::Movable } else { TreeKind::Fixed }
+    TreeKind::of(body.map(RigidBody::body_type))
 }
 
 fn margin_of(

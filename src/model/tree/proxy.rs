@@ -1,25 +1,35 @@
 //! What a collider knows of its place in the trees.
 
+use super::BoxMargin;
 use crate::dim::math::{Real, Vector};
+use crate::model::body::RigidBodyType;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// Which tree a collider stands in.
+/// Which tree a collider stands in: by the body that it is attached to.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum TreeKind {
     /// Colliders of fixed bodies and of none: they look for movable neighbours only.
     Fixed,
-    /// Colliders of dynamic and kinematic bodies.
-    Movable,
+    Kinematic,
+    Dynamic,
 }
 
 impl TreeKind {
-    /// The kind that a collider of this kind is not.
-    pub fn other(self) -> Self {
-        match self {
-            Self::Fixed => Self::Movable,
-            Self::Movable => Self::Fixed,
+    pub const ALL: [Self; 3] = [Self::Fixed, Self::Kinematic, Self::Dynamic];
+
+    /// That of the colliders of a body of this type, or of none.
+    pub fn of(body_type: Option<RigidBodyType>) -> Self {
+        match body_type {
+            None | Some(RigidBodyType::Fixed) => Self::Fixed,
+            Some(RigidBodyType::Dynamic) => Self::Dynamic,
+            Some(_) => Self::Kinematic,
         }
+    }
+
+    /// Can colliders of this kind move by themselves?
+    pub fn is_movable(self) -> bool {
+        self != Self::Fixed
     }
 }
 
@@ -63,10 +73,17 @@ impl ColliderProxy {
         }
         keeps
     }
+
+    /// Takes a new box, around what the collider needs, in a tree of this kind.
+    pub fn grow(&mut self, kind: TreeKind, needed: &Aabb, margin: &BoxMargin) {
+        self.fat_aabb = margin.enlarged(needed, kind);
+        self.clearance = clearance(needed, &self.fat_aabb);
+        self.tree = Some(kind);
+    }
 }
 
 /// How far a box may grow on all sides before it leaves another that contains it.
-pub(super) fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
+fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
     let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
     gaps.min_element().max(0.0)
 }

@@ -51,30 +51,30 @@ fn boxes_of_shapes_agree_with_parry() {
 fn a_small_motion_changes_nothing_and_a_large_one_does() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
     let margin = at_rest(0.01);
-    assert!(tree.place(handle(3), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin));
+    assert!(tree.place(handle(3), &mut proxy, TreeKind::Dynamic, &cube(Vector::ZERO), &margin));
     assert_eq!(tree.moved(), [3]);
     tree.clear_moved();
 
     let clearance = proxy.clearance;
     assert!(clearance > 0.0);
     let near = cube(Vector::splat(0.9 * clearance));
-    assert!(!tree.place(handle(3), &mut proxy, TreeKind::Movable, &near, &margin));
+    assert!(!tree.place(handle(3), &mut proxy, TreeKind::Dynamic, &near, &margin));
     assert!(proxy.clearance < clearance && tree.moved().is_empty());
 
     let far = cube(Vector::splat(2.0));
-    assert!(tree.place(handle(3), &mut proxy, TreeKind::Movable, &far, &margin));
+    assert!(tree.place(handle(3), &mut proxy, TreeKind::Dynamic, &far, &margin));
     assert!(tree.is_moved(3) && !tree.is_moved(2) && !tree.is_moved(1_000));
-    assert_eq!(overlapping(&tree, TreeKind::Movable, &cube(Vector::ZERO)), []);
-    assert_eq!(overlapping(&tree, TreeKind::Movable, &far), [3]);
+    assert_eq!(overlapping(&tree, TreeKind::Dynamic, &cube(Vector::ZERO)), []);
+    assert_eq!(overlapping(&tree, TreeKind::Dynamic, &far), [3]);
 }
 
 #[test]
 fn motion_makes_room_ahead() {
     let margin = BoxMargin { reach: 0.0, travel: Vector::X * 0.1 };
-    let fat = margin.enlarged(&cube(Vector::ZERO), TreeKind::Movable);
+    let fat = margin.enlarged(&cube(Vector::ZERO), TreeKind::Dynamic);
     assert!(fat.maxs.x > 0.5 + 0.2 && fat.mins.x > -0.6, "no room for two steps: {fat:?}");
     let fast = BoxMargin { reach: 0.0, travel: Vector::X * 1.0e6 };
-    let fat = fast.enlarged(&cube(Vector::ZERO), TreeKind::Movable);
+    let fat = fast.enlarged(&cube(Vector::ZERO), TreeKind::Dynamic);
     assert!(fat.maxs.x < 2.0, "a fast collider sweeps up to {}", fat.maxs.x);
 }
 
@@ -82,16 +82,13 @@ fn motion_makes_room_ahead() {
 fn a_collider_stands_in_one_tree() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
     let (margin, tight) = (at_rest(0.01), cube(Vector::ZERO));
-    for kind in [TreeKind::Movable, TreeKind::Fixed, TreeKind::Movable] {
+    for kind in [TreeKind::Dynamic, TreeKind::Fixed, TreeKind::Kinematic, TreeKind::Dynamic] {
         assert!(tree.place(handle(0), &mut proxy, kind, &tight, &margin));
-        let counts = [TreeKind::Fixed, TreeKind::Movable].map(|kind| tree.boxes(kind).len());
-        assert_eq!(
-            counts,
-            [usize::from(kind == TreeKind::Fixed), usize::from(kind == TreeKind::Movable)]
-        );
+        let counts = TreeKind::ALL.map(|kind| tree.boxes(kind).len());
+        assert_eq!(counts, TreeKind::ALL.map(|of| usize::from(of == kind)));
     }
     assert!(tree.remove(0, &mut proxy) && !tree.remove(0, &mut proxy));
-    assert!(tree.boxes(TreeKind::Movable).is_empty());
+    assert!(tree.boxes(TreeKind::Dynamic).is_empty());
 }
 
 #[test]
@@ -99,11 +96,11 @@ fn boxes_that_are_not_finite_or_too_far_are_left_out() {
     let (mut tree, mut proxy) = (BroadPhaseBvh::new(), ColliderProxy::default());
     let margin = at_rest(0.01);
     for bad in [Real::NAN, Real::INFINITY, 1.0e12] {
-        tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::ZERO), &margin);
+        tree.place(handle(0), &mut proxy, TreeKind::Dynamic, &cube(Vector::ZERO), &margin);
         assert!(proxy.tree.is_some());
-        tree.place(handle(0), &mut proxy, TreeKind::Movable, &cube(Vector::splat(bad)), &margin);
+        tree.place(handle(0), &mut proxy, TreeKind::Dynamic, &cube(Vector::splat(bad)), &margin);
         assert!(
-            proxy.is_refused && proxy.tree.is_none() && tree.boxes(TreeKind::Movable).is_empty()
+            proxy.is_refused && proxy.tree.is_none() && tree.boxes(TreeKind::Dynamic).is_empty()
         );
     }
 }
@@ -118,7 +115,7 @@ fn half_spaces_and_far_colliders_work() {
     let mut random = Random(5);
     for slot in 1..200 {
         let tight = cube(samples::vector(&mut random, if slot < 100 { 10.0 } else { 1.0e9 }));
-        let kind = if slot % 2 == 0 { TreeKind::Fixed } else { TreeKind::Movable };
+        let kind = if slot % 2 == 0 { TreeKind::Fixed } else { TreeKind::Dynamic };
         tree.place(handle(slot), &mut proxies[slot as usize], kind, &tight, &margin);
     }
     tree.tidy();
@@ -140,12 +137,12 @@ fn trees_find_what_comparing_all_boxes_finds() {
             if random.below(3) == 0 {
                 tree.remove(slot, proxy);
             } else {
-                tree.place(handle(slot), proxy, TreeKind::Movable, &tight, &margin);
+                tree.place(handle(slot), proxy, TreeKind::Dynamic, &tight, &margin);
             }
         }
         tree.tidy();
         for proxy in proxies.iter().filter(|proxy| proxy.tree.is_some()) {
-            let found = overlapping(&tree, TreeKind::Movable, &proxy.fat_aabb);
+            let found = overlapping(&tree, TreeKind::Dynamic, &proxy.fat_aabb);
             let overlaps = |slot: &u32| {
                 let other = &proxies[*slot as usize];
                 other.tree.is_some() && other.fat_aabb.intersects(&proxy.fat_aabb)

@@ -2,25 +2,31 @@
 //!
 //! Reads:   poses of awake bodies, bounds of how far they moved
 //! Writes:  poses and boxes of their colliders, sleep timers
-//! Runs:    parallel over awake bodies; what leaves its box is put into the trees in their order
+//! Runs:    parallel over awake bodies; new boxes are put into the trees one by one, in the order of the bodies
 //! Never:   changes a velocity or the structure
 
 use crate::base::arena::SharedArena;
-use crate::base::disjoint::DisjointMut;
-use crate::base::tasks::Tasks;
+use crate::base::tasks::{Gather, Tasks};
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RigidBody, RigidBodySet};
-use crate::model::collider::{Collider, ColliderSet};
+use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::{self, BroadPhaseBvh};
+use crate::model::tree::{BroadPhaseBvh, Carried, carry};
+
+/// How many turns before it is needed memory is asked for.
+const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct AdvanceScratch {
-    /// By awake body: has one of its colliders left its box?
-    leavers: Vec<bool>,
+    /// The colliders that have left their boxes.
+    leavers: Vec<Leaver>,
+    gather: Gather<Leaver>,
 }
+
+/// A collider that has left its box.
+type Leaver = (ColliderHandle, Carried);
 
 /// Lets colliders, boxes and sleep timers follow the awake bodies.
 pub(crate) fn advance(
@@ -30,31 +36,31 @@ pub(crate) fn advance(
     islands: &IslandManager,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
-    AdvanceScratch { leavers }: &mut AdvanceScratch,
+    AdvanceScratch { leavers, gather }: &mut AdvanceScratch,
 ) {
     let awake = islands.awake.as_slice();
     leavers.clear();
-    leavers.resize(awake.len(), false);
-    let (all_colliders, leaves) = (colliders.share(), DisjointMut::new(leavers));
-    let carry = |position: usize, body: Option<&mut RigidBody>| {
+    let all_colliders = colliders.share();
+    let carry = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
         let Some(body) = body else { return };
         update_sleep_timer(body, params);
         let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
-        // SAFETY: each collider has one body, and each body a place.
-        unsafe {
-            *leaves.get_mut(position) =
-                motion > 0.0 && carry_colliders(body, motion, &all_colliders, params);
+        if motion > 0.0 {
+            // SAFETY: each collider has one body, and each body a place.
+            unsafe { carry_colliders(body, motion, &all_colliders, params, left) };
         }
     };
     // SAFETY: the list names each body once.
-    unsafe { bodies.visit(awake, tasks, carry) };
-    let left = awake.iter().zip(&*leavers).filter(|(_, leaves)| **leaves);
-    for body in left.filter_map(|(&handle, _)| bodies.get(handle)) {
-        follow(body, colliders, tree, params);
+    unsafe { bodies.visit_gathering(awake, tasks, gather, carry, leavers) };
+    for (turn, (handle, carried)) in leavers.iter().enumerate() {
+        if let Some((later, Carried::Leaves(kind, _))) = leavers.get(turn + TURNS_AHEAD) {
+            tree.prefetch(*later, *kind);
+        }
+        follow(*handle, carried, (bodies, colliders), tree, params);
     }
 }
 
-/// Puts a body's colliders where they are now. Returns whether one of them has left its box.
+/// Puts a body's colliders where they are now, and lists those that have left their boxes.
 ///
 /// # Safety
 /// Nobody else may use the colliders of the body meanwhile.
@@ -63,32 +69,43 @@ unsafe fn carry_colliders(
     motion: Real,
     colliders: &SharedArena<'_, Collider>,
     params: &IntegrationParameters,
-) -> bool {
-    let mut leaves = false;
-    for handle in &body.colliders {
+    left: &mut Vec<Leaver>,
+) {
+    for &handle in &body.colliders {
         // SAFETY: the caller's promise.
         let Some(collider) = (unsafe { colliders.get_mut(handle.0) }) else { continue };
         let Some(parent) = collider.parent else { continue };
         collider.pose = body.pose * parent.pos_wrt_parent;
         collider.proxy.clearance -= motion;
-        leaves |= collider.proxy.clearance < 0.0 && !tree::stays(collider, Some(body), params);
+        if collider.proxy.clearance < 0.0 {
+            let carried = carry(collider, body, params);
+            left.extend((carried != Carried::Stays).then_some((handle, carried)));
+        }
     }
-    leaves
 }
 
-/// Gives new boxes to those of a body's colliders that have left theirs.
+/// Tells the trees of a collider that has left its box.
 fn follow(
-    body: &RigidBody,
-    colliders: &mut ColliderSet,
+    handle: ColliderHandle,
+    carried: &Carried,
+    (bodies, colliders): (&RigidBodySet, &mut ColliderSet),
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {
-    for &handle in &body.colliders {
-        let Some(collider) = colliders.get_unnoted_mut(handle) else { continue };
-        let leaves = collider.parent.is_some() && collider.proxy.clearance < 0.0;
-        if leaves && tree.follow(handle, collider, Some(body), params) {
-            colliders.note_box(handle);
+    let is_new = match carried {
+        Carried::Stays => false,
+        Carried::Leaves(kind, aabb) => {
+            tree.replace(handle, *kind, aabb);
+            true
         }
+        Carried::IsElsewhere => {
+            let Some(collider) = colliders.get_unnoted_mut(handle) else { return };
+            let body = collider.parent().and_then(|parent| bodies.get(parent));
+            tree.follow(handle, collider, body, params)
+        }
+    };
+    if is_new {
+        colliders.note_box(handle);
     }
 }
 

@@ -79,11 +79,11 @@ impl<K: KnownPairs> Search<'_, K> {
         let all = partners.iter().chain(self.known.sensed(seeker.slot));
         all.for_each(|&slot| found.known.mark(slot));
         found.known.mark(seeker.slot);
-        for other_kind in [TreeKind::Fixed, TreeKind::Movable] {
+        for other_kind in TreeKind::ALL {
             if !self.tree.may_meet(seeker.kind, other_kind) {
                 continue;
             }
-            let is_movable = [seeker.kind, other_kind] == [TreeKind::Movable; 2];
+            let is_movable = seeker.kind.is_movable() && other_kind.is_movable();
             self.tree.for_each_overlapping(other_kind, &seeker.collider.proxy.fat_aabb, |other| {
                 if !found.known.has(other) {
                     self.meet(seeker, other, is_movable, found);
@@ -147,7 +147,7 @@ impl<K: KnownPairs> Search<'_, K> {
     fn count_borne(&self, slot: u32, alike: bool) -> usize {
         let is_movable = |other: u32| {
             let other = self.colliders.at_slot(other);
-            other.is_some_and(|(_, other)| other.proxy.tree == Some(TreeKind::Movable))
+            other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
         let borne = |&other: &u32| {
             self.tree.bears(slot, other)

@@ -185,7 +185,7 @@ impl Bullets {
                 pairs.push(Pair { bullet, other: Other::Fast(other) });
             }
         });
-        search.world.trees.for_each_overlapping(TreeKind::Movable, region, |slot| {
+        search.world.trees.for_each_overlapping(TreeKind::Dynamic, region, |slot| {
             let parent = search.world.colliders.at_slot(slot).and_then(|(_, c)| c.parent());
             let Some(handle) = parent else { return };
             let is_fast = search.groups.position(handle.into_raw_parts().0).is_some();

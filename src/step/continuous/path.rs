@@ -39,8 +39,7 @@ impl Search<'_> {
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies.
     fn for_each_obstacle(self, region: &Aabb, mut visit: impl FnMut(Mover<'_>)) {
         let Surroundings { trees, colliders, bodies, .. } = self.world;
-        let movable = trees.has_kinematics().then_some(TreeKind::Movable);
-        for kind in movable.into_iter().chain([TreeKind::Fixed]) {
+        for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
             trees.for_each_overlapping(kind, region, |slot| {
                 let Some((handle, collider)) = colliders.at_slot(slot) else { return };
                 let body = collider.parent().and_then(|body| bodies.get(body));

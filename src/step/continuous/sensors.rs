@@ -38,7 +38,7 @@ pub(super) fn passages(search: Search<'_>, position: usize, stop: Real) -> Vec<P
     let Some(path) = Path::of_all(search, position, stop) else { return found };
     for mover in &path.movers {
         let region = mover.sweep.region(mover.collider.shape());
-        for kind in [TreeKind::Fixed, TreeKind::Movable] {
+        for kind in TreeKind::ALL {
             search.world.trees.for_each_overlapping(kind, &region, |slot| {
                 let Some((handle, collider)) = search.world.colliders.at_slot(slot) else { return };
                 if !is_told(mover.collider, collider) {

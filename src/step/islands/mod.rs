@@ -24,7 +24,7 @@ pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;
     for (turn, &(id, change)) in contacts.iter().enumerate() {
         if let Some(&(later, _)) = contacts.get(turn + TURNS_AHEAD) {
-            structure.narrow_phase.contacts.prefetch(later);
+            structure.prefetch_contact(later);
         }
         follow_contact(structure, id, change, events);
     }

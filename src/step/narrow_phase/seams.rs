@@ -65,7 +65,8 @@ pub(super) fn look_again(
     scratch.group(store, &computed);
     let SeamScratch { touching, groups } = &*scratch;
     let Computed { due, outcomes } = computed;
-    let StoreParts { of_collider, states, pairs } = store.split();
+    let StoreParts { of_collider, states, pairs, .. } = store.split();
+    let states = &*states;
     let (pairs, outcomes) = (DisjointMut::new(pairs), DisjointMut::new(outcomes));
     tasks.par_for(groups.len(), BODIES_PER_TASK, |range| {
         let mut worker = workers.take();

@@ -19,11 +19,14 @@ use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::step::notes::{PairChange, StepNotes};
+use core::ops::Range;
 use smallvec::SmallVec;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// Pairs that are worth handing over to another thread together.
 const PAIRS_PER_TASK: usize = 16;
+/// And outcomes.
+const OUTCOMES_PER_TASK: usize = 512;
 
 /// How many turns before it is needed memory is asked for.
 const TURNS_AHEAD: usize = 2;
@@ -48,14 +51,17 @@ pub(crate) struct Surroundings<'a> {
 #[derive(Default)]
 pub(crate) struct NarrowPhaseScratch {
     due: Vec<PairId>,
-    gather: Gather<PairId>,
+    gather_due: Gather<PairId>,
     outcomes: Vec<Outcome>,
-    /// Who changed, by the slots of the colliders.
-    changes: Vec<([u32; 2], PairId, PairChange)>,
+    changes: Vec<Change>,
+    gather_changes: Gather<Change>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
     seams: SeamScratch,
 }
+
+/// A pair that changed, after the slots of its colliders.
+type Change = ([u32; 2], PairId, PairChange);
 
 /// What one thread needs to compute manifolds.
 #[derive(Default)]
@@ -144,26 +150,14 @@ fn update_store<P: Update>(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
 ) {
-    let NarrowPhaseScratch { due, gather, outcomes, changes, workers, seams } = scratch;
-    list_due(tasks, around, store, gather, due);
+    let NarrowPhaseScratch { due, outcomes, changes, workers, seams, .. } = scratch;
+    list_due(tasks, around, store, &mut scratch.gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
     P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
     changes.clear();
-    for (index, (&id, outcome)) in due.iter().zip(outcomes.iter()).enumerate() {
-        let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
-        if later.is_some() {
-            store.prefetch_slots(due[index + SLOTS_AHEAD]);
-        }
-        let state = store.state_mut(id);
-        state.slack = outcome.slack;
-        state.reports_force = outcome.reports_force;
-        if outcome.is_renewed {
-            store.renew(id);
-        }
-        changes.extend(outcome.change.map(|change| (store.collider_slots(id), id, change)));
-    }
+    take_in(tasks, store, (due, outcomes), &mut scratch.gather_changes, changes);
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
@@ -198,6 +192,7 @@ fn look_at_all<P: Update>(
     workers: &Pool<Worker>,
 ) {
     let StoreParts { states, pairs, .. } = store.split();
+    let states = &*states;
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
@@ -214,6 +209,34 @@ fn look_at_all<P: Update>(
         }
         workers.put(worker);
     });
+}
+
+/// Has the store know of all pairs what was found, and lists those that changed.
+fn take_in<P: Pair>(
+    tasks: Tasks<'_>,
+    store: &mut PairStore<P>,
+    (due, outcomes): (&[PairId], &[Outcome]),
+    gather: &mut Gather<Change>,
+    changes: &mut Vec<Change>,
+) {
+    let StoreParts { states, slots, .. } = store.split();
+    let states = DisjointMut::new(states);
+    let take_in = |range: Range<usize>, found: &mut Vec<Change>| {
+        for index in range {
+            let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
+            if later.is_some() {
+                slots.prefetch(due[index + SLOTS_AHEAD]);
+            }
+            let (id, outcome) = (due[index], &outcomes[index]);
+            // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
+            let state = unsafe { states.get_mut(id as usize) };
+            (state.slack, state.reports_force) = (outcome.slack, outcome.reports_force);
+            found.extend(outcome.change.map(|change| (slots.of(id), id, change)));
+        }
+    };
+    gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), take_in, changes);
+    let renewed = due.iter().zip(outcomes).filter(|(_, outcome)| outcome.is_renewed);
+    renewed.for_each(|(&id, _)| store.renew(id));
 }
 
 /// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
