@@ -1,12 +1,7 @@
 //! A scene as this engine has built it, to be run here or transcribed elsewhere.
 
-use super::double::Double;
-use super::examples;
 use super::ours::prelude::*;
-use super::rapier::Rapier;
-use super::this::This;
-use super::worlds;
-use super::{BOX_FEATURE, start_box, three};
+use super::{BOX_FEATURE, double, examples, rapier, start_box, this, three, worlds};
 use crate::catalog::Scene;
 use crate::engine::{Engine, Kind, Unsupported};
 use crate::growth::World;
@@ -117,9 +112,9 @@ impl crate::engine::Template for Template {
 
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
         match kind {
-            Kind::This => Ok(Box::new(This::new(self))),
-            Kind::Rapier => Ok(Box::new(Rapier::new(self)?)),
-            Kind::Double => Ok(Box::new(Double::new(self)?)),
+            Kind::This => Ok(Box::new(this::start(self))),
+            Kind::Rapier => Ok(Box::new(rapier::start(self)?)),
+            Kind::Double => Ok(Box::new(double::start(self)?)),
             Kind::Box => start_box(self, threads).unwrap_or_else(|| {
                 Err(Unsupported::because(format!("built without the feature {BOX_FEATURE}")))
             }),
