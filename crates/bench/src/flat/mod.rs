@@ -7,6 +7,9 @@ use rapier2d_peer as peer;
 
 #[cfg(feature = "box2d")]
 mod box2d;
+#[cfg(feature = "box2d")]
+#[path = "../both/box_engines.rs"]
+mod box_engines;
 mod dim;
 #[path = "../both/double.rs"]
 mod double;

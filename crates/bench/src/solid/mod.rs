@@ -7,6 +7,9 @@ use rapier3d_peer as peer;
 
 #[cfg(feature = "box3d")]
 mod box3d;
+#[cfg(feature = "box3d")]
+#[path = "../both/box_engines.rs"]
+mod box_engines;
 mod dim;
 #[path = "../both/double.rs"]
 mod double;
