@@ -143,6 +143,7 @@ pub trait Template {
     /// A fresh world in the given engine.
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported>;
 
-    /// Runs in this engine and adds up where the time went.
+    /// Runs in this engine, on the threads of the pool in which it is called, and tells where the time of a step went (ms): each stage with
+    /// its mean, and at the end the time that all threads spent on processors.
     fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)>;
 }

@@ -32,6 +32,7 @@ mod flat;
 mod growth;
 mod means;
 mod memory;
+mod pool;
 mod profile;
 mod queries;
 mod report;
@@ -77,12 +78,8 @@ fn main() -> ExitCode {
 fn run(scenes: &[catalog::Scene], options: &Options) -> std::io::Result<()> {
     let mut contests = Vec::new();
     for &threads in &options.threads {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(std::io::Error::other)?;
+        let pool = pool::of(threads)?;
         for &index in &options.scenes {
-            // This engine and Rapier use the pool they are called in; the others start threads.
             contests.push(pool.install(|| contest::run(&scenes[index], threads, options)));
         }
     }

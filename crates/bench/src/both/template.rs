@@ -3,6 +3,7 @@
 use super::ours::prelude::*;
 use super::{BOX_FEATURE, double, examples, rapier, start_box, this, three, worlds};
 use crate::catalog::Scene;
+use crate::clock::Clock;
 use crate::engine::{Engine, Kind, Unsupported};
 use crate::growth::World;
 use std::collections::HashMap;
@@ -126,8 +127,11 @@ impl crate::engine::Template for Template {
         // Here no peer is beside it, and the stage is to be seen.
         world.integration_parameters.max_ccd_substeps = 1;
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        let mut on_processors = 0.0;
         for done in 1..=steps {
+            let clock = Clock::start_processor();
             world.step();
+            on_processors += clock.milliseconds();
             for (index, (name, milliseconds)) in stages(&world).into_iter().enumerate() {
                 match sums.get_mut(index) {
                     Some((_, sum)) => *sum += milliseconds,
@@ -136,6 +140,7 @@ impl crate::engine::Template for Template {
             }
             after_step(done);
         }
+        sums.push(("on processors", on_processors));
         sums.iter_mut().for_each(|(_, sum)| *sum /= steps as f64);
         sums
     }

@@ -12,6 +12,7 @@ use crate::catalog::Scene;
 use crate::clock::Clock;
 use crate::contest::{Score, Turn, take_turns};
 use crate::engine::{Counts, Engine, Kind, Stats, Template, Unsupported};
+use crate::pool;
 use crate::units::counted;
 use curve::Setting;
 use gallery::Progress;
@@ -104,10 +105,6 @@ fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Resu
     let mut done = 0;
     let mut spots: Vec<Spot> = Vec::new();
     for setting in settings {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(setting.threads)
-            .build()
-            .map_err(io::Error::other)?;
         let visit = || {
             let template = grown(dimension, setting.world);
             let clock = if curve == Curve::Threads { Clock::start_wall } else { Clock::start };
@@ -123,7 +120,7 @@ fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Resu
             });
             Spot { setting, results }
         };
-        spots.push(pool.install(visit));
+        spots.push(pool::of(setting.threads)?.install(visit));
     }
     progress.clear();
     Ok(Growth { curve, dimension, spots })
