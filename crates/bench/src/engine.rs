@@ -59,8 +59,8 @@ impl Probes {
             let length = direction.iter().map(|x| x * x).sum::<f32>().sqrt();
             if (0.1..1.0).contains(&length) {
                 directions.push(direction.map(|x| x / length));
-                origins
-                    .push([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * dice.between(0.0, 1.0)));
+                let origin = |k: usize| low[k] + (high[k] - low[k]) * dice.between(0.0, 1.0);
+                origins.push([0, 1, 2].map(origin));
             }
         }
         let size = |k: usize| high[k] - low[k];

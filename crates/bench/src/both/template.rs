@@ -1,7 +1,7 @@
 //! A scene as this engine has built it, to be run here or transcribed elsewhere.
 
 use super::ours::prelude::*;
-use super::{BOX_FEATURE, double, examples, rapier, start_box, this, three, worlds};
+use super::{double, examples, rapier, start_box, this, three, worlds};
 use crate::catalog::Scene;
 use crate::clock::Clock;
 use crate::engine::{Engine, Kind, Unsupported};
@@ -116,9 +116,7 @@ impl crate::engine::Template for Template {
             Kind::This => Ok(Box::new(this::start(self))),
             Kind::Rapier => Ok(Box::new(rapier::start(self)?)),
             Kind::Double => Ok(Box::new(double::start(self)?)),
-            Kind::Box => start_box(self, threads).unwrap_or_else(|| {
-                Err(Unsupported::because(format!("built without the feature {BOX_FEATURE}")))
-            }),
+            Kind::Box => start_box(self, threads),
         }
     }
 

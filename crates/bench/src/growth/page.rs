@@ -21,9 +21,9 @@ const HEADINGS: [&str; 8] =
 /// What the columns mean.
 const LEGEND: &str = "\
 bodies: those that the curve is about. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their contact
-points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall asleep, of the step's median over the rounds; with one
-thread it is time on the processor, with more it is time on the wall. bytes/body: memory of the world at the end divided by all its bodies,
-contacts, floors and all.";
+points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall
+asleep, of the step's median over the rounds; with one thread it is time on the processor, with more it is time on the wall. bytes/body:
+memory of the world at the end divided by all its bodies, contacts, floors and all.";
 
 /// Prints a curve as a table.
 pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {
