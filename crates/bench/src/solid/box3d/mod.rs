@@ -113,7 +113,9 @@ impl Engine for Box3d<'_> {
 
     fn foreign_bytes(&self) -> usize {
         // SAFETY: reads a counter. There is no other world of this engine at the time.
-        usize::try_from(unsafe { b3GetByteCount() }).unwrap_or(0)
+        let bytes = unsafe { b3GetByteCount() };
+        // It has 32 bits and wraps around: without its sign it is right up to 4 GiB. A million sleeping bodies take three.
+        bytes.cast_unsigned() as usize
     }
 }
 
