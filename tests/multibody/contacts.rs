@@ -1,24 +1,18 @@
 //! Links touch the world, other bodies and each other.
 
-use super::stage::{Chain, energy, momentum};
+use super::stage::{Chain, chain_of, energy, momentum};
 use crate::dim::{cuboid, hinge, vec};
 use crate::suite::physics::stage::{G, add_ground, penetration, run, steps, weightless, world};
 use rapier::prelude::*;
 
 /// A chain of boxes along x, hinged at their ends.
 fn boxes(world: &mut PhysicsWorld, count: usize, height: Real) -> Chain {
-    let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
-    for k in 0..count {
+    chain_of(world, None, count, |world, k| {
         let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, height));
         let (body, _) = world.insert(body, cuboid(0.45, 0.2).friction(0.6));
-        if let Some(&parent) = chain.bodies.last() {
-            let joint = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
-            let joint = world.multibody_joints.insert(parent, body, joint, true);
-            chain.joints.push(joint.expect("it fits"));
-        }
-        chain.bodies.push(body);
-    }
-    chain
+        let joint = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
+        (body, joint.into())
+    })
 }
 
 /// A chain that was dropped comes to rest on the ground, lies still, and falls asleep as one.
@@ -58,25 +52,19 @@ fn capsules(
     mass: Real,
     is_solid: bool,
 ) -> Chain {
-    let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
-    let mut parent = world.insert_body(RigidBodyBuilder::fixed());
+    let post = world.insert_body(RigidBodyBuilder::fixed());
     if is_solid {
-        world.insert_collider(ColliderBuilder::capsule_x(0.15, 0.1), Some(parent));
+        world.insert_collider(ColliderBuilder::capsule_x(0.15, 0.1), Some(post));
     }
-    for k in 0..count {
+    chain_of(world, Some(post), count, |world, k| {
         let at = vec(0.5 * (k + 1) as Real, 0.0);
         let body = RigidBodyBuilder::dynamic().translation(at).can_sleep(false);
         let density = if k % 3 == 0 { mass } else { 1.0 };
         let capsule = ColliderBuilder::capsule_x(0.15, 0.1).density(density);
         let (body, _) = world.insert(body, capsule);
         let joint = hinge().local_anchor1(vec(0.25, 0.0)).local_anchor2(vec(-0.25, 0.0));
-        let joint =
-            world.multibody_joints.insert(parent, body, joint.limits([-limit, limit]), true);
-        chain.joints.push(joint.expect("it fits"));
-        chain.bodies.push(body);
-        parent = body;
-    }
-    chain
+        (body, joint.limits([-limit, limit]).into())
+    })
 }
 
 /// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no more energy for it. (The levers
@@ -110,10 +98,9 @@ fn links_that_touch_at_their_joints_gain_nothing() {
 #[test]
 fn links_that_touch_at_their_joints_are_held_apart() {
     let mut world = world(60);
-    let chain = capsules(&mut world, 4, 2.0, 1.0, false);
+    capsules(&mut world, 4, 2.0, 1.0, false);
     run(&mut world, 10.0);
     assert!(penetration(&world) < 0.01, "{} deep", penetration(&world));
-    drop(chain);
 }
 
 /// The ground carries the weight of all links: the contacts' impulses of a step are `m g dt`.

@@ -4,7 +4,7 @@ use crate::dim::{about_z, hinge, loose_joint, spin_momentum, vec};
 use crate::suite::joints::stage::bob;
 use rapier::prelude::*;
 
-/// A chain: bodies along x, one length unit apart, each a child of the one before. The first hangs on `root`, if there is one.
+/// A chain: bodies, each a child of the one before. The first may hang on a root.
 pub struct Chain {
     /// The bodies, without the root.
     pub bodies: Vec<RigidBodyHandle>,
@@ -18,17 +18,28 @@ pub fn slab(at: Vector) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic().translation(at).additional_mass_properties(shape).can_sleep(false)
 }
 
-/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin.
+/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin: along x, one length unit apart.
 pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usize) -> Chain {
+    chain_of(world, root, count, |world, k| {
+        let body = world.insert_body(slab(vec(k as Real + 0.5, 0.0)));
+        let end = if k == 0 { 0.0 } else { 0.5 };
+        (body, loose_joint(k, vec(end, 0.0), vec(-0.5, 0.0)))
+    })
+}
+
+/// Hangs a chain on a body (or starts it with a free one). `make` makes each of its bodies, and the joint to the one before.
+pub fn chain_of(
+    world: &mut PhysicsWorld,
+    root: Option<RigidBodyHandle>,
+    count: usize,
+    make: impl Fn(&mut PhysicsWorld, usize) -> (RigidBodyHandle, GenericJoint),
+) -> Chain {
     let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
     let mut parent = root;
     for k in 0..count {
-        let at = vec(k as Real + 0.5, 0.0);
-        let body = world.insert_body(slab(at));
+        let (body, joint) = make(world, k);
         chain.bodies.push(body);
         if let Some(parent) = parent {
-            let end = if k == 0 { 0.0 } else { 0.5 };
-            let joint = loose_joint(k, vec(end, 0.0), vec(-0.5, 0.0));
             let joint = world.multibody_joints.insert(parent, body, joint, true);
             chain.joints.push(joint.expect("the joint fits"));
         }

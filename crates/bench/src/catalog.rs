@@ -1,4 +1,4 @@
-//! The scenes of the benchmark: those of the galleries in which nothing happens but contacts.
+//! The scenes of the benchmark: those of the galleries in which nothing happens but physics.
 
 use crate::engine::{Kind, Template};
 

@@ -18,16 +18,19 @@ pub enum Clock {
 impl Clock {
     /// Starts measuring what is done with this number of threads.
     pub fn start(threads: usize) -> Self {
-        #[cfg(unix)]
-        if threads == 1 {
-            return Clock::Processor(processor_time());
-        }
-        let _ = threads;
-        Clock::Wall(Instant::now())
+        if threads == 1 { Self::start_processor() } else { Self::start_wall(threads) }
     }
 
     /// Starts measuring the time on the wall, whatever the number of threads.
     pub fn start_wall(_: usize) -> Self {
+        Clock::Wall(Instant::now())
+    }
+
+    /// Starts measuring the time that all threads spend on processors, or that on the wall where the system does not tell.
+    pub fn start_processor() -> Self {
+        #[cfg(unix)]
+        return Clock::Processor(processor_time());
+        #[cfg(not(unix))]
         Clock::Wall(Instant::now())
     }
 

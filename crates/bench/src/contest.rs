@@ -5,7 +5,7 @@ use crate::catalog::{Scene, engine_name};
 use crate::clock::Clock;
 use crate::engine::{Engine, Kind, Stats, Template, Unsupported};
 use crate::memory::live_bytes;
-use crate::units::{mean_of_steps, middle};
+use crate::units::{counted, mean_of_steps, middle};
 use gallery::Progress;
 
 /// What became of one scene with one number of threads.
@@ -17,7 +17,15 @@ pub struct Contest {
     /// Number of threads.
     pub threads: usize,
     /// One for each engine, in the order they took turns.
-    pub results: Vec<(Kind, Result<Score, Unsupported>)>,
+    pub outcomes: Vec<Outcome>,
+}
+
+/// What became of an engine: its score, or why it did not take part.
+pub type Outcome = (Kind, Result<Score, Unsupported>);
+
+/// The scores of the engines that took part.
+pub fn scores(outcomes: &[Outcome]) -> impl Iterator<Item = (Kind, &Score)> {
+    outcomes.iter().filter_map(|(kind, outcome)| Some((*kind, outcome.as_ref().ok()?)))
 }
 
 /// What an engine has achieved.
@@ -77,7 +85,7 @@ impl Contest {
 
     /// All scores, in the order in which the engines took turns.
     pub fn scores(&self) -> impl Iterator<Item = (Kind, &Score)> {
-        self.results.iter().filter_map(|(kind, result)| Some((*kind, result.as_ref().ok()?)))
+        scores(&self.outcomes)
     }
 
     /// The peer with the smallest median, and that (ms).
@@ -107,10 +115,11 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
     let template = (scene.build)();
     // The first step belongs to the making of the world.
     let steps = options.steps.unwrap_or(scene.steps).max(2);
-    let results = take_turns(&options.engines, options.rounds, |round, kind| {
+    let outcomes = take_turns(&options.engines, options.rounds, |round, kind| {
         let label = format!(
-            "{}, {threads} thread(s), round {} of {}, {}",
+            "{}, {}, round {} of {}, {}",
             scene.title(),
+            counted(threads, "thread"),
             round + 1,
             options.rounds,
             scene.engine_name(kind)
@@ -123,7 +132,7 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
         score
     });
     let dynamic_bodies = template.dynamic_bodies();
-    Contest { scene: scene.title(), dynamic_bodies, threads, results }
+    Contest { scene: scene.title(), dynamic_bodies, threads, outcomes }
 }
 
 /// One round of each engine, then the next round. `play` is told the round and the engine. Who cannot take part is asked once.
@@ -131,12 +140,12 @@ pub fn take_turns(
     engines: &[Kind],
     rounds: usize,
     mut play: impl FnMut(usize, Kind) -> Result<Score, Unsupported>,
-) -> Vec<(Kind, Result<Score, Unsupported>)> {
-    let mut results: Vec<(Kind, Result<Score, Unsupported>)> = Vec::new();
+) -> Vec<Outcome> {
+    let mut outcomes: Vec<Outcome> = Vec::new();
     for round in 0..rounds {
         for (position, &kind) in engines.iter().enumerate() {
-            match results.get_mut(position) {
-                None => results.push((kind, play(round, kind))),
+            match outcomes.get_mut(position) {
+                None => outcomes.push((kind, play(round, kind))),
                 Some((_, Ok(so_far))) => {
                     if let Ok(score) = play(round, kind) {
                         so_far.add(score);
@@ -146,7 +155,7 @@ pub fn take_turns(
             }
         }
     }
-    results
+    outcomes
 }
 
 /// What an engine is to do, in a fresh world.
@@ -211,13 +220,13 @@ mod tests {
     #[test]
     fn who_cannot_take_part_is_asked_once() {
         let mut asked = Vec::new();
-        let results = take_turns(&[Kind::This, Kind::Box], 3, |round, kind| {
+        let outcomes = take_turns(&[Kind::This, Kind::Box], 3, |round, kind| {
             asked.push((round, kind));
             let absent = Err(Unsupported::because("absent"));
             if kind == Kind::This { Ok(score(&[&[round as f64]])) } else { absent }
         });
-        let rounds = results[0].1.as_ref().map(|score| score.rounds.len());
-        assert_eq!((rounds, results[1].1.is_err()), (Ok(3), true));
+        let rounds = outcomes[0].1.as_ref().map(|score| score.rounds.len());
+        assert_eq!((rounds, outcomes[1].1.is_err()), (Ok(3), true));
         assert_eq!(asked.len(), 4);
     }
 

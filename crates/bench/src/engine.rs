@@ -59,8 +59,8 @@ impl Probes {
             let length = direction.iter().map(|x| x * x).sum::<f32>().sqrt();
             if (0.1..1.0).contains(&length) {
                 directions.push(direction.map(|x| x / length));
-                origins
-                    .push([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * dice.between(0.0, 1.0)));
+                let origin = |k: usize| low[k] + (high[k] - low[k]) * dice.between(0.0, 1.0);
+                origins.push([0, 1, 2].map(origin));
             }
         }
         let size = |k: usize| high[k] - low[k];
@@ -143,6 +143,7 @@ pub trait Template {
     /// A fresh world in the given engine.
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported>;
 
-    /// Runs in this engine and adds up where the time went.
+    /// Runs in this engine, on the threads of the pool in which it is called, and tells where the time of a step went (ms): each stage with
+    /// its mean, and at the end the time that all threads spent on processors.
     fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)>;
 }

@@ -2,6 +2,7 @@
 
 use crate::contest::{Contest, Score};
 use crate::engine::Kind;
+use crate::units::counted;
 use gallery::grouped;
 
 /// Numbers of contacts that differ by more than this share are told. Less is the way in which each engine counts.
@@ -101,9 +102,9 @@ fn contacts(
     far.map(line).collect()
 }
 
-/// `3d/tower, 2 thread(s)`
+/// `3d/tower, 2 threads`
 fn title(contest: &Contest) -> String {
-    format!("{}, {} thread(s)", contest.scene, contest.threads)
+    format!("{}, {}", contest.scene, counted(contest.threads, "thread"))
 }
 
 #[cfg(test)]
@@ -122,7 +123,7 @@ mod tests {
             scene: "3d/tower".into(),
             dynamic_bodies: 30,
             threads: 1,
-            results: vec![
+            outcomes: vec![
                 (Kind::This, Ok(score(ours, 10))),
                 (Kind::Box, Ok(score(theirs, their_steps))),
             ],
@@ -145,10 +146,7 @@ mod tests {
         let notes = notes(&[contest(COUNTS, fewer, 9)]);
         assert_eq!(notes.len(), 5, "{notes:?}");
         assert!(notes[0].contains("in 0 of 1 contests"), "{notes:?}");
-        assert_eq!(
-            notes[1],
-            "NOT EQUAL: 3d/tower, 1 thread(s): Box3D has 30 bodies, this engine 31"
-        );
+        assert_eq!(notes[1], "NOT EQUAL: 3d/tower, 1 thread: Box3D has 30 bodies, this engine 31");
     }
 
     #[test]
@@ -157,7 +155,7 @@ mod tests {
         assert_eq!(notes(&[contest(COUNTS, near, 10)]).len(), 1);
         let far = Counts { points: 200, ..COUNTS };
         let notes = notes(&[contest(COUNTS, far, 10)]);
-        let line = "Contacts differ: 3d/tower, 1 thread(s): Box3D has 200 contact points (-50 %), this engine 400";
+        let line = "Contacts differ: 3d/tower, 1 thread: Box3D has 200 contact points (-50 %), this engine 400";
         assert_eq!(notes[1..], [line]);
     }
 }

@@ -8,9 +8,9 @@
 //! This engine in double precision takes part as one more engine; it is no peer. Where nothing is asked but
 //! how costs grow (`--growth`), worlds are made of one thing again and again.
 //!
-//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps (but where sleeping
-//! bodies are what grows), no continuous collision detection, contact stiffness and recycling as each engine's own
-//! defaults have them, the same compiler profile. Every step counts, the first one too.
+//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps (but where sleeping bodies
+//! are what grows), no continuous collision detection, contact stiffness and recycling as each engine's
+//! own defaults have them, the same compiler profile. The first step counts as making the world.
 //!
 //! All engines are linked into one program. This engine and Rapier share the geometry crate, and
 //! cargo gives both the sum of the features they ask for: this engine asks for none beyond the
@@ -32,6 +32,7 @@ mod flat;
 mod growth;
 mod means;
 mod memory;
+mod pool;
 mod profile;
 mod queries;
 mod report;
@@ -77,12 +78,8 @@ fn main() -> ExitCode {
 fn run(scenes: &[catalog::Scene], options: &Options) -> std::io::Result<()> {
     let mut contests = Vec::new();
     for &threads in &options.threads {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(std::io::Error::other)?;
+        let pool = pool::of(threads)?;
         for &index in &options.scenes {
-            // This engine and Rapier use the pool they are called in; the others start threads.
             contests.push(pool.install(|| contest::run(&scenes[index], threads, options)));
         }
     }

@@ -108,10 +108,10 @@ mod tests {
             stats: Stats::default(),
             bytes: 0,
         };
-        let result =
+        let outcome =
             |ms: f64| if ms > 0.0 { Ok(score(ms)) } else { Err(Unsupported("absent".into())) };
-        let results = Kind::ALL.into_iter().zip(times.map(result)).collect();
-        Contest { scene: scene.into(), dynamic_bodies: 1, threads: 1, results }
+        let outcomes = Kind::ALL.into_iter().zip(times.map(outcome)).collect();
+        Contest { scene: scene.into(), dynamic_bodies: 1, threads: 1, outcomes }
     }
 
     #[test]

@@ -1,17 +1,20 @@
 //! Where the time of this engine's step goes.
+//!
+//! Stages are measured on the wall. Beside them stands the time on processors, of all threads together: while threads have processors, those
+//! that wait for work look for it, so with two threads it is nearly twice the step. If it is no more than the step, the others got none: the
+//! machine is busy with other things, and the stages are those of one thread.
 
 use crate::args::Options;
 use crate::catalog::Scene;
+use crate::pool;
+use crate::units::counted;
 use gallery::{Progress, Table};
-use std::io;
+use std::io::{self, Write};
 
 /// Runs the chosen scenes in this engine alone and prints the time of each stage.
 pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     for &threads in &options.threads {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(io::Error::other)?;
+        let pool = pool::of(threads)?;
         for &index in &options.scenes {
             pool.install(|| print(&scenes[index], threads, options))?;
         }
@@ -21,7 +24,7 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
 
 fn print(scene: &Scene, threads: usize, options: &Options) -> io::Result<()> {
     let steps = options.steps.unwrap_or(scene.steps);
-    let label = format!("{}, {threads} thread(s)", scene.title());
+    let label = format!("{}, {}", scene.title(), counted(threads, "thread"));
     let mut progress = Progress::new(&label, label.len(), steps);
     let template = (scene.build)();
     let stages = template.profile(steps, &mut |done| progress.advance(done));
@@ -38,5 +41,5 @@ fn print(scene: &Scene, threads: usize, options: &Options) -> io::Result<()> {
     }
     let mut out = io::stdout().lock();
     table.print(&mut out)?;
-    io::Write::write_all(&mut out, b"\n")
+    writeln!(out)
 }

@@ -22,9 +22,16 @@ Rays, and balls of a hundredth of the scene's height, from random places in rand
 the median over the rounds of their number per second of time on the processor. ratio: this engine's number divided by the engine's, so
 above 1 this engine is faster. hits: how many found something.";
 
-/// What one engine has achieved in one round: seconds and hits, for rays and for balls.
-/// None of what it cannot be asked.
-type Turn = [Option<(f64, usize)>; 2];
+/// What one engine has answered in one round: seconds and hits, for rays and for balls. None of what it cannot be asked.
+type Answers = [Option<(f64, usize)>; 2];
+
+/// An engine that is asked.
+struct Contestant<'t> {
+    kind: Kind,
+    engine: Box<dyn Engine + 't>,
+    /// One for each round.
+    answers: Vec<Answers>,
+}
 
 /// Runs the chosen scenes and prints the table.
 pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
@@ -32,21 +39,18 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     for &index in &options.scenes {
         let scene = &scenes[index];
         let template = (scene.build)();
-        let mut turns: Vec<(Kind, Vec<Turn>)> =
-            options.engines.iter().map(|&kind| (kind, Vec::new())).collect();
         let label = format!("{}, {COUNT} rays and balls", scene.title());
-        let mut progress = Progress::new(&label, label.len(), options.rounds * turns.len());
-        let engines = start(&*template, &options.engines);
+        let mut contestants = start(&*template, &options.engines);
+        let count = contestants.len();
+        let mut progress = Progress::new(&label, label.len(), options.rounds * count);
         for round in 0..options.rounds {
-            for (position, (_, turns)) in turns.iter_mut().enumerate() {
-                if let Some(engine) = &engines[position] {
-                    turns.push(ask(&**engine, &*template, round));
-                }
-                progress.advance(round * options.engines.len() + position + 1);
+            for (position, contestant) in contestants.iter_mut().enumerate() {
+                contestant.answers.push(ask(&*contestant.engine, &*template, round));
+                progress.advance(round * count + position + 1);
             }
         }
         progress.clear();
-        rows(scene, &turns, &mut table);
+        add_rows(scene, &contestants, &mut table);
     }
     let mut out = io::stdout().lock();
     table.print(&mut out)?;
@@ -54,17 +58,17 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
 }
 
 /// The engines that can take part, after their first step.
-fn start<'t>(template: &'t dyn Template, kinds: &[Kind]) -> Vec<Option<Box<dyn Engine + 't>>> {
+fn start<'t>(template: &'t dyn Template, kinds: &[Kind]) -> Vec<Contestant<'t>> {
     let start = |&kind| {
         let mut engine = template.start(kind, 1).ok()?;
         engine.step();
-        Some(engine)
+        Some(Contestant { kind, engine, answers: Vec::new() })
     };
-    kinds.iter().map(start).collect()
+    kinds.iter().filter_map(start).collect()
 }
 
 /// One round of one engine.
-fn ask(engine: &dyn Engine, template: &dyn Template, round: usize) -> Turn {
+fn ask(engine: &dyn Engine, template: &dyn Template, round: usize) -> Answers {
     let probes = Probes::random(COUNT, template.region(), round as u64);
     [None, Some(probes.radius)].map(|radius| {
         let clock = Clock::start(1);
@@ -73,17 +77,17 @@ fn ask(engine: &dyn Engine, template: &dyn Template, round: usize) -> Turn {
     })
 }
 
-fn rows(scene: &Scene, turns: &[(Kind, Vec<Turn>)], table: &mut Table) {
-    let ours = turns.iter().find(|(kind, _)| *kind == Kind::This).map(|(_, turns)| turns);
-    for (kind, turns) in turns.iter().filter(|(_, turns)| !turns.is_empty()) {
-        let mut row = vec![scene.title(), scene.engine_name(*kind).to_owned()];
+fn add_rows(scene: &Scene, contestants: &[Contestant<'_>], table: &mut Table) {
+    let ours = contestants.iter().find(|contestant| contestant.kind == Kind::This);
+    for contestant in contestants {
+        let mut row = vec![scene.title(), scene.engine_name(contestant.kind).to_owned()];
+        let ours = ours.filter(|_| contestant.kind != Kind::This);
         for question in 0..2 {
-            let Some((seconds, hits)) = middle(turns, question) else {
+            let Some((seconds, hits)) = contestant.median(question) else {
                 row.extend(["–"; 3].map(str::to_owned));
                 continue;
             };
-            let ours = ours.filter(|_| *kind != Kind::This);
-            let ratio = ours.and_then(|turns| Some(seconds / middle(turns, question)?.0));
+            let ratio = ours.and_then(|ours| Some(seconds / ours.median(question)?.0));
             row.push(grouped((COUNT as f64 / seconds) as usize));
             row.push(ratio.map_or(String::new(), |ratio| format!("{ratio:.2}")));
             row.push(grouped(hits));
@@ -92,10 +96,12 @@ fn rows(scene: &Scene, turns: &[(Kind, Vec<Turn>)], table: &mut Table) {
     }
 }
 
-/// The median of the times, and the hits of the first round.
-fn middle(turns: &[Turn], question: usize) -> Option<(f64, usize)> {
-    let answered: Vec<_> = turns.iter().filter_map(|turn| turn[question]).collect();
-    let mut seconds: Vec<f64> = answered.iter().map(|&(seconds, _)| seconds).collect();
-    seconds.sort_by(f64::total_cmp);
-    Some((*seconds.get(seconds.len() / 2)?, answered.first()?.1))
+impl Contestant<'_> {
+    /// The median of the times, and the hits of the first round; `None` if it cannot be asked.
+    fn median(&self, question: usize) -> Option<(f64, usize)> {
+        let answered: Vec<_> = self.answers.iter().filter_map(|round| round[question]).collect();
+        let mut seconds: Vec<f64> = answered.iter().map(|&(seconds, _)| seconds).collect();
+        seconds.sort_by(f64::total_cmp);
+        Some((*seconds.get(seconds.len() / 2)?, answered.first()?.1))
+    }
 }

@@ -37,7 +37,8 @@ const CHART: &str = "latest.svg";
 const LEGEND: &str = "\
 ms/step: mean over all steps but the first of the step's median over the rounds. best ms: the same with
 the step's fastest round. setup ms: to make the world and take the first step, in the fastest round;
-some engines take in new bodies at once, others in the next step. With one thread it is time on the processor, with more it is time on the wall.
+some engines take in new bodies at once, others in the next step. With one thread it is time on the
+processor, with more it is time on the wall.
 ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
 overlap: deepest overlap of any pair at the end, measured in the same way for all.
@@ -162,8 +163,8 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
 fn absences(contests: &[Contest]) -> Vec<String> {
     let mut lines = Vec::new();
     for contest in contests {
-        for (kind, result) in &contest.results {
-            if let Err(reason) = result {
+        for (kind, outcome) in &contest.outcomes {
+            if let Err(reason) = outcome {
                 let line = format!(
                     "{}: without {}: {}",
                     contest.scene,
@@ -204,7 +205,7 @@ mod tests {
             scene: "3d/tower".into(),
             dynamic_bodies: 30,
             threads: 1,
-            results: vec![
+            outcomes: vec![
                 (Kind::This, Ok(score(2.0))),
                 (Kind::Rapier, Ok(score(4.0))),
                 (Kind::Box, Err(Unsupported("not built in".into()))),

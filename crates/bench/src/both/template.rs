@@ -1,13 +1,9 @@
 //! A scene as this engine has built it, to be run here or transcribed elsewhere.
 
-use super::double::Double;
-use super::examples;
 use super::ours::prelude::*;
-use super::rapier::Rapier;
-use super::this::This;
-use super::worlds;
-use super::{BOX_FEATURE, start_box, three};
+use super::{double, examples, rapier, start_box, this, three, worlds};
 use crate::catalog::Scene;
+use crate::clock::Clock;
 use crate::engine::{Engine, Kind, Unsupported};
 use crate::growth::World;
 use std::collections::HashMap;
@@ -117,12 +113,10 @@ impl crate::engine::Template for Template {
 
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
         match kind {
-            Kind::This => Ok(Box::new(This::new(self))),
-            Kind::Rapier => Ok(Box::new(Rapier::new(self)?)),
-            Kind::Double => Ok(Box::new(Double::new(self)?)),
-            Kind::Box => start_box(self, threads).unwrap_or_else(|| {
-                Err(Unsupported::because(format!("built without the feature {BOX_FEATURE}")))
-            }),
+            Kind::This => Ok(Box::new(this::start(self))),
+            Kind::Rapier => Ok(Box::new(rapier::start(self)?)),
+            Kind::Double => Ok(Box::new(double::start(self)?)),
+            Kind::Box => start_box(self, threads),
         }
     }
 
@@ -131,8 +125,11 @@ impl crate::engine::Template for Template {
         // Here no peer is beside it, and the stage is to be seen.
         world.integration_parameters.max_ccd_substeps = 1;
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
+        let mut on_processors = 0.0;
         for done in 1..=steps {
+            let clock = Clock::start_processor();
             world.step();
+            on_processors += clock.milliseconds();
             for (index, (name, milliseconds)) in stages(&world).into_iter().enumerate() {
                 match sums.get_mut(index) {
                     Some((_, sum)) => *sum += milliseconds,
@@ -141,6 +138,7 @@ impl crate::engine::Template for Template {
             }
             after_step(done);
         }
+        sums.push(("on processors", on_processors));
         sums.iter_mut().for_each(|(_, sum)| *sum /= steps as f64);
         sums
     }

@@ -1,21 +1,16 @@
 //! Box2D, through the crate that builds it from its C sources.
 //!
 //! Box2D knows circles, capsules, convex polygons of up to 8 corners, with a round rim or without, and chains of segments, which
-//! height fields become. A half-space becomes a box as large as the scene. What else it knows the benchmark does not transcribe. Left
-//! to itself it mixes the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+//! height fields become. A half-space becomes a box as large as the scene. What else it knows the benchmark does not transcribe.
 
+use super::box_engines::{self, ENDLESS};
 use super::ours::prelude::*;
-use super::overlap::deepest_overlap;
-use super::separation::largest_separation;
 use super::template::{DT, SUBSTEPS, Template};
 use crate::engine::{Counts, Engine, Stats, Unsupported};
 use boxdd_sys::ffi::*;
 
 /// Box2D's own limit.
 const MAX_POLYGON_VERTICES: usize = 8;
-
-/// Half the size of the box that stands for a half-space.
-const ENDLESS: f32 = 1000.0;
 
 /// A world in Box2D.
 pub struct Box2d<'t> {
@@ -73,35 +68,11 @@ impl Engine for Box2d<'_> {
     fn counts(&self) -> Counts {
         // SAFETY: the world is live.
         let all = unsafe { b2World_GetCounters(self.world.0) }.bodyCount;
-        // One of them is the ground that this file has added.
-        let bodies = usize::try_from(all - 1).unwrap_or(0);
-        let mut counts = Counts { bodies, substeps: SUBSTEPS, ..Counts::default() };
-        for &body in &self.bodies {
-            let (pairs, points) = count_contacts(body);
-            counts.pairs += pairs;
-            counts.points += points;
-            // SAFETY: the body is live as long as the world is.
-            let awake = unsafe {
-                b2Body_GetType(body) == b2BodyType_b2_dynamicBody && b2Body_IsAwake(body)
-            };
-            counts.awake += usize::from(awake);
-        }
-        counts
+        box_engines::counts(all, &self.bodies, is_awake, count_contacts)
     }
 
     fn stats(&self) -> Stats {
-        let mut stats = Stats { counts: self.counts(), ..Stats::default() };
-        let mut poses = Vec::with_capacity(self.bodies.len());
-        for &body in &self.bodies {
-            stats.kinetic_energy += kinetic_energy(body);
-            // SAFETY: the body is live as long as the world is.
-            let (p, q) = unsafe { (b2Body_GetPosition(body), b2Body_GetRotation(body)) };
-            let rotation = Rotation { re: q.c, im: q.s };
-            poses.push(Pose::from_parts(Vector::new(p.x, p.y), rotation));
-        }
-        stats.overlap = deepest_overlap(self.template, &poses);
-        stats.separation = largest_separation(self.template, &poses);
-        stats
+        box_engines::stats(self.template, self.counts(), &self.bodies, pose, kinetic_energy)
     }
 
     fn foreign_bytes(&self) -> usize {
@@ -117,25 +88,15 @@ fn create_world(template: &Template, threads: usize) -> World {
         definition.gravity = vector(template.world.gravity);
         definition.enableSleep = template.may_sleep;
         definition.enableContinuous = false;
-        definition.frictionCallback = Some(average);
-        definition.restitutionCallback = Some(average);
+        definition.frictionCallback = Some(box_engines::average);
+        definition.restitutionCallback = Some(box_engines::average);
         definition.workerCount = threads as i32;
         World(b2CreateWorld(&definition))
     }
 }
 
-/// How the coefficients of two shapes mix.
-extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f32 {
-    0.5 * (coefficient1 + coefficient2)
-}
-
 fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b2BodyId, Unsupported> {
-    if body.dominance_group() != 0 {
-        return Err(Unsupported::because("no dominance"));
-    }
-    if body.mass_properties().additional_local_mprops().is_some() {
-        return Err(Unsupported::because("additional mass is not transcribed"));
-    }
+    box_engines::check_body(body)?;
     let axes = body.locked_axes();
     // SAFETY: plain values in, plain values out; the definition outlives the call.
     unsafe {
@@ -164,11 +125,12 @@ fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b2Bod
 fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(), Unsupported> {
     let definition = shape_definition(collider)?;
     let at = |point: Vector| vector(*local * point);
+    let (center, turn) = (vector(local.translation), rotation(&local.rotation));
     // SAFETY: the body is live, definitions and geometry outlive the calls, which copy them.
     unsafe {
         match collider.shape().as_typed_shape() {
             TypedShape::Ball(ball) => {
-                let circle = b2Circle { center: at(Vector::ZERO), radius: ball.radius };
+                let circle = b2Circle { center, radius: ball.radius };
                 b2CreateCircleShape(body, &definition, &circle);
             }
             TypedShape::Capsule(capsule) => {
@@ -178,13 +140,11 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
             }
             TypedShape::Cuboid(cuboid) => {
                 let half = cuboid.half_extents;
-                let (center, turn) = (vector(local.translation), rotation(&local.rotation));
                 let polygon = b2MakeOffsetBox(half.x, half.y, center, turn);
                 b2CreatePolygonShape(body, &definition, &polygon);
             }
             TypedShape::RoundCuboid(round) => {
                 let half = round.inner_shape.half_extents;
-                let (center, turn) = (vector(local.translation), rotation(&local.rotation));
                 let radius = round.border_radius;
                 let polygon = b2MakeOffsetRoundedBox(half.x, half.y, center, turn, radius);
                 b2CreatePolygonShape(body, &definition, &polygon);
@@ -213,10 +173,7 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
                 let polygon = b2MakePolygon(&hull, 0.0);
                 b2CreatePolygonShape(body, &definition, &polygon);
             }
-            _ => {
-                let kind = collider.shape().shape_type();
-                return Err(Unsupported::because(format!("shape {kind:?} is not transcribed")));
-            }
+            _ => return Err(box_engines::unknown_shape(collider)),
         }
     }
     Ok(())
@@ -255,21 +212,11 @@ unsafe fn create_chain(
 }
 
 fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {
-    if collider.contact_skin() != 0.0 {
-        return Err(Unsupported::because("no contact skin"));
-    }
-    let rules = [collider.friction_combine_rule(), collider.restitution_combine_rule()];
-    if rules != [CoefficientCombineRule::Average; 2] {
-        return Err(Unsupported::because("coefficients are mixed by average alone"));
-    }
+    box_engines::check_collider(collider)?;
     let groups = collider.collision_groups();
-    if collider.solver_groups() != InteractionGroups::all() {
-        return Err(Unsupported::because("no solver groups"));
-    }
-    let area = collider.volume();
     // SAFETY: returns plain values.
     let mut definition = unsafe { b2DefaultShapeDef() };
-    definition.density = if area > 0.0 { collider.mass() / area } else { 0.0 };
+    definition.density = box_engines::density(collider);
     definition.material.friction = collider.friction();
     definition.material.restitution = collider.restitution();
     definition.filter.categoryBits = groups.memberships.bits().into();
@@ -308,6 +255,12 @@ fn create_joint(
     Ok(())
 }
 
+/// Is it a dynamic body that is awake?
+fn is_awake(body: b2BodyId) -> bool {
+    // SAFETY: the body is live; plain values out.
+    unsafe { b2Body_GetType(body) == b2BodyType_b2_dynamicBody && b2Body_IsAwake(body) }
+}
+
 /// The touching pairs in which the body is the first, and their points.
 fn count_contacts(body: b2BodyId) -> (usize, usize) {
     let mut counts = (0, 0);
@@ -325,6 +278,13 @@ fn count_contacts(body: b2BodyId) -> (usize, usize) {
         }
     }
     counts
+}
+
+fn pose(body: b2BodyId) -> Pose {
+    // SAFETY: the body is live; plain values out.
+    let (p, q) = unsafe { (b2Body_GetPosition(body), b2Body_GetRotation(body)) };
+    let rotation = Rotation { re: q.c, im: q.s };
+    Pose::from_parts(Vector::new(p.x, p.y), rotation)
 }
 
 fn kinetic_energy(body: b2BodyId) -> f64 {

@@ -7,6 +7,9 @@ use rapier2d_peer as peer;
 
 #[cfg(feature = "box2d")]
 mod box2d;
+#[cfg(feature = "box2d")]
+#[path = "../both/box_engines.rs"]
+mod box_engines;
 mod dim;
 #[path = "../both/double.rs"]
 mod double;
@@ -33,9 +36,6 @@ use crate::growth::World;
 use ours::math::Vector;
 use template::Template;
 
-/// The feature with which the third engine is built in.
-const BOX_FEATURE: &str = "box2d";
-
 /// A vector as three numbers.
 fn three(v: Vector) -> [f32; 3] {
     [v.x, v.y, 0.0]
@@ -46,19 +46,16 @@ fn vector_of(v: [f32; 3]) -> Vector {
     Vector::new(v[0], v[1])
 }
 
-/// The third engine, if it is built in.
+/// The scene at its start in Box2D.
 #[cfg(feature = "box2d")]
-fn start_box(
-    template: &Template,
-    threads: usize,
-) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
-    Some(box2d::Box2d::new(template, threads).map(|engine| Box::new(engine) as _))
+fn start_box(template: &Template, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
+    Ok(Box::new(box2d::Box2d::new(template, threads)?))
 }
 
-/// The third engine, if it is built in.
+/// It is not built in.
 #[cfg(not(feature = "box2d"))]
-fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
-    None
+fn start_box(_: &Template, _: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
+    Err(Unsupported::because("built without the feature box2d"))
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.

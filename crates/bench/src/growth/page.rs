@@ -21,9 +21,9 @@ const HEADINGS: [&str; 8] =
 /// What the columns mean.
 const LEGEND: &str = "\
 bodies: those that the curve is about. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their contact
-points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall asleep, of the step's median over the rounds; with one
-thread it is time on the processor, with more it is time on the wall. bytes/body: memory of the world at the end divided by all its bodies,
-contacts, floors and all.";
+points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall
+asleep, of the step's median over the rounds; with one thread it is time on the processor, with more it is time on the wall. bytes/body:
+memory of the world at the end divided by all its bodies, contacts, floors and all.";
 
 /// Prints a curve as a table.
 pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {
@@ -64,11 +64,11 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
     let folder = folder()?;
     let mut page = format!(
         "# How costs grow\n\n\
-         {}, {} (one with a million bodies).\n\
+         {}, {}.\n\
          Machine: {}. Steps of 1/60 s, 4 substeps, no continuous collision detection, no sleeping unless it is said.\n\n\
          ```text\n{LEGEND}\n```\n",
         written_by(),
-        counted(options.rounds, "round"),
+        rounds(options),
         machine()
     );
     let mut last = None;
@@ -84,6 +84,12 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
         page.extend(remarks.iter().map(|remark| format!("\n* {remark}\n")));
     }
     std::fs::write(folder.join(PAGE), page)
+}
+
+/// `3 rounds (1 with a million bodies)`
+fn rounds(options: &Options) -> String {
+    let rounds = counted(options.rounds, "round");
+    if options.rounds > 1 { rounds + " (1 with a million bodies)" } else { rounds }
 }
 
 /// Bytes for each body, whether it moves or not.

@@ -7,6 +7,9 @@ use rapier3d_peer as peer;
 
 #[cfg(feature = "box3d")]
 mod box3d;
+#[cfg(feature = "box3d")]
+#[path = "../both/box_engines.rs"]
+mod box_engines;
 mod dim;
 #[path = "../both/double.rs"]
 mod double;
@@ -33,9 +36,6 @@ use crate::growth::World;
 use ours::math::Vector;
 use template::Template;
 
-/// The feature with which the third engine is built in.
-const BOX_FEATURE: &str = "box3d";
-
 /// A vector as three numbers.
 fn three(v: Vector) -> [f32; 3] {
     [v.x, v.y, v.z]
@@ -46,19 +46,16 @@ fn vector_of(v: [f32; 3]) -> Vector {
     Vector::from_array(v)
 }
 
-/// The third engine, if it is built in.
+/// The scene at its start in Box3D.
 #[cfg(feature = "box3d")]
-fn start_box(
-    template: &Template,
-    threads: usize,
-) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
-    Some(box3d::Box3d::new(template, threads).map(|engine| Box::new(engine) as _))
+fn start_box(template: &Template, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
+    Ok(Box::new(box3d::Box3d::new(template, threads)?))
 }
 
-/// The third engine, if it is built in.
+/// It is not built in.
 #[cfg(not(feature = "box3d"))]
-fn start_box(_: &Template, _: usize) -> Option<Result<Box<dyn Engine + '_>, Unsupported>> {
-    None
+fn start_box(_: &Template, _: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
+    Err(Unsupported::because("built without the feature box3d"))
 }
 
 /// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.

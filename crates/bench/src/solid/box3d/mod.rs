@@ -1,13 +1,12 @@
 //! Box3D, through the crate that builds it from its C sources.
 //!
 //! Box3D knows spheres, capsules, convex hulls (boxes are hulls) and meshes, which height fields become. A cylinder becomes a prism, a
-//! half-space a box as large as the scene. Left to itself it mixes the friction of two shapes by their geometric mean; here it averages, as this engine and Rapier do.
+//! half-space a box as large as the scene.
 
 mod joints;
 
+use super::box_engines::{self, ENDLESS};
 use super::ours::prelude::*;
-use super::overlap::deepest_overlap;
-use super::separation::largest_separation;
 use super::template::{DT, SUBSTEPS, Template};
 use super::vector_of;
 use crate::engine::{Counts, Engine, Probes, Stats, Unsupported};
@@ -18,9 +17,6 @@ const MAX_HULL_VERTICES: usize = 128;
 
 /// Corners of the prism that stands for a cylinder: it has no round ones.
 const CYLINDER_SIDES: usize = 16;
-
-/// Half the size of the box that stands for a half-space.
-const ENDLESS: f32 = 1000.0;
 
 /// A world in Box3D.
 pub struct Box3d<'t> {
@@ -91,35 +87,11 @@ impl Engine for Box3d<'_> {
     fn counts(&self) -> Counts {
         // SAFETY: the world is live.
         let all = unsafe { b3World_GetCounters(self.world.0) }.bodyCount;
-        // One of them is the ground that this file has added.
-        let bodies = usize::try_from(all - 1).unwrap_or(0);
-        let mut counts = Counts { bodies, substeps: SUBSTEPS, ..Counts::default() };
-        for &body in &self.bodies {
-            let (pairs, points) = count_contacts(body);
-            counts.pairs += pairs;
-            counts.points += points;
-            // SAFETY: the body is live as long as the world is.
-            let awake = unsafe {
-                b3Body_GetType(body) == b3BodyType_b3_dynamicBody && b3Body_IsAwake(body)
-            };
-            counts.awake += usize::from(awake);
-        }
-        counts
+        box_engines::counts(all, &self.bodies, is_awake, count_contacts)
     }
 
     fn stats(&self) -> Stats {
-        let mut stats = Stats { counts: self.counts(), ..Stats::default() };
-        let mut poses = Vec::with_capacity(self.bodies.len());
-        for &body in &self.bodies {
-            stats.kinetic_energy += kinetic_energy(body);
-            // SAFETY: the body is live as long as the world is.
-            let (p, q) = unsafe { (b3Body_GetPosition(body), b3Body_GetRotation(body)) };
-            let rotation = Rotation::from_xyzw(q.v.x, q.v.y, q.v.z, q.s);
-            poses.push(Pose::from_parts(Vector::new(p.x, p.y, p.z), rotation));
-        }
-        stats.overlap = deepest_overlap(self.template, &poses);
-        stats.separation = largest_separation(self.template, &poses);
-        stats
+        box_engines::stats(self.template, self.counts(), &self.bodies, pose, kinetic_energy)
     }
 
     /// Rays alone.
@@ -141,7 +113,9 @@ impl Engine for Box3d<'_> {
 
     fn foreign_bytes(&self) -> usize {
         // SAFETY: reads a counter. There is no other world of this engine at the time.
-        usize::try_from(unsafe { b3GetByteCount() }).unwrap_or(0)
+        let bytes = unsafe { b3GetByteCount() };
+        // It has 32 bits and wraps around: without its sign it is right up to 4 GiB. A million sleeping bodies take three.
+        bytes.cast_unsigned() as usize
     }
 }
 
@@ -152,25 +126,15 @@ fn create_world(template: &Template, threads: usize) -> World {
         definition.gravity = vector(template.world.gravity);
         definition.enableSleep = template.may_sleep;
         definition.enableContinuous = false;
-        definition.frictionCallback = Some(average);
-        definition.restitutionCallback = Some(average);
+        definition.frictionCallback = Some(box_engines::average);
+        definition.restitutionCallback = Some(box_engines::average);
         definition.workerCount = threads as u32;
         World(b3CreateWorld(&definition))
     }
 }
 
-/// How the coefficients of two shapes mix.
-extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f32 {
-    0.5 * (coefficient1 + coefficient2)
-}
-
 fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b3BodyId, Unsupported> {
-    if body.dominance_group() != 0 {
-        return Err(Unsupported::because("no dominance"));
-    }
-    if body.mass_properties().additional_local_mprops().is_some() {
-        return Err(Unsupported::because("additional mass is not transcribed"));
-    }
+    box_engines::check_body(body)?;
     let axes = body.locked_axes();
     // SAFETY: plain values in, plain values out; the definition outlives the call.
     unsafe {
@@ -207,6 +171,11 @@ fn create_shape(
 ) -> Result<(), Unsupported> {
     let definition = shape_definition(collider)?;
     let at = |point: Vector| vector(*local * point);
+    let mut add_mesh = |mesh: Mesh| {
+        // SAFETY: the body is live; the mesh is kept until the world is gone.
+        unsafe { b3CreateMeshShape(body, &definition, mesh.0, vector(Vector::ONE)) };
+        meshes.push(mesh);
+    };
     // SAFETY: the body is live, definitions and geometry outlive the calls, which copy them.
     unsafe {
         match collider.shape().as_typed_shape() {
@@ -248,20 +217,12 @@ fn create_shape(
             }
             TypedShape::HeightField(field) => {
                 let (vertices, triangles) = field.to_trimesh();
-                let mesh = create_mesh(&vertices, &triangles, local)?;
-                b3CreateMeshShape(body, &definition, mesh.0, vector(Vector::ONE));
-                meshes.push(mesh);
+                add_mesh(create_mesh(&vertices, &triangles, local)?);
             }
             TypedShape::TriMesh(mesh) => {
-                let mesh = create_mesh(mesh.vertices(), mesh.indices(), local)?;
-                let scale = vector(Vector::ONE);
-                b3CreateMeshShape(body, &definition, mesh.0, scale);
-                meshes.push(mesh);
+                add_mesh(create_mesh(mesh.vertices(), mesh.indices(), local)?);
             }
-            _ => {
-                let kind = collider.shape().shape_type();
-                return Err(Unsupported::because(format!("shape {kind:?} is not transcribed")));
-            }
+            _ => return Err(box_engines::unknown_shape(collider)),
         }
     }
     Ok(())
@@ -320,27 +281,23 @@ fn create_mesh(
 }
 
 fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
-    if collider.contact_skin() != 0.0 {
-        return Err(Unsupported::because("no contact skin"));
-    }
-    let rules = [collider.friction_combine_rule(), collider.restitution_combine_rule()];
-    if rules != [CoefficientCombineRule::Average; 2] {
-        return Err(Unsupported::because("coefficients are mixed by average alone"));
-    }
+    box_engines::check_collider(collider)?;
     let groups = collider.collision_groups();
-    if collider.solver_groups() != InteractionGroups::all() {
-        return Err(Unsupported::because("no solver groups"));
-    }
-    let volume = collider.volume();
     // SAFETY: returns plain values.
     let mut definition = unsafe { b3DefaultShapeDef() };
-    definition.density = if volume > 0.0 { collider.mass() / volume } else { 0.0 };
+    definition.density = box_engines::density(collider);
     definition.baseMaterial.friction = collider.friction();
     definition.baseMaterial.restitution = collider.restitution();
     definition.filter.categoryBits = groups.memberships.bits().into();
     definition.filter.maskBits = groups.filter.bits().into();
     definition.isSensor = collider.is_sensor();
     Ok(definition)
+}
+
+/// Is it a dynamic body that is awake?
+fn is_awake(body: b3BodyId) -> bool {
+    // SAFETY: the body is live; plain values out.
+    unsafe { b3Body_GetType(body) == b3BodyType_b3_dynamicBody && b3Body_IsAwake(body) }
 }
 
 /// The touching pairs in which the body is the first, and their points.
@@ -363,6 +320,13 @@ fn count_contacts(body: b3BodyId) -> (usize, usize) {
         }
     }
     counts
+}
+
+fn pose(body: b3BodyId) -> Pose {
+    // SAFETY: the body is live; plain values out.
+    let (p, q) = unsafe { (b3Body_GetPosition(body), b3Body_GetRotation(body)) };
+    let rotation = Rotation::from_xyzw(q.v.x, q.v.y, q.v.z, q.s);
+    Pose::from_parts(Vector::new(p.x, p.y, p.z), rotation)
 }
 
 fn kinetic_energy(body: b3BodyId) -> f64 {
