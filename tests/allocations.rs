@@ -1,6 +1,6 @@
 //! Steps in which nothing new happens ask for no memory.
 
-use crate::dim::{self, cuboid, vec};
+use crate::dim::{self, cuboid, hinge, vec};
 use allocation_counter::measure;
 use rapier::prelude::*;
 
@@ -45,6 +45,44 @@ fn pyramid(can_sleep: bool) -> PhysicsWorld {
 #[test]
 fn a_pile_asks_for_no_memory() {
     assert_eq!(allocations(pyramid(false)), 0);
+}
+
+/// Arms of five links that swing a little: hinges, the first of them driven, the others with limits.
+fn arms(
+    mut join: impl FnMut(&mut PhysicsWorld, [RigidBodyHandle; 2], GenericJoint),
+) -> PhysicsWorld {
+    let mut world = world_with_floor();
+    for arm in 0..3_u8 {
+        let at = |link: u8| vec(4.0 * Real::from(arm), 8.0 - 0.5 * Real::from(link));
+        let mut last = world.insert_body(RigidBodyBuilder::fixed().translation(at(0)));
+        for link in 1..=5 {
+            let (next, _) = world.insert(body(at(link)), ColliderBuilder::ball(0.2));
+            let hinge = hinge().local_anchor1(vec(0.0, -0.25)).local_anchor2(vec(0.0, 0.25));
+            let hinge = match link {
+                1 => hinge.motor_velocity(0.3, 1.0),
+                _ => hinge.limits([-0.5, 0.5]),
+            };
+            join(&mut world, [last, next], hinge.build().into());
+            last = next;
+        }
+    }
+    world
+}
+
+#[test]
+fn arms_of_joints_ask_for_no_memory() {
+    let world = arms(|world, [first, second], joint| {
+        world.impulse_joints.insert(first, second, joint, true);
+    });
+    assert_eq!(allocations(world), 0);
+}
+
+#[test]
+fn multibodies_ask_for_no_memory() {
+    let world = arms(|world, [first, second], joint| {
+        world.multibody_joints.insert(first, second, joint, true).expect("the joint fits");
+    });
+    assert_eq!(allocations(world), 0);
 }
 
 /// Boxes and balls at rest on a floor of many pieces.

@@ -13,6 +13,14 @@ use parry::math::{DIM, Real};
 /// Bins per axis.
 const BINS: usize = 16;
 
+/// Buffers that are reused from one tree to the next.
+#[derive(Clone, Debug, Default)]
+pub struct BuildScratch {
+    leaves: Vec<Entry>,
+    /// Nodes whose children are not known yet, and where the boxes below each begin and end.
+    open: Vec<(usize, usize, usize)>,
+}
+
 /// Boxes that stand next to each other in the list of all, and the box around them.
 #[derive(Copy, Clone)]
 struct Part {
@@ -39,8 +47,8 @@ fn around(entries: &[Entry]) -> Aabb {
 
 impl BoxTree {
     /// Builds the tree as a whole, from the boxes that are in it.
-    pub fn rebuild(&mut self) {
-        let mut leaves = Vec::with_capacity(self.len);
+    pub fn rebuild(&mut self, BuildScratch { leaves, open }: &mut BuildScratch) {
+        leaves.clear();
         for (slot, place) in (0..).zip(&self.places) {
             if let Some(place) = place {
                 let aabb = self.nodes[place.node()].lane_box(place.lane());
@@ -51,9 +59,9 @@ impl BoxTree {
         self.free.clear();
         self.wear = 0;
         self.nodes.push(Node::empty());
-        let mut open = vec![(0, 0, leaves.len())];
+        open.push((0, 0, leaves.len()));
         while let Some((node, start, end)) = open.pop() {
-            let (parts, count) = parts(&mut leaves, start, end);
+            let (parts, count) = parts(leaves, start, end);
             self.nodes[node].count = count as u32;
             for (lane, part) in parts[..count].iter().enumerate() {
                 let place = Place::new(node, lane);

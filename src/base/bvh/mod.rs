@@ -27,6 +27,7 @@ mod stack;
 #[cfg(test)]
 mod tests;
 
+pub use build::BuildScratch;
 pub use nearest::nearest;
 pub use probe::{BoxProbe, PointProbe, Probe, SlabProbe};
 

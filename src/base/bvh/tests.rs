@@ -1,7 +1,7 @@
 //! Does the tree find what a look at all boxes finds, whatever happened to it?
 
 use super::node::{Node, Planes, Target};
-use super::{BoxProbe, BoxTree, PointProbe, Probe, SlabProbe, nearest};
+use super::{BoxProbe, BoxTree, BuildScratch, PointProbe, Probe, SlabProbe, nearest};
 use crate::base::random::Random;
 use crate::base::wide::{LANES, Wide};
 use core::cell::Cell;
@@ -203,7 +203,7 @@ fn it_finds_what_a_look_at_all_boxes_finds() {
             }
             check(&twins, &mut random);
             if round == 3 {
-                twins.tree.rebuild();
+                twins.tree.rebuild(&mut BuildScratch::default());
                 check(&twins, &mut random);
             }
         }
@@ -247,7 +247,7 @@ fn no_order_makes_it_deep() {
         };
         // At least two children per node, and far more as a rule.
         assert!(depth(&twins.tree) <= 12, "{}", depth(&twins.tree));
-        twins.tree.rebuild();
+        twins.tree.rebuild(&mut BuildScratch::default());
         twins.validate();
         assert!(depth(&twins.tree) <= 12, "{} when built", depth(&twins.tree));
     }
@@ -292,7 +292,7 @@ fn few_nodes_are_looked_at() {
             "{} looks for 100 short rays, when {when}",
             looks.get()
         );
-        twins.tree.rebuild();
+        twins.tree.rebuild(&mut BuildScratch::default());
     }
 }
 
@@ -316,7 +316,7 @@ fn who_leaves_drags_nobody() {
     (0..400).for_each(|slot| tree.insert(&at(place(slot).0, place(slot).1), slot));
     leavers(0).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
     // Now each eight of them share a node.
-    tree.rebuild();
+    tree.rebuild(&mut BuildScratch::default());
     for step in 1..3000 {
         leavers(step).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
     }

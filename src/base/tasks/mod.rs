@@ -13,6 +13,8 @@ use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
 use core::ops::Range;
 #[cfg(feature = "parallel")]
+use crew::Crew;
+#[cfg(feature = "parallel")]
 use std::sync::Arc;
 
 pub use gather::Gather;
@@ -27,7 +29,7 @@ const PIECES_PER_THREAD: usize = 4;
 pub struct Tasks<'a> {
     /// None for a single thread.
     #[cfg(feature = "parallel")]
-    crew: Option<(&'a crew::Crew, &'a dyn Fn(usize))>,
+    crew: Option<(&'a Crew, &'a dyn Fn(usize))>,
     /// Neither sent to nor shared with another thread.
     unshared: PhantomData<(&'a (), *const ())>,
 }
@@ -43,25 +45,23 @@ impl Tasks<'_> {
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        Self::open_with(rayon::current_num_threads(), rayon::spawn, work)
+        let hire = |crew: Arc<Crew>, number| rayon::spawn(move || crew.help(number));
+        Self::open_with(rayon::current_num_threads(), hire, work)
     }
 
-    /// Calls `work` with the calling thread and others, so many in all: `spawn` has them run what it is given.
+    /// Calls `work` with the calling thread and others, so many in all: `hire` has one help a crew under a number.
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
-        spawn: impl Fn(Box<dyn FnOnce() + Send>),
+        hire: impl Fn(Arc<Crew>, usize),
         work: impl FnOnce(Tasks<'_>) -> R,
     ) -> R {
         if count <= 1 {
             return work(Tasks::SERIAL);
         }
-        let crew = Arc::new(crew::Crew::new(count));
+        let crew = Arc::new(Crew::new(count));
         // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
-        let hire = |number| {
-            let crew = Arc::clone(&crew);
-            spawn(Box::new(move || crew.help(number)));
-        };
+        let hire = |number| hire(Arc::clone(&crew), number);
         let _owner = crew.own();
         work(Tasks { crew: Some((&crew, &hire)), unshared: PhantomData })
     }

@@ -2,7 +2,7 @@
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
-use super::crew::MAX_THREADS;
+use super::crew::{Crew, MAX_THREADS};
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
@@ -87,7 +87,8 @@ impl Threads {
         match &self.crew {
             Some(Helpers::Nobody) => return work(Tasks::SERIAL),
             Some(Helpers::Of(pool, count)) => {
-                return Tasks::open_with(*count, |help| pool.spawn(help), work);
+                let hire = |crew: Arc<Crew>, number| pool.spawn(move || crew.help(number));
+                return Tasks::open_with(*count, hire, work);
             }
             None => {}
         }

@@ -1,7 +1,7 @@
 //! The trees, one for each kind of colliders.
 
 use super::TreeKind;
-use crate::base::bvh::BoxTree;
+use crate::base::bvh::{BoxTree, BuildScratch};
 use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
@@ -12,7 +12,12 @@ const REBUILD_WEAR: usize = 8;
 /// Boxes of colliders, by slot. Each stands in one tree.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Trees([Tree; TreeKind::ALL.len()]);
+pub(crate) struct Trees {
+    /// By kind.
+    trees: [Tree; TreeKind::ALL.len()],
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    scratch: BuildScratch,
+}
 
 /// One tree and how much it grew.
 #[derive(Clone, Debug, Default)]
@@ -26,7 +31,7 @@ struct Tree {
 impl Trees {
     /// The boxes of one kind.
     pub fn boxes(&self, kind: TreeKind) -> &BoxTree {
-        &self.0[kind as usize].boxes
+        &self.trees[kind as usize].boxes
     }
 
     /// The boxes of all kinds.
@@ -36,28 +41,28 @@ impl Trees {
 
     /// Gives a slot its box in the tree of a kind. It must stand in no other.
     pub fn replace(&mut self, slot: u32, kind: TreeKind, aabb: &Aabb) {
-        self.0[kind as usize].boxes.insert(aabb, slot);
+        self.trees[kind as usize].boxes.insert(aabb, slot);
     }
 
     /// Takes a slot out of all trees but that of this kind.
     pub fn remove_from_others(&mut self, slot: u32, kind: TreeKind) {
         let others = TreeKind::ALL.into_iter().filter(|&other| other != kind);
-        others.for_each(|other| self.0[other as usize].boxes.remove(slot));
+        others.for_each(|other| self.trees[other as usize].boxes.remove(slot));
     }
 
     /// Takes a slot out, wherever it stands.
     pub fn remove(&mut self, slot: u32) {
-        self.0.iter_mut().for_each(|tree| tree.boxes.remove(slot));
+        self.trees.iter_mut().for_each(|tree| tree.boxes.remove(slot));
     }
 
     /// Puts the trees in good order after many boxes came in, at a cost that these have paid for: a tree is rebuilt only when
     /// half of its boxes are new, or all have been put elsewhere many times.
     pub fn tidy(&mut self) {
-        for Tree { boxes, built } in &mut self.0 {
+        for Tree { boxes, built } in &mut self.trees {
             let count = boxes.len();
             let is_worn = boxes.wear() > REBUILD_WEAR * count;
             if count >= REBUILD_MIN && (count / 2 > *built || is_worn) {
-                boxes.rebuild();
+                boxes.rebuild(&mut self.scratch);
                 *built = count;
             }
         }

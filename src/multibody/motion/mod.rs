@@ -120,6 +120,8 @@ pub struct Motion {
     wrenches: Vec<SpatialVector>,
     momenta: Vec<SpatialVector>,
     change: Vec<Real>,
+    /// The velocities before a flight.
+    start: Vec<Real>,
     /// Was a link faster than the user allows since the step began?
     pub is_limited: bool,
     /// What the first half of the flight changed about the velocities.
@@ -212,10 +214,8 @@ impl Motion {
         self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
         add_all(&mut self.rates, pushed, 0.5);
-        let before = self.rates.clone();
-        self.is_wild = !self.fly_half(&before, 0.5 * h, &mut change);
+        self.is_wild = !self.fly_half(0.5 * h, &mut change);
         if self.is_wild {
-            self.rates.copy_from_slice(&before);
             change.fill(0.0);
             self.limit_whip(h);
         }
@@ -327,11 +327,7 @@ impl Motion {
     /// then nothing happens.
     pub fn fly_on(&mut self, h: Real) -> bool {
         let mut change = core::mem::take(&mut self.change);
-        let start = self.rates.clone();
-        let comes_together = self.fly_half(&start, h, &mut change);
-        if !comes_together {
-            self.rates.copy_from_slice(&start);
-        }
+        let comes_together = self.fly_half(h, &mut change);
         self.change = change;
         comes_together
     }
@@ -343,9 +339,21 @@ impl Motion {
         rates
     }
 
-    /// Lets inertia act for `h` seconds on velocities that `start` like this, taking those of their end. Returns whether the
-    /// visits come together.
-    fn fly_half(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
+    /// Lets inertia act for `h` seconds, taking the velocities of their end, and says what that changed. Returns whether the visits
+    /// come together; the velocities stay as they are if not.
+    fn fly_half(&mut self, h: Real, change: &mut Vec<Real>) -> bool {
+        let mut start = core::mem::take(&mut self.start);
+        start.clone_from(&self.rates);
+        let comes_together = self.come_together(&start, h, change);
+        if !comes_together {
+            self.rates.copy_from_slice(&start);
+        }
+        self.start = start;
+        comes_together
+    }
+
+    /// The same, and leaves the velocities wherever the visits led.
+    fn come_together(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
         // What is lost in rounding anyway need not come any nearer.
         let fastest = start.iter().fold(0.0, |most: Real, rate| most.max(rate.abs()));
         let rounding = 16.0 * Real::EPSILON * fastest;

@@ -199,9 +199,12 @@ impl Moving {
         if motor.model == MotorModel::ForceBased {
             return 1.0;
         }
-        let mut impulses = vec![0.0; self.motion.rates.len()];
-        impulses[dof] = 1.0;
-        self.motion.respond(&mut impulses);
-        if impulses[dof] > 0.0 { 1.0 / impulses[dof] } else { 0.0 }
+        // Nothing has been pushed yet.
+        let Self { pushed, motion, .. } = self;
+        pushed.clear();
+        pushed.resize(motion.rates.len(), 0.0);
+        pushed[dof] = 1.0;
+        motion.respond(pushed);
+        if pushed[dof] > 0.0 { 1.0 / pushed[dof] } else { 0.0 }
     }
 }
