@@ -85,6 +85,20 @@ fn multibodies_ask_for_no_memory() {
     assert_eq!(allocations(world), 0);
 }
 
+/// Boxes on their way: each leaves its enlarged box every few steps, and the tree of these is built anew several times a second.
+#[test]
+fn trees_that_are_built_anew_ask_for_no_memory() {
+    let mut world = PhysicsWorld::new();
+    for k in 0..100_u8 {
+        let [column, row] = [k % 10, k / 10].map(Real::from);
+        let flier = RigidBodyBuilder::kinematic_velocity_based()
+            .translation(vec(3.0 * column, 3.0 * row))
+            .linvel(vec(column - 4.5, row - 4.5));
+        world.insert(flier, cuboid(0.5, 0.5));
+    }
+    assert_eq!(allocations(world), 0);
+}
+
 /// Boxes and balls at rest on a floor of many pieces.
 #[test]
 fn what_lies_on_a_mesh_asks_for_no_memory() {

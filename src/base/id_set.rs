@@ -1,13 +1,13 @@
 //! A set of small numbers that is walked in their order.
 //!
 //! A bit per number, and above it a bit for each word that is not empty: what is walked is what is in the set, and of what is
-//! not one word in 4096 numbers. The alternative, a list from which the last takes the place of what goes, is
+//! not a few bits in 512 numbers. The alternative, a list from which the last takes the place of what goes, is
 //! in another order after each change, and who follows it into memory jumps about.
 
 use core::ops::Range;
 
 const BITS: u32 = u64::BITS;
-/// Words on a page: as many as fill a byte of bits above them.
+/// Words on a page. Divides the bits of a word.
 const PAGE: usize = 8;
 
 /// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
@@ -92,7 +92,7 @@ impl IdSet {
         let words = |page: usize| {
             let first = page * PAGE;
             let filled = self.filled[first / BITS as usize] >> (first % BITS as usize);
-            ones(filled & 0xff).map(move |bit| first as u32 + bit)
+            ones(filled & ((1 << PAGE) - 1)).map(move |bit| first as u32 + bit)
         };
         let filled = pages.flat_map(words);
         filled.flat_map(|index| ones(self.words[index as usize]).map(move |bit| index * BITS + bit))

@@ -102,7 +102,7 @@ impl QueryPipeline {
         };
         let kind = TreeKind::of(collider.parent_type);
         self.trees.remove_from_others(slot, kind);
-        self.trees.replace(slot, kind, &aabb);
+        self.trees.put(slot, kind, &aabb);
         self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }
 

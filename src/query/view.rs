@@ -1,15 +1,12 @@
 //! Trees of boxes and the colliders that they stand for.
 
 use super::filter::QueryFilter;
-use crate::base::bvh::{BoxTree, Probe};
+use crate::base::bvh::Probe;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
-use crate::model::tree::{BroadPhaseBvh, TreeKind};
+use crate::model::tree::{AllBoxes, BroadPhaseBvh};
 use parry::query::QueryDispatcher;
-
-/// Trees, by kind.
-pub(super) type AllBoxes<'a> = [&'a BoxTree; TreeKind::ALL.len()];
 
 /// Colliders that can be asked: borrowed trees of boxes, the colliders in them, and which of these are
 /// meant.

@@ -90,6 +90,27 @@ fn bodies_say_whether_they_were_searched_for() {
     assert!(!world.bodies[ball].is_ccd_active(), "nothing stops what is kinematic");
 }
 
+/// A thin body counts as what it is now, whatever it was when it came.
+#[test]
+fn what_a_body_has_become_decides_whom_it_stops() {
+    use RigidBodyType::{Dynamic, Fixed, KinematicPositionBased, KinematicVelocityBased};
+    for (was, is) in [
+        (Dynamic, KinematicPositionBased),
+        (Dynamic, Fixed),
+        (Fixed, KinematicVelocityBased),
+        (Fixed, Dynamic),
+        (KinematicPositionBased, Fixed),
+        (KinematicVelocityBased, Dynamic),
+    ] {
+        let mut world = weightless(60);
+        let (body, _) = world.insert(RigidBodyBuilder::new(was), wall());
+        world.step();
+        world.bodies[body].set_body_type(is, true);
+        let ball = add_ball(&mut world, vec(-3.0, 0.0), vec(1000.0, 0.0));
+        assert_eq!(passes(&mut world, ball), is == Dynamic, "{was:?} became {is:?}");
+    }
+}
+
 /// Bodies that are not marked pass each other; with a prediction as long as the way of a step, contacts stop them.
 #[test]
 fn soft_prediction_stops_what_is_straight_ahead() {

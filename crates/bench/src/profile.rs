@@ -1,8 +1,8 @@
 //! Where the time of this engine's step goes.
 //!
 //! Stages are measured on the wall. Beside them stands the time on processors, of all threads together: while threads have processors, those
-//! that wait for work look for it, so with two threads it is nearly twice the step. If it is no more than the step, the others got none: the
-//! machine is busy with other things, and the stages are those of one thread.
+//! that wait for work look for it for a while, so with two threads it is nearly twice the step. If it is no more than the step, the others had
+//! nothing to do for long, as in small scenes, or got no processor, and the stages are those of one thread.
 
 use crate::args::Options;
 use crate::catalog::Scene;

@@ -13,12 +13,18 @@ use parry::math::{DIM, Real};
 /// Bins per axis.
 const BINS: usize = 16;
 
-/// Buffers that are reused from one tree to the next.
-#[derive(Clone, Debug, Default)]
+/// Buffers that are reused from one tree to the next. Who copies a world does not copy them.
+#[derive(Debug, Default)]
 pub struct BuildScratch {
     leaves: Vec<Entry>,
     /// Nodes whose children are not known yet, and where the boxes below each begin and end.
     open: Vec<(usize, usize, usize)>,
+}
+
+impl Clone for BuildScratch {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
 }
 
 /// Boxes that stand next to each other in the list of all, and the box around them.
@@ -49,6 +55,7 @@ impl BoxTree {
     /// Builds the tree as a whole, from the boxes that are in it.
     pub fn rebuild(&mut self, BuildScratch { leaves, open }: &mut BuildScratch) {
         leaves.clear();
+        leaves.reserve_exact(self.len);
         for (slot, place) in (0..).zip(&self.places) {
             if let Some(place) = place {
                 let aabb = self.nodes[place.node()].lane_box(place.lane());

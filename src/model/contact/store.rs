@@ -25,6 +25,9 @@ use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
 use core::ops::Range;
 
+/// Pages of 512 ids that are worth handing over to another thread together.
+const PAGES_PER_TASK: usize = 2;
+
 /// Stable for the life of the pair.
 pub(crate) type PairId = u32;
 
@@ -363,7 +366,7 @@ impl<P: Pair> PairStore<P> {
         P: Send + Sync,
     {
         let (awake, pairs) = (&self.awake, DisjointMut::new(Late::slice_mut(&mut self.pairs)));
-        tasks.par_for(awake.page_count(), 1, |pages| {
+        tasks.par_for(awake.page_count(), PAGES_PER_TASK, |pages| {
             awake.iter_in(pages).for_each(|id| {
                 // SAFETY: the set names each pair once, and the pages of two tasks differ.
                 let pair = unsafe { pairs.get_mut(id as usize) };
@@ -389,7 +392,7 @@ impl<P: Pair> PairStore<P> {
                 }
             });
         };
-        gather.run(tasks, (awake.page_count(), 1), find, list);
+        gather.run(tasks, (awake.page_count(), PAGES_PER_TASK), find, list);
     }
 
     /// What the narrow phase asks of a pair.

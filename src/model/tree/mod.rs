@@ -3,7 +3,7 @@
 //! Each collider stands in one of three trees, with a box somewhat larger than itself. While it stays
 //! inside, nothing is done; when it leaves, it gets a new box and is noted as moved, and only moved
 //! colliders look for new neighbours. Fixed colliders have a tree of their own, so that they never
-//! find each other, and so have those of kinematic bodies, which are few: who asks what is in the way of a fast body need not
+//! find each other. Those of kinematic bodies, which are few, have one so that who asks what is in the way of a fast body need not
 //! look at all dynamic ones to find them. A step costs nothing for colliders that rest, however many there are.
 
 mod enlarge;
@@ -18,7 +18,7 @@ pub(crate) use enlarge::BoxMargin;
 pub(crate) use placement::{Carried, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
-pub(crate) use trees::Trees;
+pub(crate) use trees::{AllBoxes, Trees};
 
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::dim::math::Real;
@@ -80,14 +80,14 @@ impl BroadPhaseBvh {
         // A stale entry may stand at the slot if its former tenant was removed: look in the other trees, too.
         self.trees.remove_from_others(slot, kind);
         proxy.grow(kind, &needed, margin);
-        self.replace(handle, kind, &proxy.fat_aabb);
+        self.put(handle, kind, &proxy.fat_aabb);
         true
     }
 
     /// Gives a collider this box, in the tree in which it is or will be; it is in no other. Its proxy must know.
-    pub(crate) fn replace(&mut self, handle: ColliderHandle, kind: TreeKind, aabb: &Aabb) {
+    pub(crate) fn put(&mut self, handle: ColliderHandle, kind: TreeKind, aabb: &Aabb) {
         let (slot, _) = handle.into_raw_parts();
-        self.trees.replace(slot, kind, aabb);
+        self.trees.put(slot, kind, aabb);
         self.note_size(slot, aabb);
         self.mark_moved(slot);
     }
@@ -180,7 +180,7 @@ impl BroadPhaseBvh {
     }
 
     /// The boxes of all colliders, by slot, in trees.
-    pub(crate) fn all_boxes(&self) -> [&BoxTree; TreeKind::ALL.len()] {
+    pub(crate) fn all_boxes(&self) -> AllBoxes<'_> {
         self.trees.all()
     }
 

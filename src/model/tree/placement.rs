@@ -43,9 +43,9 @@ impl BroadPhaseBvh {
 pub(crate) enum Carried {
     /// In its box.
     Stays,
-    /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::replace).
+    /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
-    /// In another tree than it should be, or in one though it should not: it must [follow](BroadPhaseBvh::follow).
+    /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
 }
 

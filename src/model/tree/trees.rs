@@ -9,6 +9,9 @@ const REBUILD_MIN: usize = 64;
 /// A tree is rebuilt when its boxes have been put elsewhere, or had those above them grow, this often, on average.
 const REBUILD_WEAR: usize = 8;
 
+/// The boxes of all kinds.
+pub(crate) type AllBoxes<'a> = [&'a BoxTree; TreeKind::ALL.len()];
+
 /// Boxes of colliders, by slot. Each stands in one tree.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
@@ -35,12 +38,12 @@ impl Trees {
     }
 
     /// The boxes of all kinds.
-    pub fn all(&self) -> [&BoxTree; TreeKind::ALL.len()] {
+    pub fn all(&self) -> AllBoxes<'_> {
         TreeKind::ALL.map(|kind| self.boxes(kind))
     }
 
-    /// Gives a slot its box in the tree of a kind. It must stand in no other.
-    pub fn replace(&mut self, slot: u32, kind: TreeKind, aabb: &Aabb) {
+    /// Gives a slot its box in the tree of a kind, whether or not it had one there. It must stand in no other.
+    pub fn put(&mut self, slot: u32, kind: TreeKind, aabb: &Aabb) {
         self.trees[kind as usize].boxes.insert(aabb, slot);
     }
 

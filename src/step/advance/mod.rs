@@ -20,12 +20,12 @@ const TURNS_AHEAD: usize = 4;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct AdvanceScratch {
-    /// The colliders that have left their boxes.
+    /// The colliders that the trees must be told of.
     leavers: Vec<Leaver>,
     gather: Gather<Leaver>,
 }
 
-/// A collider that has left its box.
+/// A collider that is not in its box any more, or has none.
 type Leaver = (ColliderHandle, Carried);
 
 /// Lets colliders, boxes and sleep timers follow the awake bodies.
@@ -41,7 +41,7 @@ pub(crate) fn advance(
     let awake = islands.awake.as_slice();
     leavers.clear();
     let all_colliders = colliders.share();
-    let carry = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
+    let follow_body = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
         let Some(body) = body else { return };
         update_sleep_timer(body, params);
         let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
@@ -51,7 +51,7 @@ pub(crate) fn advance(
         }
     };
     // SAFETY: the list names each body once.
-    unsafe { bodies.visit_gathering(awake, tasks, gather, carry, leavers) };
+    unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, leavers) };
     for (turn, (handle, carried)) in leavers.iter().enumerate() {
         if let Some((later, Carried::Leaves(kind, _))) = leavers.get(turn + TURNS_AHEAD) {
             tree.prefetch(*later, *kind);
@@ -60,7 +60,7 @@ pub(crate) fn advance(
     }
 }
 
-/// Puts a body's colliders where they are now, and lists those that have left their boxes.
+/// Puts a body's colliders where they are now, and lists those that the trees must be told of.
 ///
 /// # Safety
 /// Nobody else may use the colliders of the body meanwhile.
@@ -84,7 +84,7 @@ unsafe fn carry_colliders(
     }
 }
 
-/// Tells the trees of a collider that has left its box.
+/// Tells the trees of a collider.
 fn follow(
     handle: ColliderHandle,
     carried: &Carried,
@@ -92,10 +92,10 @@ fn follow(
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {
-    let is_new = match carried {
-        Carried::Stays => false,
+    let is_elsewhere = match carried {
+        Carried::Stays => return,
         Carried::Leaves(kind, aabb) => {
-            tree.replace(handle, *kind, aabb);
+            tree.put(handle, *kind, aabb);
             true
         }
         Carried::IsElsewhere => {
@@ -104,7 +104,7 @@ fn follow(
             tree.follow(handle, collider, body, params)
         }
     };
-    if is_new {
+    if is_elsewhere {
         colliders.note_box(handle);
     }
 }

@@ -36,17 +36,19 @@ impl Search<'_> {
         GAP_MIN * self.world.params.prediction_distance()
     }
 
-    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies.
+    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in the order of their slots: of two that
+    /// are met at nearly the same time the one that was visited first may decide, and that must not depend on the trees.
     fn for_each_obstacle(self, region: &Aabb, mut visit: impl FnMut(Mover<'_>)) {
-        let Surroundings { trees, colliders, bodies, .. } = self.world;
+        let Surroundings { trees, colliders, .. } = self.world;
+        let mut slots = SmallVec::<[u32; 16]>::new();
         for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
-            trees.for_each_overlapping(kind, region, |slot| {
-                let Some((handle, collider)) = colliders.at_slot(slot) else { return };
-                let body = collider.parent().and_then(|body| bodies.get(body));
-                if !collider.is_sensor() && !body.is_some_and(RigidBody::is_dynamic) {
-                    Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
-                }
-            });
+            trees.for_each_overlapping(kind, region, |slot| slots.push(slot));
+        }
+        slots.sort_unstable();
+        for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
+            if !collider.is_sensor() {
+                Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ pub(super) struct Touched {
     pub bodies: Vec<u32>,
     /// The number of these.
     always: usize,
-    /// This round, counted from one.
+    /// This round, counted from two: one stands for what is listed before there is any.
     round: u32,
     /// By the index of a body: the last round that may change it, zero for those that are not among them.
     rounds: Vec<u32>,

@@ -199,12 +199,12 @@ impl Moving {
         if motor.model == MotorModel::ForceBased {
             return 1.0;
         }
-        // Nothing has been pushed yet.
-        let Self { pushed, motion, .. } = self;
-        pushed.clear();
-        pushed.resize(motion.rates.len(), 0.0);
-        pushed[dof] = 1.0;
-        motion.respond(pushed);
-        if pushed[dof] > 0.0 { 1.0 / pushed[dof] } else { 0.0 }
+        // Nothing has been pushed yet, so there is a list for an impulse of one.
+        let Self { pushed: unit, motion, .. } = self;
+        unit.clear();
+        unit.resize(motion.rates.len(), 0.0);
+        unit[dof] = 1.0;
+        motion.respond(unit);
+        if unit[dof] > 0.0 { 1.0 / unit[dof] } else { 0.0 }
     }
 }
