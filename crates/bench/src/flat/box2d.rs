@@ -6,11 +6,14 @@
 use super::box_engines::{self, ENDLESS};
 use super::ours::prelude::*;
 use super::template::{DT, SUBSTEPS, Template};
-use crate::engine::{Counts, Engine, Stats, Unsupported};
+use crate::engine::{Counts, Engine, Stats, Template as _, Unsupported};
 use boxdd_sys::ffi::*;
 
 /// Box2D's own limit.
 const MAX_POLYGON_VERTICES: usize = 8;
+/// Another one: it cuts the bodies that are awake into four blocks for each thread, counts those of a block in 16 bits, and ends the process
+/// if there are more.
+const AWAKE_PER_THREAD: usize = 4 * u16::MAX as usize;
 
 /// A world in Box2D.
 pub struct Box2d<'t> {
@@ -32,6 +35,10 @@ impl Drop for World {
 impl<'t> Box2d<'t> {
     /// The scene at its start.
     pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
+        let most = AWAKE_PER_THREAD * threads;
+        if template.dynamic_bodies() > most {
+            return Err(Unsupported::because(format!("no more than {most} bodies can be awake")));
+        }
         let world = create_world(template, threads);
         let mut bodies = Vec::with_capacity(template.bodies.len());
         for (body, colliders) in template.parts() {
