@@ -101,7 +101,6 @@ impl QueryPipeline {
             return;
         };
         let kind = TreeKind::of(collider.parent_type);
-        self.trees.remove_from_others(slot, kind);
         self.trees.put(slot, kind, &aabb);
         self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }

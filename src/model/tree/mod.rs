@@ -74,17 +74,14 @@ impl BroadPhaseBvh {
             return self.remove(slot, proxy);
         };
         proxy.is_refused = false;
-        if proxy.keeps(kind, &needed) {
-            return false;
+        let is_new = proxy.fit(kind, &needed, margin);
+        if is_new {
+            self.put(handle, kind, &proxy.fat_aabb);
         }
-        // A stale entry may stand at the slot if its former tenant was removed: look in the other trees, too.
-        self.trees.remove_from_others(slot, kind);
-        proxy.grow(kind, &needed, margin);
-        self.put(handle, kind, &proxy.fat_aabb);
-        true
+        is_new
     }
 
-    /// Gives a collider this box, in the tree in which it is or will be; it is in no other. Its proxy must know.
+    /// Gives a collider the box, in the tree of a kind, that its proxy has taken.
     pub(crate) fn put(&mut self, handle: ColliderHandle, kind: TreeKind, aabb: &Aabb) {
         let (slot, _) = handle.into_raw_parts();
         self.trees.put(slot, kind, aabb);

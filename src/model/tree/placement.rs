@@ -38,36 +38,32 @@ impl BroadPhaseBvh {
     }
 }
 
-/// Where a collider is that its body has carried, as the trees see it.
-#[derive(Copy, Clone, Debug, PartialEq)]
+/// Where a collider is that its body has carried, if it is not in its box.
+#[derive(Copy, Clone, Debug)]
 pub(crate) enum Carried {
-    /// In its box.
-    Stays,
     /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
     /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
 }
 
-/// Gives a collider that its body has carried beyond its box another one. Looks at no tree, so that many can be carried at once.
+/// Gives a collider that its body has carried beyond its box another one. `None` if it is in its box, or is to have none. Looks at no
+/// tree, so that many can be carried at once.
 pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,
     params: &IntegrationParameters,
-) -> Carried {
+) -> Option<Carried> {
     if !collider.is_enabled() {
-        return if collider.proxy.tree.is_none() { Carried::Stays } else { Carried::IsElsewhere };
+        return collider.proxy.tree.map(|_| Carried::IsElsewhere);
     }
     let kind = kind_of(Some(body));
     let tight = shape_box(collider.shape(), &collider.pose);
     let margin = margin_of(collider, Some(body), params);
     let needed = margin.needed(&tight).filter(|_| collider.proxy.tree == Some(kind));
-    let Some(needed) = needed else { return Carried::IsElsewhere };
-    if collider.proxy.keeps(kind, &needed) {
-        return Carried::Stays;
-    }
-    collider.proxy.grow(kind, &needed, &margin);
-    Carried::Leaves(kind, collider.proxy.fat_aabb)
+    let Some(needed) = needed else { return Some(Carried::IsElsewhere) };
+    let is_new = collider.proxy.fit(kind, &needed, &margin);
+    is_new.then_some(Carried::Leaves(kind, collider.proxy.fat_aabb))
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {

@@ -64,21 +64,17 @@ impl ColliderProxy {
         Self { fat_aabb, tree: None, clearance: 0.0, is_refused: false, slot }
     }
 
-    /// Is this still the place of a collider of this kind that needs this box? Then it knows how far from its walls it
-    /// is.
-    pub fn keeps(&mut self, kind: TreeKind, needed: &Aabb) -> bool {
-        let keeps = self.tree == Some(kind) && self.fat_aabb.contains(needed);
-        if keeps {
-            self.clearance = clearance(needed, &self.fat_aabb);
+    /// Becomes the place of a collider of this kind that needs this box: as it is, or with another box. Returns whether that is
+    /// another one, which the trees do not know yet. Knows how far from its walls the collider is.
+    #[must_use]
+    pub fn fit(&mut self, kind: TreeKind, needed: &Aabb, margin: &BoxMargin) -> bool {
+        let stays = self.tree == Some(kind) && self.fat_aabb.contains(needed);
+        if !stays {
+            self.fat_aabb = margin.enlarged(needed, kind);
+            self.tree = Some(kind);
         }
-        keeps
-    }
-
-    /// Takes a new box, around what the collider needs, in a tree of this kind.
-    pub fn grow(&mut self, kind: TreeKind, needed: &Aabb, margin: &BoxMargin) {
-        self.fat_aabb = margin.enlarged(needed, kind);
         self.clearance = clearance(needed, &self.fat_aabb);
-        self.tree = Some(kind);
+        !stays
     }
 }
 

@@ -42,15 +42,12 @@ impl Trees {
         TreeKind::ALL.map(|kind| self.boxes(kind))
     }
 
-    /// Gives a slot its box in the tree of a kind, whether or not it had one there. It must stand in no other.
+    /// Gives a slot its box in the tree of a kind, whether or not it had one, there or in another: that of another collider, say, which
+    /// stood at the slot before.
     pub fn put(&mut self, slot: u32, kind: TreeKind, aabb: &Aabb) {
-        self.trees[kind as usize].boxes.insert(aabb, slot);
-    }
-
-    /// Takes a slot out of all trees but that of this kind.
-    pub fn remove_from_others(&mut self, slot: u32, kind: TreeKind) {
         let others = TreeKind::ALL.into_iter().filter(|&other| other != kind);
         others.for_each(|other| self.trees[other as usize].boxes.remove(slot));
+        self.trees[kind as usize].boxes.insert(aabb, slot);
     }
 
     /// Takes a slot out, wherever it stands.

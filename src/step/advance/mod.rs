@@ -78,8 +78,7 @@ unsafe fn carry_colliders(
         collider.pose = body.pose * parent.pos_wrt_parent;
         collider.proxy.clearance -= motion;
         if collider.proxy.clearance < 0.0 {
-            let carried = carry(collider, body, params);
-            left.extend((carried != Carried::Stays).then_some((handle, carried)));
+            left.extend(carry(collider, body, params).map(|carried| (handle, carried)));
         }
     }
 }
@@ -93,7 +92,6 @@ fn follow(
     params: &IntegrationParameters,
 ) {
     let is_elsewhere = match carried {
-        Carried::Stays => return,
         Carried::Leaves(kind, aabb) => {
             tree.put(handle, *kind, aabb);
             true

@@ -10,7 +10,7 @@ use super::path::Path;
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::base::segments::Segments;
 use crate::dim::math::{Real, Vector};
-use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::body::RigidBodyHandle;
 use crate::model::tree::TreeKind;
 use core::cmp::Ordering;
 use parry::bounding_volume::Aabb;
@@ -189,7 +189,7 @@ impl Bullets {
             let parent = search.world.colliders.at_slot(slot).and_then(|(_, c)| c.parent());
             let Some(handle) = parent else { return };
             let is_fast = search.groups.position(handle.into_raw_parts().0).is_some();
-            if !is_fast && search.world.bodies.get(handle).is_some_and(RigidBody::is_dynamic) {
+            if !is_fast {
                 pairs.push(Pair { bullet, other: Other::Slow(handle) });
             }
         });

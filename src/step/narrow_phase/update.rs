@@ -150,14 +150,15 @@ fn update_store<P: Update>(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
 ) {
-    let NarrowPhaseScratch { due, outcomes, changes, workers, seams, .. } = scratch;
-    list_due(tasks, around, store, &mut scratch.gather_due, due);
+    let NarrowPhaseScratch { due, gather_due, outcomes, changes, gather_changes, workers, seams } =
+        scratch;
+    list_due(tasks, around, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
     P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
     changes.clear();
-    take_in(tasks, store, (due, outcomes), &mut scratch.gather_changes, changes);
+    take_in(tasks, store, (due, outcomes), gather_changes, changes);
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
