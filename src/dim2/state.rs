@@ -91,6 +91,12 @@ impl BodyState {
         (self.0[3], self.0[7]) = (turn.re, turn.im);
     }
 
+    /// Takes over the displacement of another.
+    pub fn copy_displacement(&mut self, other: &Self) {
+        self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
+        self.0[3] = other.0[3];
+    }
+
     /// Is no number of these states beyond a bound, or none at all?
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.

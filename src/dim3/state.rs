@@ -89,6 +89,11 @@ impl BodyState {
         (self.0[STATE_LEN - 2], self.0[STATE_LEN - 1]) = (scale, real);
     }
 
+    /// Takes over the displacement of another.
+    pub fn copy_displacement(&mut self, other: &Self) {
+        self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
+    }
+
     /// Is no number of these states beyond a bound, or none at all?
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.

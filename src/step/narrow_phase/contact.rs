@@ -38,9 +38,10 @@ impl Update for ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let recycle_distance = view.recycle_distance();
-        if last.slack != DUE {
-            let left = recycle_distance - self.drift(&view.pose12, view.reach());
-            if left > 0.0 && self.is_touching() {
+        if last.slack != DUE && self.is_touching() {
+            let drift = self.drift_below(recycle_distance, &view.pose12, view.reach());
+            if let Some(drift) = drift {
+                let left = recycle_distance - drift;
                 let (stay, is_renewed) = self.keep_placed(id, view);
                 let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
                 return Outcome { is_renewed, ..outcome };
@@ -130,17 +131,21 @@ impl ContactPair {
     }
 
     /// A bound of how far the two bodies moved against each other, in the region where they could touch,
-    /// since the contact points were computed.
+    /// since the contact points were computed; nothing if that is not below a limit, as for most pairs that are asked.
     ///
     /// That is how far the points moved, and how far a rotation about them moves anything else within
     /// `reach`: a body that tips over on its contact points has them stand still.
-    fn drift(&self, pose12: &Pose, reach: Real) -> Real {
+    fn drift_below(&self, limit: Real, pose12: &Pose, reach: Real) -> Option<Real> {
+        let turned = turn_bound(pose12.rotation, self.pose12.rotation) * reach;
+        if turned >= limit {
+            return None;
+        }
         let contacts = self.manifolds.iter().flat_map(ContactManifold::contacts);
         let moved = contacts.map(|contact| {
             (pose12 * contact.local_p2 - self.pose12 * contact.local_p2).length_squared()
         });
-        let turn = turn_bound(pose12.rotation, self.pose12.rotation);
-        moved.fold(0.0, Real::max).sqrt() + turn * reach
+        let drift = moved.fold(0.0, Real::max).sqrt() + turned;
+        (drift < limit).then_some(drift)
     }
 
     /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the

@@ -198,7 +198,7 @@ impl SolverContacts {
         let rows = if per_point { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let prediction = params.prediction_distance();
-        let (poses, states, _) = bodies.shared();
+        let (poses, states) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
@@ -222,7 +222,7 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Solve { range, blocks, states, pass });
@@ -237,20 +237,20 @@ impl SolverContacts {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
     }
 
-    /// Notes how the bodies move at the end of a substep, before forces act in the next.
-    pub fn note_velocities(&mut self, velocities: &[BodyState]) {
-        self.impacts.note_velocities(velocities);
+    /// Does any of them bounce?
+    pub fn bounce(&self) -> bool {
+        !self.impacts.is_empty()
     }
 
     /// Lets the contacts bounce that hit something in this substep.
-    pub fn bounce(&mut self, bodies: &mut SolverBodies, around: Around<'_>, pass: &ImpactPass) {
+    pub fn let_bounce(&mut self, bodies: &mut SolverBodies, around: Around<'_>, pass: &ImpactPass) {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         self.impacts.run(blocks, bodies, around, pass);
     }

@@ -239,9 +239,9 @@ fn solve_group(
     let mut limited = 0;
     for substep in 0..substeps {
         let last = if substep == 0 { &mut states.before } else { &mut states.states };
-        contacts.note_velocities(last);
         multibodies.note_velocities(last);
-        let slowed = states.integrate_velocities(h, params, substep == 0, (simd, tasks));
+        let when = (substep == 0, contacts.bounce());
+        let slowed = states.integrate_velocities(h, params, when, (simd, tasks));
         limited = limited.max(slowed);
         if substep > 0 {
             multibodies.follow_loops(place.1, states);
@@ -252,7 +252,7 @@ fn solve_group(
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);
         let around = Around { joints, joint_pass: &joint_pass, links, simd, tasks };
-        contacts.bounce(states, around, &impact_pass);
+        contacts.let_bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);

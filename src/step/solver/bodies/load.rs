@@ -65,6 +65,7 @@ impl SolverBodies {
             poses: DisjointMut::new(&mut self.poses),
             states: DisjointMut::new(&mut self.states),
             before: DisjointMut::new(&mut self.before),
+            last: DisjointMut::new(&mut self.last),
             motions: DisjointMut::new(&mut self.motions),
             shares: DisjointMut::new(&mut self.shares),
             islands: DisjointMut::new(&mut self.islands),
@@ -172,6 +173,8 @@ pub(super) struct Places<'a> {
     poses: DisjointMut<'a, BodyPose>,
     pub states: DisjointMut<'a, BodyState>,
     pub before: DisjointMut<'a, BodyState>,
+    /// As many, or none.
+    pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
     shares: DisjointMut<'a, Real>,
     islands: DisjointMut<'a, u32>,

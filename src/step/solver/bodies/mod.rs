@@ -27,8 +27,10 @@ use motion::{Accelerate, Advance, Movers};
 pub(super) struct SolverBodies {
     pub poses: Vec<BodyPose>,
     pub states: Vec<BodyState>,
-    /// Velocities before any impulse of the current substep.
+    /// Velocities before any impulse of the current substep, with the displacements of its beginning.
     pub before: Vec<BodyState>,
+    /// Velocities at the end of the last substep, before forces acted in this one, if somebody asked for them.
+    pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
     /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`CREEPS`]. The world's for
     /// bodies that are not awake.
@@ -122,22 +124,24 @@ impl SolverBodies {
         self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
     }
 
-    /// The states, to be shared among constraints of one colour.
-    pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>, &[BodyState]) {
-        (&self.poses, DisjointMut::new(&mut self.states), &self.before)
+    /// The poses and states, these to be shared among constraints of one colour.
+    pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>) {
+        (&self.poses, DisjointMut::new(&mut self.states))
     }
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
     /// At the first substep the states hold the impulses of the last step already, which must not be
-    /// damped with the velocity. Returns how many bodies were slowed down to the largest speed.
+    /// damped with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down to the largest
+    /// speed.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
         params: &IntegrationParameters,
-        is_first: bool,
+        (is_first, keep_last): (bool, bool),
         (simd, tasks): (Simd, Tasks<'_>),
     ) -> usize {
+        self.last.resize(if keep_last { self.states.len() } else { 0 }, BodyState::AT_REST);
         let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
         let limited = AtomicUsize::new(0);
         self.for_all_moving(tasks, |bodies| {
@@ -172,9 +176,16 @@ impl SolverBodies {
             if blows.x > 0.0 {
                 let delay = -blows.y / blows.x;
                 self.states[index].add_displacement(join(added_v * delay, added_w * delay));
+                before.copy_displacement(&self.states[index]);
                 self.motions[index].turn(added_w * delay);
             }
         }
+    }
+
+    /// Has constraints see the velocities before any impulse of the substep, which has just begun, as those that bodies have; and
+    /// back.
+    pub fn swap_before(&mut self) {
+        core::mem::swap(&mut self.states, &mut self.before);
     }
 
     /// Moves all bodies by their velocities.
@@ -184,7 +195,7 @@ impl SolverBodies {
 
     fn for_all_moving(&mut self, tasks: Tasks<'_>, work: impl Fn(Movers<'_>) + Sync) {
         let all = self.moving.clone();
-        let Places { states, before, motions, .. } = self.places();
+        let Places { states, before, last, motions, .. } = self.places();
         for members in all {
             tasks.par_for(members.len(), BODIES_PER_TASK, |range| {
                 let range = members.start + range.start..members.start + range.end;
@@ -193,6 +204,7 @@ impl SolverBodies {
                     Movers {
                         states: states.range_mut(range.clone()),
                         before: before.range_mut(range.clone()),
+                        last: last.range_mut(if last.len() == 0 { 0..0 } else { range.clone() }),
                         motions: motions.range_mut(range),
                     }
                 };

@@ -7,6 +7,7 @@ use crate::dim::motion::{FreeMotion, accelerated, tumble};
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
 use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
+use core::iter::repeat_with;
 
 /// What moves a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
@@ -32,6 +33,8 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
 pub(super) struct Movers<'a> {
     pub states: &'a mut [BodyState],
     pub before: &'a mut [BodyState],
+    /// Gets how they moved until now; or nothing.
+    pub last: &'a mut [BodyState],
     pub motions: &'a mut [FreeMotion],
 }
 
@@ -40,7 +43,13 @@ impl Movers<'_> {
     fn chunks(self) -> impl Iterator<Item = Self> {
         let states = self.states.chunks_mut(LANES);
         let others = self.before.chunks_mut(LANES).zip(self.motions.chunks_mut(LANES));
-        states.zip(others).map(|(states, (before, motions))| Movers { states, before, motions })
+        let lasts = self.last.chunks_mut(LANES).chain(repeat_with(Default::default));
+        states.zip(others).zip(lasts).map(|((states, (before, motions)), last)| Movers {
+            states,
+            before,
+            last,
+            motions,
+        })
     }
 }
 
@@ -62,17 +71,20 @@ impl Kernel for Accelerate<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) -> usize {
         let (warmth, mut limited) = (W::splat(self.warmth), 0);
-        for Movers { states, before, motions } in self.bodies.chunks() {
-            let (old, unmoved) = load_states::<W>(before);
+        for Movers { states, before, last, motions } in self.bodies.chunks() {
+            let (old, _) = load_states::<W>(before);
             let (velocity, displacement) = load_states::<W>(states);
             let linear = (velocity.linear - old.linear) * warmth;
             let angular = (velocity.angular - old.angular) * warmth;
             let start = if self.is_first { old } else { velocity };
+            if !last.is_empty() {
+                store_states(last, (start, displacement));
+            }
             let mut free = accelerated(motions, start, self.h);
             let (slow, are_faster) = free.linear.clamped(self.speed_max);
             free.linear = slow;
             limited += are_faster.count_ones() as usize;
-            store_states(before, (free, unmoved));
+            store_states(before, (free, displacement));
             let linear = free.linear + linear;
             let angular = free.angular + angular;
             store_states(states, (WideMotion { linear, angular }, displacement));
@@ -93,14 +105,14 @@ impl Kernel for Advance<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         let h = W::splat(self.h);
-        for Movers { states, before, motions } in self.bodies.chunks() {
+        for Movers { states, before, motions, .. } in self.bodies.chunks() {
             let (mut velocity, moved) = load_states::<W>(states);
             let linear = moved.linear + velocity.linear * h;
             let angular = turned_further(moved.angular, velocity.angular * h);
             if motions.iter().any(FreeMotion::tumbles) {
-                let (mut old, unmoved) = load_states::<W>(before);
+                let (mut old, displacement) = load_states::<W>(before);
                 tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
-                store_states(before, (old, unmoved));
+                store_states(before, (old, displacement));
             }
             store_states(states, (velocity, WideDisplacement::new(linear, angular)));
         }

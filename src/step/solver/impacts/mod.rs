@@ -95,7 +95,7 @@ use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
 use core::ops::Range;
 pub(super) use points::NormalRows;
-pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, NOTICED};
+pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, ImpactMark, NOTICED};
 #[cfg(test)]
 pub(super) use struck::StruckBlock;
 use struck::{Round, Struck, Turn};
@@ -111,11 +111,16 @@ const ROUND_VISITS: usize = 16;
 /// Blocks that are worth handing over to another thread together. A visit of few is over before another thread has noticed.
 const BLOCKS_PER_TASK: usize = 32;
 
+/// Of so many blocks about one has been struck.
+const RUBBED_SELDOM: usize = 4;
+
 /// The contacts with restitution.
 #[derive(Default)]
 pub(super) struct Impacts {
     /// Those of one colour stand together.
     blocks: Vec<ImpactBlock>,
+    /// Of each block.
+    marks: Vec<ImpactMark>,
     colors: Vec<Range<usize>>,
     /// What a round is about, often little of all that could be hit.
     struck: Struck,
@@ -123,15 +128,13 @@ pub(super) struct Impacts {
     memory: Memory,
 }
 
-/// What is known of bodies, by their index, or of islands.
+/// What is known of islands.
 #[derive(Default)]
 struct Memory {
-    /// How bodies moved when the last substep ended.
-    last: Vec<BodyState>,
     accounts: Vec<Account>,
-    /// By island: nothing until something hits in this step.
+    /// Nothing until something hits in this step.
     grants: Vec<Grant>,
-    /// By island that is struck: the work of joints in this round.
+    /// Of those that are struck: the work of joints in this round.
     works: Vec<Real>,
 }
 
@@ -202,14 +205,13 @@ impl Impacts {
                 self.colors.push(start..self.blocks.len());
             }
         }
+        self.marks.clear();
+        self.marks.resize(self.blocks.len(), ImpactMark::default());
     }
 
-    /// Notes how the bodies move at the end of a substep, before forces act in the next.
-    pub fn note_velocities(&mut self, velocities: &[BodyState]) {
-        if !self.blocks.is_empty() {
-            self.memory.last.clear();
-            self.memory.last.extend_from_slice(velocities);
-        }
+    /// Is there no contact with restitution?
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
     }
 
     /// Lets everything bounce that hits something in this substep.
@@ -220,15 +222,15 @@ impl Impacts {
         mut around: Around<'_>,
         pass: &ImpactPass,
     ) {
-        if self.blocks.is_empty() && !around.links.0.bounce() {
+        if self.is_empty() && !around.links.0.bounce() {
             return;
         }
-        swap_velocities(bodies);
+        bodies.swap_before();
         let (links, place) = &mut around.links;
         links.begin_impact(bodies, pass);
         links.mark_struck(*place, bodies, pass);
         self.look(Stage::Begin, contacts, bodies, &around, pass);
-        let hits = self.blocks.iter().any(|block| block.struck != 0);
+        let hits = self.marks.iter().any(|mark| mark.struck != 0);
         let hits = hits || around.links.0.struck().next().is_some();
         if hits {
             self.open_accounts(bodies, around.links.0);
@@ -250,12 +252,16 @@ impl Impacts {
             around.joints.forget_places();
         }
         around.links.0.end_impact();
-        swap_velocities(bodies);
+        bodies.swap_before();
     }
 
     /// Takes back what the last substep has put aside.
     pub fn recall(&mut self, contacts: &mut [ContactBlock]) {
-        self.blocks.iter_mut().for_each(|impact| impact.recall(&mut contacts[impact.at]));
+        for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
+            if mark.is_aside() {
+                impact.recall(mark, &mut contacts[impact.at]);
+            }
+        }
     }
 
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
@@ -302,7 +308,7 @@ impl Impacts {
 
     /// Finds the contacts that hit, in islands that have visits left. Is there any?
     fn find_struck(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
-        let Self { blocks, colors, struck, touched, memory } = self;
+        let Self { blocks, marks, colors, struck, touched, memory } = self;
         let accounts = &mut memory.accounts;
         for island in struck.islands.drain(..) {
             let account = &mut accounts[island as usize];
@@ -313,7 +319,7 @@ impl Impacts {
         struck.clear();
         touched.begin_round();
         for color in &*colors {
-            struck.add_color(color.clone(), blocks, contacts, accounts);
+            struck.add_color(color.clone(), (blocks, marks), contacts, accounts);
         }
         struck.blocks.iter().for_each(|block| touched.add(block.bodies()));
         for contact in links.struck() {
@@ -470,40 +476,31 @@ impl Impacts {
         around: &Around<'_>,
         pass: &ImpactPass,
     ) {
-        let (_, states, loaded) = bodies.shared();
+        let known = [&bodies.last[..], &bodies.before];
+        let states = DisjointMut::new(&mut bodies.states);
         let impacts = DisjointMut::new(&mut self.blocks);
-        let (known, simd) = ([&self.memory.last[..], loaded], around.simd);
-        let touched = &self.touched;
+        let marks = DisjointMut::new(&mut self.marks);
+        let (simd, touched) = (around.simd, &self.touched);
         let all = 0..impacts.len();
-        let colors = match stage {
-            Stage::Rub => &self.colors,
+        let (colors, grain) = match stage {
+            Stage::Rub => (&self.colors[..], BLOCKS_PER_TASK * RUBBED_SELDOM),
             // They change no body: all blocks may be looked at at once.
-            _ => core::slice::from_ref(&all),
+            _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };
-        for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Look { stage, range, contacts, impacts, states, known, touched, pass });
+        for_each_color(colors, (around.tasks, grain), |range| {
+            simd.run(Look { stage, range, contacts, impacts, marks, states, known, touched, pass });
         });
     }
 
     /// Visits the blocks of the round.
     fn visit(&mut self, turn: Turn, bodies: &mut SolverBodies, around: &Around<'_>) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let Self { struck: Struck { blocks, colors, .. }, touched, .. } = self;
         let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
         let simd = around.simd;
         for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Round { turn, range, blocks, states, delays });
         });
-    }
-}
-
-/// Exchanges the velocities with those before any impulse of the substep.
-fn swap_velocities(bodies: &mut SolverBodies) {
-    for (state, before) in bodies.states.iter_mut().zip(&mut bodies.before) {
-        let (v, w) = state.velocity();
-        let (before_v, before_w) = before.velocity();
-        state.set_velocity(before_v, before_w);
-        before.set_velocity(v, w);
     }
 }
 
@@ -527,6 +524,7 @@ struct Look<'a> {
     range: Range<usize>,
     contacts: Blocks<'a>,
     impacts: DisjointMut<'a, ImpactBlock>,
+    marks: DisjointMut<'a, ImpactMark>,
     states: DisjointMut<'a, BodyState>,
     /// How the bodies moved when the last substep ended, and with its impulses in this one.
     known: [&'a [BodyState]; 2],
@@ -560,24 +558,35 @@ impl Look<'_> {
         let (states, pass) = (&self.states, self.pass);
         // SAFETY: the caller's promise.
         unsafe {
+            let mark = self.marks.get_mut(index);
+            let is_of_interest = match self.stage {
+                Stage::Begin | Stage::Mark => true,
+                Stage::PutAside => mark.waits(),
+                Stage::Rub => mark.was_struck,
+            };
+            if !is_of_interest {
+                return;
+            }
             let impact = self.impacts.get_mut(index);
             let (block, coulomb) = self.contacts.get(impact.at);
             match self.stage {
                 Stage::Begin => {
-                    impact.recall(block);
+                    if mark.is_aside() {
+                        impact.recall(mark, block);
+                    }
+                    *mark = ImpactMark::default();
                     let rows = NormalRows::<W>::gather(states, block);
                     impact.begin(&rows, block, self.known, pass);
-                    impact.mark(&rows, block, pass);
+                    impact.mark(mark, &rows, block, pass);
                 }
                 // What nobody has changed is as it was when it was marked last.
                 Stage::Mark if !self.is_changed(block) => {}
                 Stage::Mark => {
                     let rows = NormalRows::<W>::gather(states, block);
-                    impact.mark(&rows, block, pass);
+                    impact.mark(mark, &rows, block, pass);
                 }
-                Stage::PutAside => impact.put_aside(block),
-                Stage::Rub if impact.was_struck => impact.rub::<W>(block, coulomb, states),
-                Stage::Rub => {}
+                Stage::PutAside => impact.put_aside(mark, block),
+                Stage::Rub => impact.rub::<W>(block, coulomb, states),
             }
         }
     }

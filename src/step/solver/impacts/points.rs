@@ -101,7 +101,7 @@ pub unsafe fn rub<W: Wide>(
     states: &DisjointMut<BodyState>,
     impulses: [Lane; MAX_MANIFOLD_POINTS],
 ) {
-    let (points, friction) = (block.points, block.friction);
+    let kept = (block.points.map(|point| point.impulse), block.friction.impulse);
     for (point, impulse) in block.points.iter_mut().zip(impulses) {
         point.impulse = impulse;
     }
@@ -115,5 +115,9 @@ pub unsafe fn rub<W: Wide>(
     rub_block(block, fresh.as_mut(), &mut bodies);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
-    (block.points, block.friction) = (points, friction);
+    let (normal, friction) = kept;
+    for (point, impulse) in block.points.iter_mut().zip(normal) {
+        point.impulse = impulse;
+    }
+    block.friction.impulse = friction;
 }

@@ -1,5 +1,6 @@
 //! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `struck.rs`.
 
+use super::lanes;
 use super::points::{self, NormalRows};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
@@ -20,10 +21,8 @@ pub(in super::super) const FAR: Real = 1.0e10;
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
 struct ImpactRow {
-    /// Its separation when the step began, as the block had it.
+    /// While it is put aside: its separation when the step began, which the block does not show.
     separation: Lane,
-    /// Its separation if it is not to be met in this substep, [`FAR`] if it is to be put aside.
-    shown: Lane,
     /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
     /// act again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
@@ -77,49 +76,69 @@ pub(in super::super) struct ImpactBlock {
     /// Which block.
     pub at: usize,
     pub restitution: Lane,
-    /// Are the rows filled?
-    is_filled: bool,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
     /// The island of each lane.
     pub islands: [u32; LANES],
+}
+
+/// What is asked of every block in every round, and often the answer is that nothing is to be done. So it stands apart: thousands of
+/// blocks are passed over without a look at their rows.
+#[derive(Copy, Clone, Debug, Default)]
+pub(in super::super) struct ImpactMark {
     /// One bit per lane: does any point hit in this round?
     pub struck: u32,
     /// Has any point hit in this substep?
     pub was_struck: bool,
+    /// One bit per point and lane: does it come fast and not arrive in this substep?
+    waiting: u32,
+    /// And which of these are put aside.
+    aside: u32,
+}
+
+const _: () = assert!(MAX_MANIFOLD_POINTS * LANES <= u32::BITS as usize);
+
+impl ImpactMark {
+    /// Is any point to be put aside?
+    pub fn waits(&self) -> bool {
+        self.waiting != 0
+    }
+
+    /// Is any put aside?
+    pub fn is_aside(&self) -> bool {
+        self.aside != 0
+    }
+}
+
+/// The bits of a point's lanes among those of all points.
+fn of_point(bits: u32, point: usize) -> u32 {
+    bits >> (point * LANES) & (u32::MAX >> (u32::BITS as usize - LANES))
 }
 
 impl ImpactBlock {
     /// For the block with this index.
     pub fn new(at: usize, restitution: Lane, islands: [u32; LANES]) -> Self {
-        Self {
-            at,
-            restitution,
-            is_filled: false,
-            rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS],
-            islands,
-            struck: 0,
-            was_struck: false,
-        }
+        Self { at, restitution, rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS], islands }
     }
 
     /// Takes back the points that were put aside in the last substep.
-    pub fn recall(&mut self, block: &mut ContactBlock) {
-        for (row, point) in self.rows.iter_mut().zip(&mut block.points) {
-            if self.is_filled {
-                point.separation = row.separation;
-            } else {
-                row.separation = point.separation;
+    pub fn recall(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+        for (k, (row, point)) in self.rows.iter().zip(&mut block.points).enumerate() {
+            for lane in lanes(of_point(mark.aside, k)) {
+                point.separation.0[lane] = row.separation.0[lane];
             }
         }
-        self.is_filled = true;
+        mark.aside = 0;
     }
 
     /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes, which let
     /// nothing come nearer than to touch, they would arrive too slowly.
-    pub fn put_aside(&self, block: &mut ContactBlock) {
-        for (row, point) in self.rows.iter().zip(&mut block.points) {
-            point.separation = row.shown;
+    pub fn put_aside(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+        for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
+            for lane in lanes(of_point(mark.waiting, k)) {
+                row.separation.0[lane] = core::mem::replace(&mut point.separation.0[lane], FAR);
+            }
         }
+        mark.aside = mark.waiting;
     }
 
     /// Begins a substep: notes how the points move, and what forces did to that since the last one ended (`last`).
@@ -132,7 +151,6 @@ impl ImpactBlock {
         [last, loaded]: [&[BodyState]; 2],
         pass: &ImpactPass,
     ) {
-        self.was_struck = false;
         let free = rows.velocities();
         let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
@@ -155,6 +173,7 @@ impl ImpactBlock {
     #[inline(always)]
     pub fn mark<W: Wide>(
         &mut self,
+        mark: &mut ImpactMark,
         rows: &NormalRows<'_, W>,
         block: &ContactBlock,
         pass: &ImpactPass,
@@ -163,22 +182,21 @@ impl ImpactBlock {
         let (zero, h) = (W::zero(), W::splat(pass.substep));
         let restitution = W::load(&self.restitution);
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
-        self.struck = 0;
-        for (k, row) in self.rows.iter_mut().enumerate() {
+        (mark.struck, mark.waiting) = (0, 0);
+        for (k, row) in self.rows.iter().enumerate() {
             let velocity = velocities[k] + W::load(&row.strike.borne);
             // Points that the manifold has not got have no mass.
             let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
             let end = separations[k] + velocity * h;
             hits[k] = comes & end.lt(zero);
-            let waits = comes & zero.le(end);
-            W::select(waits, W::splat(FAR), W::load(&row.separation)).store(&mut row.shown);
-            self.struck |= W::bits(hits[k]);
+            mark.struck |= W::bits(hits[k]);
+            mark.waiting |= W::bits(comes & zero.le(end)) << (k * LANES);
         }
-        if self.struck == 0 {
+        if mark.struck == 0 {
             return;
         }
-        self.was_struck = true;
+        mark.was_struck = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
             let velocity = velocities[k] + W::load(&row.strike.borne);
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);

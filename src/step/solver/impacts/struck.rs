@@ -5,7 +5,7 @@
 //! that way. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
-use super::rows::{ImpactBlock, Strike};
+use super::rows::{ImpactBlock, ImpactMark, Strike};
 use super::{Account, lanes};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
@@ -49,14 +49,15 @@ impl Struck {
     pub fn add_color(
         &mut self,
         color: Range<usize>,
-        impacts: &[ImpactBlock],
+        (impacts, marks): (&[ImpactBlock], &[ImpactMark]),
         contacts: Blocks<'_>,
         accounts: &mut [Account],
     ) {
         let start = self.blocks.len();
-        for index in color {
+        let struck = marks[color.clone()].iter().map(|mark| mark.struck);
+        for (index, struck) in color.zip(struck).filter(|&(_, struck)| struck != 0) {
             let impact = &impacts[index];
-            for lane in lanes(impact.struck) {
+            for lane in lanes(struck) {
                 let island = impact.islands[lane];
                 let account = &mut accounts[island as usize];
                 if account.visits == 0 {
@@ -170,7 +171,8 @@ impl StruckBlock {
         }
     }
 
-    /// Visits the points, in turn: pushes until they part as they are to.
+    /// Visits the points, in turn: pushes until they part as they are to. A lane is done when a sweep had nothing to change, and after
+    /// the first if no more than one of its points hits.
     ///
     /// # Safety
     /// Nobody else may touch the states of the block's bodies meanwhile.
@@ -179,20 +181,28 @@ impl StruckBlock {
         let Self { contact, rows, moving, .. } = self;
         // SAFETY: the caller's promise.
         let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
-        *moving = 0;
+        let zero = W::zero();
+        let mut goes_on = zero.le(zero);
         for sweep in 0..SWEEPS {
+            let mut changes = zero.lt(zero);
             normals.visit(|k, velocity| {
                 let StruckRow { strike, impulse } = &mut rows[k];
                 let (mass, old) = (W::load(&strike.mass), W::load(impulse));
                 let missing = W::load(&strike.target) - W::load(&strike.borne) - velocity;
-                let new = (old + mass * missing).max(W::zero());
+                let new = W::select(goes_on, (old + mass * missing).max(zero), old);
                 new.store(impulse);
-                if sweep == 0 {
-                    let little = -(mass * W::load(&strike.approach) * W::splat(SETTLED));
-                    *moving |= W::bits(little.lt((new - old).abs()));
-                }
+                let little = -(mass * W::load(&strike.approach) * W::splat(SETTLED));
+                changes = changes | little.lt((new - old).abs());
                 new - old
             });
+            if sweep == 0 {
+                *moving = W::bits(changes);
+                goes_on = have_several::<W>(rows);
+            }
+            goes_on = goes_on & changes;
+            if !W::any(goes_on) {
+                break;
+            }
         }
         // SAFETY: the caller's promise.
         unsafe { normals.scatter(states) };
@@ -235,6 +245,19 @@ impl StruckBlock {
             }
         }
     }
+}
+
+/// In which lanes does more than one point hit?
+#[inline(always)]
+fn have_several<W: Wide>(rows: &[StruckRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
+    let zero = W::zero();
+    let (mut one, mut several) = (zero.lt(zero), zero.lt(zero));
+    for row in rows {
+        let hits = zero.lt(W::load(&row.strike.mass));
+        several = several | (one & hits);
+        one = one | hits;
+    }
+    several
 }
 
 /// What is done with each block.

@@ -160,7 +160,7 @@ impl SolverJoints {
 
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(WarmStart { range, parts, states });
@@ -217,7 +217,7 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, pass });
@@ -342,7 +342,7 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         let count = self.blocks.len();
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);

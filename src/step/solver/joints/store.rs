@@ -16,7 +16,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 impl SolverJoints {
     /// Ends the step, while the bodies are still where the solver has put them.
     pub fn finish(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
-        let (_, states, _) = bodies.shared();
+        let (_, states) = bodies.shared();
         self.pins.finish(states, simd, tasks);
     }
 

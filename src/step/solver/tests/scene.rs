@@ -12,7 +12,7 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{ContactInput, ContactReport, Placement};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::{ImpactBlock, NormalRows, StruckBlock, lanes};
+use crate::step::solver::impacts::{ImpactBlock, ImpactMark, NormalRows, StruckBlock, lanes};
 use crate::step::solver::keep::keep;
 use parry::shape::{Cuboid, Shape};
 
@@ -345,19 +345,19 @@ unsafe fn bounce<W: Wide>(
     pass: &ImpactPass,
 ) {
     let mut impact = ImpactBlock::new(0, restitution, [0; LANES]);
-    impact.recall(block);
+    let mut mark = ImpactMark::default();
     // SAFETY: the caller's promise.
     unsafe {
         let rows = NormalRows::<W>::gather(states, block);
         impact.begin(&rows, block, known, pass);
-        impact.mark(&rows, block, pass);
+        impact.mark(&mut mark, &rows, block, pass);
         let mut struck = StruckBlock::EMPTY;
-        lanes(impact.struck).for_each(|lane| struck.push((0, lane), &impact, block));
+        lanes(mark.struck).for_each(|lane| struck.push((0, lane), &impact, block));
         struck.visit::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
         struck.end::<W>(states, &DisjointMut::new(&mut delays));
         struck.settle(core::slice::from_mut(&mut impact), |_| 1.0);
-        impact.put_aside(block);
+        impact.put_aside(&mut mark, block);
         impact.rub::<W>(block, coulomb, states);
     }
 }
