@@ -42,15 +42,37 @@ impl IdSet {
     /// Puts a number in. Returns whether it was not there.
     pub fn insert(&mut self, number: u32) -> bool {
         let (index, bit) = place(number);
+        let is_new = !self.contains(number);
+        self.fill(index, bit);
+        is_new
+    }
+
+    /// Puts numbers in, the faster the more of them stand side by side.
+    pub fn extend(&mut self, numbers: impl Iterator<Item = u32>) {
+        let (mut last, mut bits) = (0, 0);
+        for number in numbers {
+            let (index, bit) = place(number);
+            if index != last {
+                self.fill(last, bits);
+                (last, bits) = (index, 0);
+            }
+            bits |= bit;
+        }
+        self.fill(last, bits);
+    }
+
+    /// Puts in what stands for these bits of a word.
+    fn fill(&mut self, index: usize, bits: u64) {
+        if bits == 0 {
+            return;
+        }
         if index >= self.words.len() {
             self.words.resize(index + 1, 0);
             self.filled.resize(index / BITS as usize + 1, 0);
         }
-        let is_new = self.words[index] & bit == 0;
-        self.words[index] |= bit;
+        self.words[index] |= bits;
         let (above, bit) = place(index as u32);
         self.filled[above] |= bit;
-        is_new
     }
 
     /// Takes a number out. Returns whether it was there.
@@ -120,6 +142,9 @@ mod tests {
             }
             assert_eq!(set.contains(number), expected.contains(&number));
         }
+        let several = [7, 5, 64, 65, 66, 200_000, 3];
+        set.extend(several.into_iter());
+        expected.extend(several);
         assert!(set.iter().eq(expected.iter().copied()));
         assert!(!set.contains(u32::MAX) && !set.remove(u32::MAX));
         let mut cleared = set.clone();

@@ -275,15 +275,15 @@ fn follow_bodies(
     let mut panic = HeldPanic::default();
     panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
-    let StepNotes { fast, courses, events, .. } = &mut scratch.notes;
+    let StepNotes { fast, courses, events, sleepy, .. } = &mut scratch.notes;
     let (stops, told) = (&scratch.continuous, (events, &mut parts.counters.ccd));
     continuous::stop(parts.bodies, multibodies, (fast, courses), parts.params.dt, stops, told);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
     let StepParts { bodies, colliders, islands, broad_phase, params, .. } = parts;
-    let scratch = &mut scratch.advance;
-    advance::advance(tasks, bodies, colliders, islands, broad_phase, params, scratch);
+    let (sets, scratch) = ((&mut **bodies, &mut **colliders), &mut scratch.advance);
+    advance::advance(tasks, sets, islands, broad_phase, params, sleepy, scratch);
     parts.counters.stages.update_time.pause();
     panic
 }
@@ -313,7 +313,7 @@ fn find_impacts(
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
-    islands::put_to_sleep(&mut structure, &mut scratch.sleep);
+    islands::put_to_sleep(&mut structure, &scratch.notes.sleepy, &mut scratch.sleep);
     parts.counters.stages.island_construction_time.pause();
 }
 

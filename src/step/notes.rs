@@ -84,6 +84,8 @@ pub(crate) struct StepNotes {
     pub fast: Vec<FastMotion>,
     /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
     pub courses: Vec<Course>,
+    /// In the order of the awake bodies: has each been still for long enough to sleep? Empty until all of them have moved.
+    pub sleepy: Vec<bool>,
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
@@ -106,6 +108,7 @@ impl StepNotes {
         self.pressed.clear();
         self.intersections.clear();
         self.fast.clear();
+        self.sleepy.clear();
         self.courses.clear();
         self.lost.clear();
         self.quarantined.clear();

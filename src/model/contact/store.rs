@@ -9,6 +9,7 @@
 //!   colliders, and where it stands in their lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
 //!   bodies are not in it;
+//! * `reporting`: those of them of whose strong forces somebody wants to hear. Most worlds have none, and none is looked at;
 //! * `renewed`: the ids of pairs that are not what the solver last saw of them.
 //!
 //! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the same neighbours
@@ -64,8 +65,6 @@ pub(crate) struct PairState {
     /// How far (length units) the two may still move against each other before the pair must be
     /// computed again. Every step takes off a bound of what the two bodies moved.
     pub slack: Real,
-    /// Does somebody want to hear of strong contact forces of this pair?
-    pub reports_force: bool,
     /// Have contacts of a body with an obstacle ever been found? Seams are looked for among such pairs alone, and most
     /// of a body's pairs are none.
     pub met_obstacle: bool,
@@ -100,6 +99,8 @@ pub(crate) struct StoreParts<'a, P> {
     pub slots: PairSlots<'a>,
     /// The pairs of each collider slot.
     pub of_collider: &'a [Partners],
+    /// The awake pairs of whose strong forces somebody wants to hear.
+    pub reporting: &'a IdSet,
     /// All pairs by id.
     pub pairs: &'a mut [Option<P>],
 }
@@ -129,6 +130,7 @@ pub(crate) struct PairStore<P> {
     free: Vec<PairId>,
     of_collider: Vec<Partners>,
     awake: IdSet,
+    reporting: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     renewed: IdSet,
 }
@@ -142,6 +144,7 @@ impl<P> Default for PairStore<P> {
             free: Vec::new(),
             of_collider: Vec::new(),
             awake: IdSet::default(),
+            reporting: IdSet::default(),
             renewed: IdSet::default(),
         }
     }
@@ -219,7 +222,7 @@ impl<P: Pair> PairStore<P> {
             "colliders {slots:?} already have a pair"
         );
         let place = Place { slots, positions: self.list(slots, id) };
-        let state = PairState { bodies, slack: DUE, reports_force: false, met_obstacle: false };
+        let state = PairState { bodies, slack: DUE, met_obstacle: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
             *free.get_mut() = Some(pair);
             self.states[id as usize] = state;
@@ -278,19 +281,33 @@ impl<P: Pair> PairStore<P> {
     /// Has the narrow phase visit a pair. One that it did not visit is due to be computed.
     pub fn wake(&mut self, id: PairId) {
         if self.awake.insert(id) {
-            let state = &mut self.states[id as usize];
-            (state.slack, state.reports_force) = (DUE, false);
+            self.invalidate(id);
         }
     }
 
     /// Has the narrow phase pass a pair by.
     pub fn sleep(&mut self, id: PairId) {
         self.awake.remove(id);
+        self.reporting.remove(id);
     }
 
-    /// Has the solver read a pair anew.
-    pub fn renew(&mut self, id: PairId) {
-        self.renewed.insert(id);
+    /// Notes whether somebody wants to hear of strong forces of an awake pair.
+    pub fn set_reporting(&mut self, id: PairId, wants: bool) {
+        if wants {
+            self.reporting.insert(id);
+        } else {
+            self.reporting.remove(id);
+        }
+    }
+
+    /// The awake pairs of whose strong forces somebody wants to hear, in the order of the ids.
+    pub fn reporting(&self) -> impl Iterator<Item = PairId> {
+        self.reporting.iter()
+    }
+
+    /// Has the solver read pairs anew. They come in the order of the ids.
+    pub fn renew(&mut self, ids: impl Iterator<Item = PairId>) {
+        self.renewed.extend(ids);
     }
 
     /// Has the solver read all pairs anew that are awake.
@@ -396,11 +413,6 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// What the narrow phase asks of a pair.
-    pub fn state(&self, id: PairId) -> &PairState {
-        &self.states[id as usize]
-    }
-
-    /// What the narrow phase asks of a pair.
     pub fn state_mut(&mut self, id: PairId) -> &mut PairState {
         &mut self.states[id as usize]
     }
@@ -411,6 +423,7 @@ impl<P: Pair> PairStore<P> {
             states: &mut self.states,
             slots: PairSlots(&self.places),
             of_collider: &self.of_collider,
+            reporting: &self.reporting,
             pairs: Late::slice_mut(&mut self.pairs),
         }
     }
@@ -438,6 +451,7 @@ impl<P: Pair> PairStore<P> {
         for id in self.awake() {
             assert!(self.pairs[id as usize].get().is_some(), "pair {id} is awake and gone");
         }
+        assert!(self.reporting().all(|id| self.is_awake(id)));
     }
 }
 

@@ -1,5 +1,6 @@
 //! Which bodies are awake, and which islands they form.
 
+use super::awake::AwakeBodies;
 use super::groups::BodyGroups;
 use super::link::NONE;
 use super::motion::BodyMotion;
@@ -35,7 +36,7 @@ pub(crate) struct Island {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IslandManager {
     /// Awake dynamic and kinematic bodies. A body's position here is its index in the solver.
-    pub(crate) awake: Vec<RigidBodyHandle>,
+    pub(crate) awake: AwakeBodies,
     /// All islands, with holes.
     islands: Vec<Island>,
     free: Vec<u32>,

@@ -1,5 +1,6 @@
 //! Islands: bodies that touch, directly or through others, and so sleep and wake as one.
 
+mod awake;
 mod groups;
 mod link;
 mod manager;

@@ -138,21 +138,28 @@ impl Structure<'_> {
     }
 
     fn list_awake(&mut self, handle: RigidBodyHandle) {
-        let position = self.islands.awake.len() as u32;
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         if body.link.awake == NONE {
-            body.link.awake = position;
             body.activation.sleeping = false;
-            self.islands.awake.push(handle);
+            let is_kinematic = body.link.island == NONE;
+            let changed = self.islands.awake.insert(handle, is_kinematic);
+            self.tell_places(changed);
         }
     }
 
     fn unlist_awake(&mut self, position: u32) {
-        self.islands.awake.swap_remove(position as usize);
-        if let Some(&moved) = self.islands.awake.get(position as usize)
-            && let Some(body) = self.bodies.get_unnoted_mut(moved)
-        {
-            body.link.awake = position;
+        let changed = self.islands.awake.remove(position as usize);
+        self.tell_places(changed);
+    }
+
+    /// Tells bodies at which positions they stand in the list of who is awake.
+    fn tell_places(&mut self, positions: [usize; 2]) {
+        for position in positions {
+            if let Some(&moved) = self.islands.awake.get(position)
+                && let Some(body) = self.bodies.get_unnoted_mut(moved)
+            {
+                body.link.awake = position as u32;
+            }
         }
     }
 

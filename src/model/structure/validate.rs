@@ -17,6 +17,8 @@ impl Structure<'_> {
                 self.bodies[handle].link.awake, position as u32,
                 "{handle:?} is listed awake"
             );
+            let is_kinematic = position < self.islands.awake.kinematic().len();
+            assert_eq!(self.bodies[handle].link.island == NONE, is_kinematic, "{handle:?}");
         }
         for (handle, body) in self.bodies.iter() {
             if body.link.awake != NONE {

@@ -1,11 +1,12 @@
 //! # Advance — everything follows the bodies
 //!
 //! Reads:   poses of awake bodies, bounds of how far they moved
-//! Writes:  poses and boxes of their colliders, sleep timers
+//! Writes:  poses and boxes of their colliders, sleep timers; notes of who could sleep
 //! Runs:    parallel over awake bodies; new boxes are put into the trees one by one, in the order of the bodies
 //! Never:   changes a velocity or the structure
 
 use crate::base::arena::SharedArena;
+use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RigidBody, RigidBodySet};
@@ -28,22 +29,26 @@ pub(crate) struct AdvanceScratch {
 /// A collider that is not in its box any more, or has none.
 type Leaver = (ColliderHandle, Carried);
 
-/// Lets colliders, boxes and sleep timers follow the awake bodies.
+/// Lets colliders, boxes and sleep timers follow the awake bodies, and notes which of these are sleepy.
 pub(crate) fn advance(
     tasks: Tasks<'_>,
-    bodies: &mut RigidBodySet,
-    colliders: &mut ColliderSet,
+    (bodies, colliders): (&mut RigidBodySet, &mut ColliderSet),
     islands: &IslandManager,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
+    sleepy: &mut Vec<bool>,
     AdvanceScratch { leavers, gather }: &mut AdvanceScratch,
 ) {
-    let awake = islands.awake.as_slice();
+    let awake = &*islands.awake;
     leavers.clear();
-    let all_colliders = colliders.share();
+    sleepy.clear();
+    sleepy.resize(awake.len(), false);
+    let (all_colliders, sleepy) = (colliders.share(), DisjointMut::new(sleepy));
     let follow_body = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
         let Some(body) = body else { return };
         update_sleep_timer(body, params);
+        // SAFETY: each position is one body's.
+        unsafe { *sleepy.get_mut(position) = body.activation.is_eligible_for_sleep() };
         let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
         if motion > 0.0 {
             // SAFETY: each collider has one body, and each body a place.

@@ -34,8 +34,7 @@ pub(crate) fn report(
     if dt <= 0.0 {
         return;
     }
-    let contacts = &narrow_phase.contacts;
-    for id in contacts.awake().filter(|&id| contacts.state(id).reports_force) {
+    for id in narrow_phase.contacts.reporting() {
         let pair = narrow_phase.settled(id);
         let Some(threshold) = force_threshold(pair, colliders) else { continue };
         let total = pair.total_impulse_magnitude() / dt;

@@ -1,6 +1,6 @@
 //! # Islands — who is connected, who wakes, who sleeps
 //!
-//! Reads:   the narrow phase's notes, sleep timers
+//! Reads:   the narrow phase's notes, those of who could sleep
 //! Writes:  islands, the list of awake bodies, colours, pairs that are no more; notes for events
 //! Runs:    serial, in the order of the notes
 //! Never:   changes a manifold's points or moves a body
@@ -9,7 +9,7 @@ mod sleep;
 
 pub(crate) use sleep::{SleepScratch, put_to_sleep};
 
-use crate::model::body::RigidBodyHandle;
+use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveEvents, ColliderHandle, ColliderSet};
 use crate::model::contact::PairId;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
@@ -97,10 +97,9 @@ fn report(
 
 /// A kinematic body that moves keeps everything awake that it touches or holds.
 fn wake_what_kinematics_move(structure: &mut Structure<'_>) {
-    for position in 0..structure.islands.awake.len() {
-        let handle = structure.islands.awake[position];
-        let Some(body) = structure.bodies.get(handle) else { continue };
-        if body.is_kinematic() && body.is_moving() {
+    for position in 0..structure.islands.awake.kinematic().len() {
+        let handle = structure.islands.awake.kinematic()[position];
+        if structure.bodies.get(handle).is_some_and(RigidBody::is_moving) {
             wake_touching(structure, handle);
         }
     }

@@ -11,18 +11,11 @@ const SPLIT_INTERVAL: u32 = 30;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SleepScratch {
-    /// By island: how its bodies are.
-    moods: Vec<Mood>,
-    /// The awake islands.
+    /// By island: how many of its bodies are sleepy.
+    sleepy: Vec<usize>,
+    /// The islands with any.
     islands: Vec<u32>,
     kinematics: Vec<RigidBodyHandle>,
-}
-
-/// How many of an island's bodies could sleep.
-#[derive(Copy, Clone, Default)]
-struct Mood {
-    ready: u32,
-    restless: u32,
 }
 
 /// Puts islands to sleep all of whose bodies are ready, and kinematic bodies that have stood still
@@ -31,19 +24,26 @@ struct Mood {
 /// An island with cut links may be several by now, of which some are still moving. It is split before
 /// any part of it sleeps: at once if all of it is ready, and every now and then if a part is. That does
 /// not depend on other islands: what happens far away must not decide who sleeps.
-pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScratch) {
+///
+/// `sleepy` says of each awake body whether it has been still for long enough.
+pub(crate) fn put_to_sleep(
+    structure: &mut Structure<'_>,
+    sleepy: &[bool],
+    scratch: &mut SleepScratch,
+) {
     structure.islands.step = structure.islands.step.wrapping_add(1);
-    read_moods(structure, scratch);
+    count_sleepy(structure, sleepy, scratch);
     for island in scratch.islands.drain(..) {
-        // All moods but those of awake islands stay at their defaults, so that nobody walks the others.
-        let mood = core::mem::take(&mut scratch.moods[island as usize]);
+        // All counts but those of these islands stay at zero, so that nobody walks the others.
+        let count = core::mem::take(&mut scratch.sleepy[island as usize]);
         let record = structure.islands.island(island);
         let age = structure.islands.step.wrapping_sub(record.split_at);
+        let are_all = count == record.bodies.len();
         if !record.is_cut {
-            if mood.restless == 0 {
+            if are_all {
                 structure.sleep_island(island);
             }
-        } else if mood.restless == 0 || (mood.ready > 0 && age >= SPLIT_INTERVAL) {
+        } else if are_all || age >= SPLIT_INTERVAL {
             structure.split(island);
         }
     }
@@ -54,26 +54,23 @@ pub(crate) fn put_to_sleep(structure: &mut Structure<'_>, scratch: &mut SleepScr
     }
 }
 
-/// Fills the buffers: awake islands with their moods, and kinematic bodies at rest.
-fn read_moods(structure: &Structure<'_>, scratch: &mut SleepScratch) {
+/// Fills the buffers: islands with sleepy bodies, and kinematic bodies at rest.
+fn count_sleepy(structure: &Structure<'_>, sleepy: &[bool], scratch: &mut SleepScratch) {
     let bound = structure.islands.island_bound() as usize;
-    if scratch.moods.len() < bound {
-        scratch.moods.resize(bound, Mood::default());
+    if scratch.sleepy.len() < bound {
+        scratch.sleepy.resize(bound, 0);
     }
-    for &handle in &structure.islands.awake {
+    let awake = structure.islands.awake.iter().zip(sleepy);
+    for &handle in awake.filter(|&(_, &is_sleepy)| is_sleepy).map(|(handle, _)| handle) {
         let Some(body) = structure.bodies.get(handle) else { continue };
-        let is_ready = body.activation.is_eligible_for_sleep();
         if body.link.island == NONE {
-            if is_ready {
-                scratch.kinematics.push(handle);
-            }
+            scratch.kinematics.push(handle);
             continue;
         }
-        let mood = &mut scratch.moods[body.link.island as usize];
-        if mood.ready + mood.restless == 0 {
+        let count = &mut scratch.sleepy[body.link.island as usize];
+        if *count == 0 {
             scratch.islands.push(body.link.island);
         }
-        mood.ready += u32::from(is_ready);
-        mood.restless += u32::from(!is_ready);
+        *count += 1;
     }
 }

@@ -38,14 +38,14 @@ impl Update for ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let recycle_distance = view.recycle_distance();
-        if last.slack != DUE && self.is_touching() {
-            let drift = self.drift_below(recycle_distance, &view.pose12, view.reach());
-            if let Some(drift) = drift {
-                let left = recycle_distance - drift;
-                let (stay, is_renewed) = self.keep_placed(id, view);
-                let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
-                return Outcome { is_renewed, ..outcome };
-            }
+        if last.slack != DUE
+            && self.is_touching()
+            && let Some(drift) = self.drift_below(recycle_distance, &view.pose12, view.reach())
+        {
+            let left = recycle_distance - drift;
+            let (stay, is_renewed) = self.keep_placed(id, view);
+            let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
+            return Outcome { is_renewed, ..outcome };
         }
         if !view.boxes_overlap() {
             return Outcome::APART;

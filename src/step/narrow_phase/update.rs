@@ -192,7 +192,7 @@ fn look_at_all<P: Update>(
     outcomes: &mut [Outcome],
     workers: &Pool<Worker>,
 ) {
-    let StoreParts { states, pairs, .. } = store.split();
+    let StoreParts { states, pairs, reporting, .. } = store.split();
     let states = &*states;
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
@@ -201,11 +201,10 @@ fn look_at_all<P: Update>(
         for (turn, index) in range.enumerate() {
             ahead.of(turn);
             let id = due[index];
-            let PairState { slack, reports_force, .. } = states[id as usize];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
-            let last = Outcome::unchanged(slack, reports_force);
+            let last = Outcome::unchanged(states[id as usize].slack, reporting.contains(id));
             *result = look_at(around, (id, pair), last, &mut worker);
         }
         workers.put(worker);
@@ -230,14 +229,14 @@ fn take_in<P: Pair>(
             }
             let (id, outcome) = (due[index], &outcomes[index]);
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
-            let state = unsafe { states.get_mut(id as usize) };
-            (state.slack, state.reports_force) = (outcome.slack, outcome.reports_force);
+            unsafe { states.get_mut(id as usize) }.slack = outcome.slack;
             found.extend(outcome.change.map(|change| (slots.of(id), id, change)));
         }
     };
     gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), take_in, changes);
-    let renewed = due.iter().zip(outcomes).filter(|(_, outcome)| outcome.is_renewed);
-    renewed.for_each(|(&id, _)| store.renew(id));
+    let found = || due.iter().copied().zip(outcomes);
+    found().for_each(|(id, outcome)| store.set_reporting(id, outcome.reports_force));
+    store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
 }
 
 /// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for

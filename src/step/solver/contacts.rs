@@ -135,6 +135,10 @@ impl SolverContacts {
             if color == OVERFLOW {
                 let members = members.map(|at| (at, slots(at)));
                 self.layout.add_side_by_side(members, &mut self.overflow);
+            } else if are_all {
+                // Nothing is to be asked, and the list is copied as it is.
+                self.layout.add(color, list.iter().copied());
+                self.starts.push(first as u32);
             } else {
                 self.layout.add(color, members);
                 self.starts.push(first as u32);

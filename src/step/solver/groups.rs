@@ -18,10 +18,11 @@
 //! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
 
 use crate::base::measure::CALM;
+use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{Real, Vector};
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::body::{BODIES_PER_TASK, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
@@ -122,10 +123,17 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
 struct Fact {
     island: u32,
     mass: Option<Real>,
+    /// Substeps that it asks for.
+    extra: usize,
 }
 
 impl Fact {
-    const NOBODY: Self = Self { island: NONE, mass: None };
+    const NOBODY: Self = Self { island: NONE, mass: None, extra: 0 };
+
+    fn of(body: &RigidBody) -> Self {
+        let extra = body.additional_solver_iterations;
+        Self { island: body.link.island, mass: mass(body), extra }
+    }
 }
 
 /// All awake bodies, in groups.
@@ -137,12 +145,15 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     /// By island.
     needs: Vec<Need>,
-    /// By body slot. Nobody stands there but while needs are found.
+    /// Of the dynamic bodies, in the order in which they are awake.
     facts: Vec<Fact>,
+    /// The same by body slot. Nobody stands there but while needs are found.
+    by_slot: Vec<Fact>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
     strained: bool,
+    gather: Gather<Fact>,
 }
 
 impl Groups {
@@ -172,55 +183,72 @@ impl Groups {
         bodies: &RigidBodySet,
         narrow_phase: &NarrowPhase,
         joints: &ImpulseJointSet,
-        (gravity, params): (Vector, &IntegrationParameters),
+        (gravity, params, tasks): (Vector, &IntegrationParameters, Tasks<'_>),
     ) {
         self.order.clear();
         self.groups.clear();
         self.strained = false;
-        if all_alike(islands, bodies) {
+        self.survey(islands, bodies, tasks);
+        if self.are_all_alike() {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
             return self.groups.push(Group { members, substeps: params.num_solver_iterations });
         }
-        self.find_needs(islands, bodies, narrow_phase);
+        self.find_needs(islands, bodies.slot_count(), narrow_phase);
         self.find_needs_of_joints(islands, bodies, joints);
         self.find_substeps(islands, gravity.length(), params);
-        let island_of =
-            |handle: &RigidBodyHandle| bodies.get(*handle).map_or(NONE, |body| body.link.island);
-        let of_none = islands.awake.iter().filter(|handle| island_of(handle) == NONE);
-        self.order.extend(of_none);
+        self.order.extend_from_slice(islands.awake.kinematic());
         for &substeps in &self.counts {
             let start = self.order.len();
-            self.order.extend(
-                islands.awake.iter().filter(|handle| {
-                    self.substeps.get(island_of(handle) as usize) == Some(&substeps)
-                }),
-            );
+            let all = islands.awake.dynamic().iter().zip(&self.facts);
+            let members =
+                all.filter(|(_, fact)| self.substeps.get(fact.island as usize) == Some(&substeps));
+            self.order.extend(members.map(|(handle, _)| handle));
             self.groups.push(Group { members: start..self.order.len(), substeps });
         }
+    }
+
+    /// Looks at each dynamic body, once.
+    fn survey(&mut self, islands: &IslandManager, bodies: &RigidBodySet, tasks: Tasks<'_>) {
+        let awake = islands.awake.dynamic();
+        let survey = |range: Range<usize>, facts: &mut Vec<Fact>| {
+            let all = awake[range].iter();
+            facts.extend(all.map(|&handle| bodies.get(handle).map_or(Fact::NOBODY, Fact::of)));
+        };
+        self.facts.clear();
+        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), survey, &mut self.facts);
+    }
+
+    /// Does no body ask for more substeps, and is none much heavier than another?
+    fn are_all_alike(&self) -> bool {
+        let mut need = Need::NOTHING;
+        for fact in &self.facts {
+            need.extra = need.extra.max(fact.extra);
+            fact.mass.into_iter().for_each(|mass| need.include(mass));
+        }
+        need.extra == 0 && need.is_even()
     }
 
     /// Finds what each island needs from the bodies that touch each other.
     fn find_needs(
         &mut self,
         islands: &IslandManager,
-        bodies: &RigidBodySet,
+        slot_count: usize,
         narrow_phase: &NarrowPhase,
     ) {
         self.needs.clear();
         self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
         // Longer, if need be: what rests costs nothing.
-        self.facts.resize(bodies.slot_count().max(self.facts.len()), Fact::NOBODY);
-        for handle in &islands.awake {
-            let Some(body) = bodies.get(*handle) else { continue };
-            let island = body.link.island;
-            if let Some(need) = self.needs.get_mut(island as usize) {
-                need.extra = need.extra.max(body.additional_solver_iterations);
-                self.facts[handle.into_raw_parts().0 as usize] = Fact { island, mass: mass(body) };
+        self.by_slot.resize(slot_count.max(self.by_slot.len()), Fact::NOBODY);
+        let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
+        for (slot, fact) in slots.clone().zip(&self.facts) {
+            if let Some(need) = self.needs.get_mut(fact.island as usize) {
+                need.extra = need.extra.max(fact.extra);
             }
+            self.by_slot[slot] = *fact;
         }
-        let (facts, nobody) = (&self.facts, Fact::NOBODY);
-        let at = |slot: u32| facts.get(slot as usize).unwrap_or(&nobody);
+        let nobody = Fact::NOBODY;
+        let at = |slot: u32| self.by_slot.get(slot as usize).unwrap_or(&nobody);
         for (_, manifolds) in islands.graph.in_solving_order() {
             for manifold in manifolds {
                 let [one, other] = narrow_phase.contacts.bodies(manifold.pair).map(at);
@@ -230,9 +258,7 @@ impl Groups {
                 }
             }
         }
-        for handle in &islands.awake {
-            self.facts[handle.into_raw_parts().0 as usize] = Fact::NOBODY;
-        }
+        slots.for_each(|slot| self.by_slot[slot] = Fact::NOBODY);
     }
 
     /// Finds what each island needs from the bodies that joints hold at a point.
@@ -282,19 +308,6 @@ impl Groups {
         self.counts.sort_unstable();
         self.counts.dedup();
     }
-}
-
-/// Does no body ask for more substeps, and is none much heavier than another?
-fn all_alike(islands: &IslandManager, bodies: &RigidBodySet) -> bool {
-    let mut need = Need::NOTHING;
-    for handle in &islands.awake {
-        let Some(body) = bodies.get(*handle) else { continue };
-        if body.link.island != NONE {
-            need.extra = need.extra.max(body.additional_solver_iterations);
-            mass(body).into_iter().for_each(|mass| need.include(mass));
-        }
-    }
-    need.extra == 0 && need.is_even()
 }
 
 /// The mass of a body; `None` if it has none, or moves along no axis.

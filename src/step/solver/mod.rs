@@ -96,7 +96,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
     let (set, trees, lost) = (scene.joints, scene.multibodies, scene.lost);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    groups.divide(islands, bodies, narrow_phase, set, (gravity, params));
+    groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
     let constraints = for_each_group(constraints, groups);
     constraints.iter_mut().for_each(|of_group| of_group.multibodies.claim(trees, bodies));
     states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);

@@ -7,7 +7,6 @@ use crate::dim::motion::{FreeMotion, accelerated, tumble};
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
 use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
-use core::iter::repeat_with;
 
 /// What moves a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
@@ -43,12 +42,10 @@ impl Movers<'_> {
     fn chunks(self) -> impl Iterator<Item = Self> {
         let states = self.states.chunks_mut(LANES);
         let others = self.before.chunks_mut(LANES).zip(self.motions.chunks_mut(LANES));
-        let lasts = self.last.chunks_mut(LANES).chain(repeat_with(Default::default));
-        states.zip(others).zip(lasts).map(|((states, (before, motions)), last)| Movers {
-            states,
-            before,
-            last,
-            motions,
+        let mut lasts = self.last.chunks_mut(LANES);
+        states.zip(others).map(move |(states, (before, motions))| {
+            let last = lasts.next().unwrap_or_default();
+            Movers { states, before, last, motions }
         })
     }
 }
