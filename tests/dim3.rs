@@ -20,6 +20,8 @@ mod top;
 mod joints;
 #[path = "multibody/whips.rs"]
 mod whips;
+#[path = "physics/hulls.rs"]
+mod hulls;
 #[path = "physics/rods.rs"]
 mod rods;
 #[path = "physics/tumbling.rs"]
