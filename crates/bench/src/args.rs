@@ -194,11 +194,14 @@ Usage: bench [OPTIONS]
                     first number of threads, but that over threads with all, or with 1 to all there are if one is given
   --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)
   --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
-  --write           also write the table and its chart to docs/benchmarks/latest.md, or to growth.md
+  --write           also write the table and its chart to docs/benchmarks/latest.md (native.md if built
+                    with -C target-cpu=native), or to growth.md
   -h, --help        print this
 
 Box3D and Box2D take part when they are built in (they need cmake, libclang and a C compiler):
   cargo run --release -p bench --features box3d,box2d
+All engines with the instructions of this processor, Rapier with eight lanes:
+  RUSTFLAGS='-C target-cpu=native' CFLAGS=-march=native cargo run --release -p bench --features box3d,box2d,simd8
 
 Scenes (* runs by default):"
     )?;

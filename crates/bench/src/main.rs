@@ -14,7 +14,8 @@
 //!
 //! All engines are linked into one program. This engine and Rapier share the geometry crate, and
 //! cargo gives both the sum of the features they ask for: this engine asks for none beyond the
-//! defaults, so Rapier gets the geometry that it would get alone.
+//! defaults, so Rapier gets the geometry that it would get alone. With the feature `simd8` both get
+//! the geometry crate's eight lanes.
 
 #![expect(
     clippy::duplicate_mod,

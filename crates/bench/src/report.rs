@@ -9,7 +9,7 @@ use gallery::{Table, grouped};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-const HEADINGS: [&str; 14] = [
+const HEADINGS: [&str; 15] = [
     "scene",
     "threads",
     "engine",
@@ -21,6 +21,7 @@ const HEADINGS: [&str; 14] = [
     "pairs",
     "points",
     "overlap",
+    "99 %",
     "apart",
     "kinetic J",
     "bytes/body",
@@ -28,10 +29,22 @@ const HEADINGS: [&str; 14] = [
 
 /// Where `--write` leaves pages and charts, seen from the root of the repository.
 const FOLDER: &str = "docs/benchmarks";
+/// Whether the compiler may use the instructions of this processor (`-C target-cpu=native`). Such figures have a page of their own.
+const IS_NATIVE: bool = cfg!(target_feature = "avx2");
 /// The page.
-const PAGE: &str = "latest.md";
+const PAGE: &str = if IS_NATIVE { "native.md" } else { "latest.md" };
 /// The chart in it.
-const CHART: &str = "latest.svg";
+const CHART: &str = if IS_NATIVE { "native.svg" } else { "latest.svg" };
+
+/// Why Rapier is built as it is, for each of the two pages.
+const BUILDS: &str = if IS_NATIVE {
+    "All engines are built for this processor (`-C target-cpu=native`, `-march=native`), Rapier with its features `parallel` and `simd8`. \
+     The other page is [latest.md](latest.md)."
+} else {
+    "All engines are built as their users get them: default flags of the compiler, the feature `parallel` of Rapier. At default flags its \
+     feature `simd8` makes it slower, so it is off here ([how much](../performance.md#fair-builds)); [native.md](native.md) has figures with `simd8` and \
+     `-C target-cpu=native` for all."
+};
 
 /// What the columns mean, and the rules.
 const LEGEND: &str = "\
@@ -41,7 +54,8 @@ some engines take in new bodies at once, others in the next step. With one threa
 processor, with more it is time on the wall.
 ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
-overlap: deepest overlap of any pair at the end, measured in the same way for all.
+overlap: deepest overlap of any pair at the end, measured from shapes and poses in the same way for all.
+99 %: the 99th percentile of the overlap of all overlapping pairs.
 apart: largest distance between the two anchors of any joint at the end, measured likewise.
 kinetic: energy of all dynamic bodies at the end.
 bytes/body: memory of the world at the end per dynamic body, contacts and all.";
@@ -81,7 +95,8 @@ fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
         "# Beside its peers\n\n\
          {}, {}.\n\
          Machine: {}.\n\
-         All: steps of 1/60 s, 4 substeps, no sleeping, no continuous collision detection.\n\n",
+         All: steps of 1/60 s, 4 substeps, no sleeping, no continuous collision detection.\n\n\
+         {BUILDS}\n\n",
         written_by(),
         counted(options.rounds, "round"),
         machine()
@@ -104,9 +119,15 @@ fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
     page
 }
 
-/// Says what made a page.
+/// The command that writes a page.
 pub fn written_by() -> String {
-    let features = [("box3d", cfg!(feature = "box3d")), ("box2d", cfg!(feature = "box2d"))];
+    let flags =
+        if IS_NATIVE { "RUSTFLAGS='-C target-cpu=native' CFLAGS=-march=native " } else { "" };
+    let features = [
+        ("box3d", cfg!(feature = "box3d")),
+        ("box2d", cfg!(feature = "box2d")),
+        ("simd8", cfg!(feature = "simd8")),
+    ];
     let features: Vec<&str> =
         features.iter().filter(|(_, on)| *on).map(|(name, _)| *name).collect();
     let features = match features.as_slice() {
@@ -114,7 +135,7 @@ pub fn written_by() -> String {
         names => format!(" --features {}", names.join(",")),
     };
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let command = format!("cargo run --release -p bench{features} -- {}", words.join(" "));
+    let command = format!("{flags}cargo run --release -p bench{features} -- {}", words.join(" "));
     format!("Written by\n\n    {command}\n\nEngines by turns in one process")
 }
 
@@ -152,7 +173,8 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
         format!("{:.1}", score.setup()),
         grouped(stats.counts.pairs),
         grouped(stats.counts.points),
-        format!("{:.4}", stats.overlap),
+        format!("{:.4}", stats.overlap.deepest),
+        format!("{:.4}", stats.overlap.percentile99),
         stats.separation.map_or_else(String::new, |gap| format!("{gap:.4}")),
         format!("{:.3}", stats.kinetic_energy),
         grouped(score.bytes / contest.dynamic_bodies.max(1)),
@@ -219,7 +241,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[0][4].as_str(), rows[0][6].as_str()), ("", ""));
         assert_eq!((rows[1][4].as_str(), rows[1][6].as_str()), ("2.00", "2.00"));
-        assert_eq!((rows[1][7].as_str(), rows[1][13].as_str()), ("7.0", "100"));
+        assert_eq!((rows[1][7].as_str(), rows[1][14].as_str()), ("7.0", "100"));
     }
 
     #[test]

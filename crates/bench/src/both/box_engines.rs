@@ -2,7 +2,7 @@
 //! and what is counted and measured in their worlds.
 
 use super::ours::prelude::*;
-use super::overlap::deepest_overlap;
+use super::overlap::overlap;
 use super::separation::largest_separation;
 use super::template::{SUBSTEPS, Template};
 use crate::engine::{Counts, Stats, Unsupported};
@@ -87,7 +87,7 @@ pub fn stats<Id: Copy>(
     Stats {
         counts,
         kinetic_energy: bodies.iter().map(|&body| kinetic_energy(body)).sum(),
-        overlap: deepest_overlap(template, &poses),
+        overlap: overlap(template, &poses),
         separation: largest_separation(template, &poses),
     }
 }

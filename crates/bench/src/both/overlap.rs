@@ -1,10 +1,11 @@
-//! How deep do shapes overlap? Measured from scratch, so that no engine marks its own work.
+//! The overlap of shapes, measured from shapes and poses alone, so that no engine marks its own work.
 
 use super::ours::parry::partitioning::{Bvh, BvhBuildStrategy};
 use super::ours::parry::query::contact;
 use super::ours::parry::shape::ShapeType;
 use super::ours::prelude::*;
 use super::template::Template;
+use crate::engine::Overlap;
 
 /// A collider where its body is now.
 struct Part<'t> {
@@ -15,24 +16,24 @@ struct Part<'t> {
     pose: Pose,
 }
 
-/// The deepest overlap of any two colliders that may touch (length units), with the bodies in `poses`.
-pub fn deepest_overlap(template: &Template, poses: &[Pose]) -> f64 {
+/// The overlap of all pairs of colliders that may touch, with the bodies in `poses`.
+pub fn overlap(template: &Template, poses: &[Pose]) -> Overlap {
     let parts = parts(template, poses);
     let boxes: Vec<Aabb> =
         parts.iter().map(|part| part.collider.shape().compute_aabb(&part.pose)).collect();
     let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes.iter().copied().enumerate());
-    let mut deepest = 0.0_f64;
+    let mut depths = Vec::new();
     for (index, part) in parts.iter().enumerate().filter(|(_, part)| part.dynamic) {
         for other_index in tree.intersect_aabb(&boxes[index]) {
             let other = &parts[other_index as usize];
-            // Two dynamic ones find each other twice.
+            // Two dynamic colliders find each other twice.
             let twice = other.dynamic && other_index as usize <= index;
             if !twice && may_touch(part, other) {
-                deepest = deepest.max(overlap(part, other));
+                depths.push(depth(part, other));
             }
         }
     }
-    deepest
+    Overlap::of_depths(depths)
 }
 
 fn parts<'t>(template: &'t Template, poses: &[Pose]) -> Vec<Part<'t>> {
@@ -57,7 +58,8 @@ fn may_touch(part: &Part, other: &Part) -> bool {
         && part.collider.collision_groups().test(other.collider.collision_groups())
 }
 
-fn overlap(part: &Part, other: &Part) -> f64 {
+/// How deep two parts overlap (length units), 0 if they are apart.
+fn depth(part: &Part, other: &Part) -> f64 {
     // parry 0.31 takes the pose of a half-space that comes second for that of the other shape.
     let swap = other.collider.shape().shape_type() == ShapeType::HalfSpace;
     let (first, second) = if swap { (other, part) } else { (part, other) };

@@ -2,7 +2,7 @@
 //! beside Rapier's. Each of these calls its engine `engine` and its way between the numbers `numbers`, and has a `count_contacts` of its own,
 //! because contacts are what the engines store differently.
 
-use super::super::overlap::deepest_overlap;
+use super::super::overlap::overlap;
 use super::super::separation::largest_separation;
 use super::super::template::Template;
 use super::super::vector_of;
@@ -46,7 +46,7 @@ impl Engine for Running<'_> {
         Stats {
             counts: self.counts(),
             kinetic_energy: moving.map(|body| f64::from(body.kinetic_energy())).sum(),
-            overlap: deepest_overlap(self.template, &poses),
+            overlap: overlap(self.template, &poses),
             separation: largest_separation(self.template, &poses),
         }
     }

@@ -140,7 +140,7 @@ mod tests {
                 .iter()
                 .map(|&body| *template.world.bodies[body].position())
                 .collect();
-            let overlap = super::super::overlap::deepest_overlap(&template, &poses);
+            let overlap = super::super::overlap::overlap(&template, &poses).deepest;
             assert!(overlap < 1e-4, "{overlap}");
         }
     }
