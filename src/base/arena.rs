@@ -5,6 +5,8 @@
 //! order of insertions and removals alone, never on addresses.
 
 use super::disjoint::DisjointMut;
+use super::fault::{Fault, ensure};
+use super::loading::{Loaded, check_when_loaded};
 use super::wide::prefetch_front;
 
 /// Where an element of an arena stands, and which of the slot's successive tenants it is.
@@ -53,10 +55,35 @@ enum Slot<T> {
 /// A list with holes, whose elements are found by generational [`Index`].
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct Arena<T> {
     slots: Vec<Slot<T>>,
     first_free: Option<u32>,
     len: usize,
+}
+
+check_when_loaded!(Arena<T>, T: Sized);
+
+/// The free slots form a list that contains each of them once.
+impl<T> Loaded for Arena<T> {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        let is_free = |slot: &&Slot<T>| matches!(slot, Slot::Free { .. });
+        let free = self.slots.iter().filter(is_free).count();
+        ensure!(self.slots.len() < u32::MAX as usize, "an arena has {} slots", self.slots.len());
+        ensure!(self.len == self.slots.len() - free, "an arena of {} elements", self.len);
+        let (mut next, mut listed) = (self.first_free, 0);
+        while let Some(index) = next {
+            let Some(Slot::Free { next: after, .. }) = self.slots.get(index as usize) else {
+                return Err(Fault::new(format_args!("slot {index} of an arena is not free")));
+            };
+            // A list that is longer than there are free slots contains one of them twice.
+            listed += 1;
+            ensure!(listed <= free, "the free slots of an arena form a loop at {index}");
+            next = *after;
+        }
+        ensure!(listed == free, "{listed} of {free} free slots of an arena are listed");
+        Ok(())
+    }
 }
 
 impl<T> Default for Arena<T> {

@@ -11,12 +11,32 @@ const BITS: u32 = u64::BITS;
 const PAGE: usize = 8;
 
 /// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
+///
+/// Saved as its words alone: which of them are filled follows from them.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(from = "Vec<u64>", into = "Vec<u64>"))]
 pub struct IdSet {
     words: Vec<u64>,
     /// A bit for each word: is anything in it?
     filled: Vec<u64>,
+}
+
+impl From<Vec<u64>> for IdSet {
+    fn from(words: Vec<u64>) -> Self {
+        let mut filled = vec![0; words.len().div_ceil(BITS as usize)];
+        for (index, _) in words.iter().enumerate().filter(|(_, word)| **word != 0) {
+            let (above, bit) = place(index as u32);
+            filled[above] |= bit;
+        }
+        Self { words, filled }
+    }
+}
+
+impl From<IdSet> for Vec<u64> {
+    fn from(set: IdSet) -> Self {
+        set.words
+    }
 }
 
 fn place(number: u32) -> (usize, u64) {
@@ -147,6 +167,8 @@ mod tests {
         expected.extend(several);
         assert!(set.iter().eq(expected.iter().copied()));
         assert!(!set.contains(u32::MAX) && !set.remove(u32::MAX));
+        let loaded = IdSet::from(Vec::from(set.clone()));
+        assert_eq!((&loaded.words, &loaded.filled), (&set.words, &set.filled));
         let mut cleared = set.clone();
         cleared.clear();
         expected.into_iter().for_each(|number| assert!(set.remove(number)));

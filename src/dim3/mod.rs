@@ -13,6 +13,8 @@ pub mod names;
 pub mod mask;
 pub mod mass;
 pub mod math;
+#[cfg(feature = "serde-serialize")]
+pub mod saved;
 pub mod shapes;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod spatial;

@@ -110,6 +110,16 @@ impl<C: Copy> ConstraintGraph<C> {
         colors.map(|color| (color, self.colors[color as usize].as_slice()))
     }
 
+    /// Returns whether there is a list for each colour, as there must be in one that was loaded.
+    pub fn is_complete(&self) -> bool {
+        self.colors.len() == COLORS as usize + 1
+    }
+
+    /// By body slot: a bit for each colour of its constraints.
+    pub fn colors_of_bodies(&self) -> &[u64] {
+        &self.colors_of_body
+    }
+
     /// Number of constraints in the graph.
     pub fn len(&self) -> usize {
         self.colors.iter().map(Vec::len).sum()

@@ -37,7 +37,7 @@ use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
-use user_changes::{Digest, Reunion};
+use user_changes::{Digest, Resync, Resynced};
 
 /// A world, taken apart.
 pub(crate) struct StepParts<'a> {
@@ -91,7 +91,7 @@ fn step_with(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     scratch.quarantine.open();
-    let parted = parts.reunion().before_step(joints, multibodies);
+    let Resynced { parted, stamp, .. } = parts.resync().before_step(joints, multibodies);
     // Hooks may panic. What the step has found by then is told all the same.
     let mut panic = HeldPanic::default();
     let moved = panic.hold(|| simulate(tasks, &mut parts, joints, multibodies, scratch));
@@ -101,6 +101,7 @@ fn step_with(
     let dt = if moved.is_some() { parts.params.dt } else { 0.0 };
     panic.join(moved.unwrap_or_default());
     report(&parts, scratch, dt, &mut panic);
+    parts.islands.stamp = stamp;
     parts.counters.step_time.pause();
     panic.release();
 }
@@ -162,8 +163,11 @@ pub(crate) fn detect_collisions(
     parts.counters.reset();
     parts.counters.step_time.resume();
     scratch.notes.clear();
-    let parted = parts.reunion().before_detection();
+    let Resynced { parted, stamp, joints_fit } = parts.resync().before_detection(joints);
     scratch.notes.events.extend(parted);
+    // Joints of another world wait for the next step.
+    let none = ImpulseJointSet::new();
+    let joints = if joints_fit { joints } else { &none };
     if take_in_changes {
         take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
@@ -183,6 +187,7 @@ pub(crate) fn detect_collisions(
         parts.narrow_phase.forget_step_impulses();
     }
     report(&parts, scratch, 0.0, &mut panic);
+    parts.islands.stamp = stamp;
     parts.counters.step_time.pause();
     panic.release();
 }
@@ -346,9 +351,9 @@ impl<'a> StepParts<'a> {
     }
 
     /// The parts that must be those of the last step.
-    fn reunion(&mut self) -> Reunion<'_> {
+    fn resync(&mut self) -> Resync<'_> {
         let (structure, tree) = self.structure();
-        Reunion { structure, tree }
+        Resync { structure, tree }
     }
 
     /// What bodies move in.

@@ -33,6 +33,7 @@ pages! {
     sleeping: "../../../docs/guide/sleeping.md",
     parameters: "../../../docs/guide/parameters.md",
     determinism: "../../../docs/guide/determinism.md",
+    saving: "../../../docs/guide/saving.md",
     seeing: "../../../docs/guide/seeing.md",
 }
 

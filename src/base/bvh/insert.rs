@@ -42,7 +42,7 @@ impl BoxTree {
         let node = self.descend(aabb);
         self.add(node, Entry { aabb: *aabb, child: Child::of_slot(slot) });
         self.len += 1;
-        self.wear += 1;
+        self.wear = self.wear.saturating_add(1);
     }
 
     /// Takes the box of a slot out, if it has one.
@@ -78,7 +78,7 @@ impl BoxTree {
             around.merge(&above.around());
             up = above.parent;
         }
-        self.wear += usize::from(grows);
+        self.wear = self.wear.saturating_add(usize::from(grows));
         self.fit(place.node(), own);
         true
     }

@@ -13,11 +13,13 @@
 //! | `probe.rs` | what is looked for: tests of all boxes of a node |
 //! | `nearest.rs` | the search for the nearest, near children first |
 //! | `leaves.rs` | all that a probe comes by |
+//! | `check.rs` | what must hold of a tree |
 //!
 //! The shape of the tree follows from the history of calls, and from nothing else. What is found does not
 //! depend on it; the order may.
 
 mod build;
+mod check;
 mod insert;
 mod leaves;
 mod nearest;
@@ -40,6 +42,7 @@ use parry::math::{DIM, Real};
 /// Numbered boxes, in a tree.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct BoxTree {
     /// The root comes first. Nodes that are free stand in `free`.
     nodes: Vec<Node>,
@@ -77,7 +80,6 @@ impl BoxTree {
     }
 
     /// The box of a slot.
-    #[cfg(test)]
     pub fn get(&self, slot: u32) -> Option<Aabb> {
         let place = self.place(slot)?;
         Some(self.nodes[place.node()].lane_box(place.lane()))

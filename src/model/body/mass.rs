@@ -3,7 +3,10 @@
 use super::RigidBodyType;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis, lock_rotations};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
-use crate::dim::math::{AngularInertia, Pose, Real, Vector, zero_inertia};
+use crate::dim::math::{
+    AngularInertia, Pose, Real, Vector, ang_is_finite, mul_inertia, zero_inertia,
+};
+use crate::dim::spatial::ANG_AXES;
 use crate::model::check::refuse;
 use parry::mass_properties::MassProperties;
 
@@ -65,6 +68,22 @@ impl Default for RigidBodyMassProps {
 }
 
 impl RigidBodyMassProps {
+    /// Returns whether all numbers can be computed with.
+    pub(super) fn is_valid(&self) -> bool {
+        let parts = [&self.local, &self.from_colliders];
+        let additional = match self.additional.as_deref() {
+            None => true,
+            Some(RigidBodyAdditionalMassProps::Mass(mass)) => mass_is_usable(*mass),
+            Some(RigidBodyAdditionalMassProps::MassProps(part)) => mass_is_valid(part),
+        };
+        additional
+            && parts.into_iter().all(mass_is_valid)
+            && self.world_com.is_finite()
+            && self.inv_mass.is_finite()
+            && self.inv_mass.min_element() >= 0.0
+            && ANG_AXES.iter().all(|axis| ang_is_finite(mul_inertia(&self.inv_inertia, *axis)))
+    }
+
     /// Mass, centre of mass and principal inertia of the body with all its colliders, in its frame.
     pub fn local_mprops(&self) -> &MassProperties {
         &self.local

@@ -8,9 +8,12 @@ use super::{
     AttachedColliders, QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps,
     RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
 };
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::mass::{mass_is_valid, no_mass};
-use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
-use crate::model::check::refuse;
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite};
+use crate::model::check::{checked_pose, refuse};
+use crate::model::edit_mark::EditMark;
 use crate::model::island::BodyLink;
 use parry::mass_properties::MassProperties;
 
@@ -25,6 +28,7 @@ use parry::mass_properties::MassProperties;
 // front, up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). What few bodies use comes last.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 #[repr(C)]
 pub struct RigidBody {
     /// The body's frame in world space.
@@ -74,11 +78,39 @@ pub struct RigidBody {
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
     pub(super) push: (Vector, AngVector),
+    /// Of the note of an edit, if there is one.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(super) edit: EditMark,
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) quarantine: Option<Box<QuarantineCause>>,
     /// Whatever the user wants to find again. The engine never reads it.
     pub user_data: u128,
+}
+
+check_when_loaded!(RigidBody);
+
+/// All numbers can be computed with. (Large ones may lead out of the world: see [`Self::quarantine`].)
+impl Loaded for RigidBody {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        for pose in [self.pose, self.next_pose] {
+            ensure!(checked_pose(pose).is_some(), "a body is at {pose:?}, or goes there");
+        }
+        let velocity = self.vels();
+        ensure!(velocity.is_finite(), "a body moves at {velocity:?}");
+        let pushes = [(self.force, self.torque), self.push];
+        let are_numbers =
+            |&(force, torque): &(Vector, _)| force.is_finite() && ang_is_finite(torque);
+        ensure!(pushes.iter().all(are_numbers), "a body is pushed by {pushes:?}");
+        let numbers = [self.gravity_scale, self.linear_damping, self.angular_damping];
+        ensure!(numbers.iter().all(|n| n.is_finite()), "gravity scale and damping: {numbers:?}");
+        let lengths = [self.extent, self.soft_ccd_prediction, self.substep];
+        let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
+        ensure!(are_lengths, "extent, soft-CCD prediction and substep: {lengths:?}");
+        ensure!(self.thickness >= 0.0, "a body has the thickness {}", self.thickness);
+        ensure!(self.mprops.is_valid(), "a body has the mass {:?}", self.mprops);
+        Ok(())
+    }
 }
 
 impl Default for RigidBody {
@@ -125,6 +157,7 @@ impl RigidBody {
             substep: 0.0,
             colliders: AttachedColliders::new(),
             push: (Vector::ZERO, ANG_ZERO),
+            edit: EditMark::default(),
             quarantine: None,
             user_data: 0,
         }
@@ -135,8 +168,8 @@ impl RigidBody {
         let colliders = core::mem::take(&mut self.colliders);
         let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
         let thickness = self.thickness;
-        let (link, changes) = (self.link, self.changes);
-        *self = Self { colliders, link, extent, thickness, ..other.clone() };
+        let (link, changes, edit) = (self.link, self.changes, self.edit);
+        *self = Self { colliders, link, extent, thickness, edit, ..other.clone() };
         self.mprops.from_colliders = from_colliders;
         self.changes = changes | RigidBodyChanges::everything();
         self.update_mass();

@@ -2,12 +2,15 @@
 
 use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::{Arena, SharedArena};
+use crate::base::fault::{Fault, ensure};
 use crate::base::hash::FastHashMap;
 use crate::base::tasks::{Gather, Tasks};
 use crate::model::collider::{ColliderChanges, ColliderSet};
+use crate::model::edit_mark::EditMarks;
 use crate::model::island::BodyLink;
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 use core::ops::Range;
+use std::collections::BTreeSet;
 
 /// Bodies that are worth handing over to another thread together.
 pub(crate) const BODIES_PER_TASK: usize = 64;
@@ -27,7 +30,8 @@ pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyL
 pub struct RigidBodySet {
     bodies: Arena<RigidBody>,
     notes: Notes,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 /// What is remembered of changes.
@@ -38,6 +42,8 @@ struct Notes {
     modified: Vec<RigidBodyHandle>,
     /// Their places in the step's lists, as they were when the note was left.
     places: Vec<BodyLink>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    marks: EditMarks,
     removed: Vec<RemovedBody>,
 }
 
@@ -49,6 +55,7 @@ impl Notes {
     fn change(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
         if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
             body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
+            body.edit = self.marks.mark(self.modified.len());
             self.modified.push(handle);
             self.places.push(body.link);
         }
@@ -92,6 +99,7 @@ impl RigidBodySet {
         let place = BodyLink::of_slot(handle.into_raw_parts().0);
         if let Some(body) = self.bodies.get_mut(handle.0) {
             body.link = place;
+            body.edit = self.notes.marks.mark(self.notes.modified.len());
         }
         self.notes.modified.push(handle);
         self.notes.places.push(place);
@@ -104,8 +112,10 @@ impl RigidBodySet {
     /// The body comes back without its colliders, ready to be inserted again.
     pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         let mut body = self.bodies.remove(handle.0)?;
+        let is_noted = body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
+        let is_own = !is_noted || self.notes.marks.knows(body.edit);
         let (colliders, link) = body.detach_from_set();
-        self.notes.removed.push((handle, Some(colliders), link));
+        self.notes.removed.push((handle, is_own.then_some(colliders), link));
         Some(body)
     }
 
@@ -136,6 +146,14 @@ impl RigidBodySet {
             self.notes.change(handle2, body);
         }
         (body1, body2)
+    }
+
+    /// A body whose list of colliders is about to change. An older copy of it cannot take its place any more unnoticed.
+    pub(crate) fn get_for_attachment(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
+        let body = self.bodies.get_mut(handle.0)?;
+        self.notes.change(handle, body);
+        self.notes.marks.renew(&mut body.edit);
+        Some(body)
     }
 
     /// Begins to bring what a step reads of the body in a slot near to the processor, for who will ask for it soon.
@@ -197,6 +215,7 @@ impl RigidBodySet {
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
         self.notes.places.clear();
+        self.notes.marks.clear();
         core::mem::take(&mut self.notes.modified)
     }
 
@@ -210,12 +229,14 @@ impl RigidBodySet {
     pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
         let mut replaced = Vec::new();
         // Backwards: a replaced body may have left a second note, and the first one is right.
-        for (&handle, &place) in self.notes.modified.iter().zip(&self.notes.places).rev() {
+        for note in (0..self.notes.modified.len()).rev() {
+            let (handle, place) = (self.notes.modified[note], self.notes.places[note]);
             let Some(body) = self.bodies.get_mut(handle.0) else { continue };
             let is_noted = body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
             // Without its note it is an older copy of itself.
-            if body.link != place || !is_noted {
+            if body.link != place || !is_noted || !self.notes.marks.is_of(body.edit, note) {
                 body.link = place;
+                body.edit = self.notes.marks.mark(note);
                 body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
                 replaced.push(handle);
             }
@@ -231,6 +252,7 @@ impl RigidBodySet {
             body.link = BodyLink::of_slot(index.into_raw_parts().0);
             body.activation.wake_up(true);
             body.changes = RigidBodyChanges::everything() | RigidBodyChanges::IN_MODIFIED_SET;
+            body.edit = self.notes.marks.mark(self.notes.modified.len());
             self.notes.modified.push(RigidBodyHandle(index));
             self.notes.places.push(body.link);
         }
@@ -251,20 +273,48 @@ impl RigidBodySet {
         self.notes.removed.iter().map(|(handle, ..)| *handle)
     }
 
+    /// The bodies that the user removed, and their places in the step's lists.
+    pub(crate) fn removed_links(&self) -> Vec<(RigidBodyHandle, BodyLink)> {
+        let mut removed = self.notes.removed.clone();
+        self.correct_places(&mut removed);
+        removed.into_iter().map(|(handle, _, link)| (handle, link)).collect()
+    }
+
+    /// Checks the notes of a set that was loaded: each body that says that it is noted stands in the list, and the list knows its place.
+    pub(crate) fn check_notes(&self) -> Result<(), Fault> {
+        let Notes { modified, places, .. } = &self.notes;
+        ensure!(modified.len() == places.len(), "{} notes of bodies", places.len());
+        let is_noted = |body: &RigidBody| body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
+        let mut listed = BTreeSet::new();
+        for (handle, place) in modified.iter().zip(places) {
+            let Some(body) = self.get(*handle) else { continue };
+            ensure!(is_noted(body) && body.link == *place, "{handle:?} is noted at {place:?}");
+            listed.insert(*handle);
+        }
+        let noted = self.iter().filter(|(_, body)| is_noted(body)).count();
+        ensure!(noted == listed.len(), "{} of {noted} edited bodies are listed", listed.len());
+        Ok(())
+    }
+
     /// The bodies that the user removed, in that order.
     ///
     /// One that was put in the place of another just before it was removed gets that one's place, and
     /// does not know that one's colliders.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
         let mut removed = core::mem::take(&mut self.notes.removed);
+        self.correct_places(&mut removed);
+        removed
+    }
+
+    fn correct_places(&self, removed: &mut [RemovedBody]) {
         if removed.is_empty() {
-            return removed;
+            return;
         }
         let mut places = FastHashMap::default();
         for (handle, place) in self.notes.modified.iter().zip(&self.notes.places) {
             places.entry(handle.into_raw_parts()).or_insert(*place);
         }
-        for (handle, colliders, link) in &mut removed {
+        for (handle, colliders, link) in removed {
             match places.get(&handle.into_raw_parts()) {
                 Some(place) if place != link => {
                     *link = *place;
@@ -273,7 +323,6 @@ impl RigidBodySet {
                 _ => {}
             }
         }
-        removed
     }
 
     /// A body for the step's own use: leaves no note.

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::dim::mass::mass_is_valid;
 use crate::dim::math::{AngVector, Pose, Real, Vector, rotation_from_angle};
+use crate::model::edit_mark::EditMark;
 use crate::model::tree::ColliderProxy;
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
@@ -200,6 +201,7 @@ impl ColliderBuilder {
             proxy: ColliderProxy::default(),
             contact_force_event_threshold: self.contact_force_event_threshold,
             changes: ColliderChanges::everything(),
+            edit: EditMark::default(),
             user_data: self.user_data,
         }
     }

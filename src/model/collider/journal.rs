@@ -1,7 +1,7 @@
 //! Which colliders changed since somebody last asked: for those who keep something of each, such as the
 //! trees of queries.
 
-use core::sync::atomic::{AtomicU64, Ordering};
+use crate::base::unique::unique_number;
 
 /// Entries that are kept however few colliders there are.
 const KEPT_MIN: usize = 1024;
@@ -54,8 +54,7 @@ impl Journal {
 impl Default for Journal {
     fn default() -> Self {
         // Zero is nobody's, so that the default bookmark is always too old.
-        static NEXT_ID: AtomicU64 = AtomicU64::new(1);
-        Self { id: NEXT_ID.fetch_add(1, Ordering::Relaxed), first: 0, slots: Vec::new() }
+        Self { id: unique_number(), first: 0, slots: Vec::new() }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where a collider's mass comes from.
 
+use crate::base::measure::is_margin;
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::Real;
 use crate::dim::shapes;
@@ -32,6 +33,14 @@ impl From<MassProperties> for ColliderMassProps {
 }
 
 impl ColliderMassProps {
+    /// Returns whether the numbers are those that setters accept.
+    pub(crate) fn is_valid(&self) -> bool {
+        match self {
+            Self::Density(number) | Self::Mass(number) => is_margin(*number),
+            Self::MassProperties(properties) => mass_is_valid(properties),
+        }
+    }
+
     /// Mass, centre of mass and angular inertia in the frame of the shape.
     ///
     /// Shapes without a volume (segments, polylines, open height fields, half-spaces) have no mass from

@@ -22,6 +22,8 @@ mod material;
 mod mesh_converter;
 mod parts;
 mod record;
+#[cfg(feature = "serde-serialize")]
+mod saved;
 mod set;
 mod setters;
 mod shapes;

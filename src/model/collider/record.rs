@@ -6,8 +6,12 @@ use super::{
     ColliderEnabled, ColliderFlags, ColliderMassProps, ColliderMaterial, ColliderParent,
     InteractionGroups,
 };
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
+use crate::model::check::checked_pose;
+use crate::model::edit_mark::EditMark;
 use crate::model::tree::ColliderProxy;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::mass_properties::MassProperties;
@@ -24,8 +28,10 @@ use parry::shape::{Shape, SharedShape};
 // it is fetched from in time.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 #[repr(C)]
 pub struct Collider {
+    #[cfg_attr(feature = "serde-serialize", serde(with = "super::saved"))]
     pub(crate) shape: SharedShape,
     /// Collider frame → world.
     pub(crate) pose: Pose,
@@ -44,8 +50,36 @@ pub struct Collider {
     pub(crate) mass_props: ColliderMassProps,
     pub(crate) contact_force_event_threshold: Real,
     pub(crate) changes: ColliderChanges,
+    /// Of the note of an edit, if there is one.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) edit: EditMark,
     /// Whatever the user wants to keep here. The engine does not look at it.
     pub user_data: u128,
+}
+
+check_when_loaded!(Collider);
+
+/// All numbers are those that the setters accept.
+impl Loaded for Collider {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        let place = self.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
+        for pose in [self.pose, place] {
+            ensure!(checked_pose(pose).is_some(), "a collider is at {pose:?}");
+        }
+        let ColliderMaterial { friction, restitution, .. } = self.material;
+        for number in [self.contact_skin, friction, restitution] {
+            let is_right = number.is_finite() && number >= 0.0;
+            ensure!(is_right, "contact skin, friction or restitution of a collider is {number}");
+        }
+        ensure!(self.mass_props.is_valid(), "a collider has the mass {:?}", self.mass_props);
+        let threshold = self.contact_force_event_threshold;
+        ensure!(!threshold.is_nan(), "the force threshold of a collider is {threshold}");
+        let ColliderProxy { fat_aabb, tree, clearance, .. } = self.proxy;
+        let is_box = fat_aabb.mins.is_finite() && fat_aabb.maxs.is_finite();
+        ensure!(tree.is_none() || is_box, "a collider is in the box {fat_aabb:?}");
+        ensure!(clearance.is_finite(), "a collider has the clearance {clearance}");
+        Ok(())
+    }
 }
 
 impl Collider {

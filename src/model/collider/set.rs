@@ -3,11 +3,14 @@
 use super::journal::{Bookmark, Journal};
 use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
 use crate::base::arena::{Arena, SharedArena};
+use crate::base::fault::{Fault, ensure};
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::edit_mark::EditMarks;
 use crate::model::island::IslandManager;
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 use crate::model::tree::ColliderProxy;
+use std::collections::BTreeSet;
 
 /// What the step needs to know of a collider that was removed.
 #[derive(Copy, Clone, Debug)]
@@ -27,7 +30,8 @@ pub(crate) struct RemovedCollider {
 pub struct ColliderSet {
     colliders: Arena<Collider>,
     notes: Notes,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 /// What is remembered of changes.
@@ -36,6 +40,8 @@ pub struct ColliderSet {
 struct Notes {
     /// Colliders that the user may have changed since the last step, each once.
     modified: Vec<ColliderHandle>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    marks: EditMarks,
     removed: Vec<RemovedCollider>,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     journal: Journal,
@@ -47,6 +53,7 @@ impl Notes {
         self.journal.note(handle.into_raw_parts().0, count);
         if !collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {
             collider.changes.insert(ColliderChanges::IN_MODIFIED_SET);
+            collider.edit = self.marks.mark(self.modified.len());
             self.modified.push(handle);
         }
     }
@@ -107,7 +114,7 @@ impl ColliderSet {
         collider.replace_broken_shape();
         let pos_wrt_parent = collider.parent.map_or(collider.pose, |old| old.pos_wrt_parent);
         collider.leave_body();
-        let Some(body) = bodies.get_mut(parent_handle) else {
+        let Some(body) = bodies.get_for_attachment(parent_handle) else {
             log::warn!(
                 "a collider was inserted without a body and disabled: {parent_handle:?} finds none"
             );
@@ -118,21 +125,13 @@ impl ColliderSet {
         body.add_collider_mass(&collider);
         let handle = self.insert_new(collider);
         body.attach_collider(handle);
-        self.note_attachment(handle, Some(parent_handle), bodies);
+        self.note_attachment(bodies);
         handle
     }
 
-    /// Both sets know of an attachment.
-    fn note_attachment(
-        &mut self,
-        handle: ColliderHandle,
-        parent: Option<RigidBodyHandle>,
-        bodies: &mut RigidBodySet,
-    ) {
-        let parent = parent.unwrap_or_default().into_raw_parts();
-        let words = [handle.into_raw_parts(), parent];
-        let words = words.map(|(slot, generation)| u64::from(slot) << 32 | u64::from(generation));
-        Seal::note_attachment([&mut self.seal, &mut bodies.seal], &words);
+    /// Marks both sets: an attachment edits them together.
+    fn note_attachment(&mut self, bodies: &mut RigidBodySet) {
+        WorldStamp::note_attachment([&mut self.stamp, &mut bodies.stamp]);
     }
 
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
@@ -141,6 +140,7 @@ impl ColliderSet {
         if let Some(collider) = self.colliders.get_mut(handle.0) {
             // It may be the copy of one that is in a set.
             collider.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
+            collider.edit = self.notes.marks.mark(self.notes.modified.len());
         }
         self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
         self.notes.modified.push(handle);
@@ -172,14 +172,14 @@ impl ColliderSet {
             return;
         }
         let old_parent = collider.parent;
-        if let Some(old_body) = old_parent.and_then(|old| bodies.get_mut(old.handle)) {
+        if let Some(old_body) = old_parent.and_then(|old| bodies.get_for_attachment(old.handle)) {
             old_body.detach_collider(handle);
             old_body.wake_up(true);
         }
         collider.leave_body();
         if let Some(parent_handle) = new_parent_handle {
             let place = old_parent.map_or(Pose::IDENTITY, |old| old.pos_wrt_parent);
-            if let Some(body) = bodies.get_mut(parent_handle) {
+            if let Some(body) = bodies.get_for_attachment(parent_handle) {
                 collider.join_body(parent_handle, place, body);
                 body.add_collider_mass(collider);
                 body.attach_collider(handle);
@@ -187,7 +187,8 @@ impl ColliderSet {
             }
         }
         self.notes.change(handle, collider, count);
-        self.note_attachment(handle, new_parent_handle, bodies);
+        self.notes.marks.renew(&mut collider.edit);
+        self.note_attachment(bodies);
     }
 
     /// Takes a collider out of the set and off its body; `None` if the handle finds none.
@@ -204,13 +205,13 @@ impl ColliderSet {
         self.mend(handle, bodies);
         let collider = self.take(handle, wake_up)?;
         if let Some(parent) = collider.parent() {
-            if let Some(body) = bodies.get_mut(parent) {
+            if let Some(body) = bodies.get_for_attachment(parent) {
                 body.detach_collider(handle);
             }
             if wake_up {
                 islands.wake_up(bodies, parent, true);
             }
-            self.note_attachment(handle, None, bodies);
+            self.note_attachment(bodies);
         }
         Some(collider)
     }
@@ -307,7 +308,10 @@ impl ColliderSet {
     /// Whether the collider that a handle finds was put in the place of another one.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
         let slot = handle.into_raw_parts().0;
-        self.get(handle).is_some_and(|collider| collider.proxy.slot != slot)
+        self.get(handle).is_some_and(|collider| {
+            let is_noted = collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
+            collider.proxy.slot != slot || is_noted && !self.notes.marks.knows(collider.edit)
+        })
     }
 
     /// Lets a collider that was put in the place of another one be what it is there: part of the body that it names,
@@ -324,7 +328,7 @@ impl ColliderSet {
         let listed: Vec<_> = listed.map(|(body, _)| body).collect();
         let parent = collider.parent().filter(|parent| bodies.contains(*parent));
         for old in listed.into_iter().filter(|body| Some(*body) != parent) {
-            if let Some(body) = bodies.get_mut(old) {
+            if let Some(body) = bodies.get_for_attachment(old) {
                 body.detach_collider(handle);
                 body.wake_up(true);
             }
@@ -332,7 +336,7 @@ impl ColliderSet {
         let place = collider.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
         collider.leave_body();
         if let Some((parent, body)) =
-            parent.and_then(|parent| Some((parent, bodies.get_mut(parent)?)))
+            parent.and_then(|parent| Some((parent, bodies.get_for_attachment(parent)?)))
         {
             collider.join_body(parent, place, body);
             if !body.colliders().contains(&handle) {
@@ -341,17 +345,21 @@ impl ColliderSet {
             body.wake_up(true);
         }
         collider.be_new(handle);
-        self.note_attachment(handle, parent, bodies);
+        if let Some(note) = self.notes.modified.iter().position(|noted| *noted == handle) {
+            collider.edit = self.notes.marks.mark(note);
+        }
+        self.note_attachment(bodies);
     }
 
     /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
-    /// itself.
+    /// itself, and one with two notes was put in the place of another between them.
     pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
-        let is_noted =
-            |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
-        for index in 0..self.notes.modified.len() {
-            let handle = self.notes.modified[index];
-            if self.is_replaced(handle) || self.get(handle).is_some_and(|it| !is_noted(it)) {
+        for note in 0..self.notes.modified.len() {
+            let handle = self.notes.modified[note];
+            let Some(collider) = self.get(handle) else { continue };
+            let is_noted = collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
+            let is_own = is_noted && self.notes.marks.is_of(collider.edit, note);
+            if !is_own || self.is_replaced(handle) {
                 self.settle_in(handle, bodies);
             }
         }
@@ -375,6 +383,7 @@ impl ColliderSet {
                 body.attach_collider(handle);
             }
             collider.be_new(handle);
+            collider.edit = self.notes.marks.mark(self.notes.modified.len());
             self.notes.modified.push(handle);
         }
     }
@@ -382,12 +391,33 @@ impl ColliderSet {
     /// The colliders that the user may have changed, in the order of the first change; some of them may
     /// be gone. Whoever takes the list clears the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
+        self.notes.marks.clear();
         core::mem::take(&mut self.notes.modified)
     }
 
     /// The same list, as long as nobody has taken it.
     pub(crate) fn modified(&self) -> &[ColliderHandle] {
         &self.notes.modified
+    }
+
+    /// The handles of the colliders that were removed, in that order.
+    pub(crate) fn removed(&self) -> impl Iterator<Item = ColliderHandle> {
+        self.notes.removed.iter().map(|removed| removed.handle)
+    }
+
+    /// Checks the notes of a set that was loaded: each collider that says that it is noted stands in the list.
+    pub(crate) fn check_notes(&self) -> Result<(), Fault> {
+        let is_noted =
+            |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
+        let mut listed = BTreeSet::new();
+        for handle in &self.notes.modified {
+            let Some(collider) = self.get(*handle) else { continue };
+            ensure!(is_noted(collider), "{handle:?} is listed as edited");
+            listed.insert(*handle);
+        }
+        let noted = self.iter().filter(|(_, collider)| is_noted(collider)).count();
+        ensure!(noted == listed.len(), "{} of {noted} edited colliders are listed", listed.len());
+        Ok(())
     }
 
     /// The colliders that were removed, in that order.

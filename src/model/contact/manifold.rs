@@ -77,6 +77,14 @@ impl Contact {
         }
     }
 
+    /// Returns whether all numbers can be computed with.
+    fn is_sound(&self) -> bool {
+        let vectors = [self.local_p1, self.local_p2, self.lever, self.point];
+        let numbers = [self.placed_dist, self.dist, self.impulse, self.warmstart_impulse];
+        vectors.iter().all(|vector| vector.is_finite())
+            && numbers.iter().chain(&self.warmstart_tangent_impulse).all(|it| it.is_finite())
+    }
+
     /// Takes over the impulses of an earlier contact of the same two features.
     pub(crate) fn inherit(&mut self, earlier: &Contact) {
         self.impulse = earlier.impulse;
@@ -205,6 +213,23 @@ impl ContactManifold {
     pub(crate) fn is_solved(&self) -> bool {
         !self.data.points.is_empty()
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
+    }
+
+    /// Returns whether all numbers can be computed with.
+    pub(crate) fn is_sound(&self) -> bool {
+        let data = &self.data;
+        let vectors = [
+            self.local_n1,
+            self.local_n2,
+            data.normal,
+            data.placed_normal,
+            data.tangent_velocity,
+            data.warmstart_friction,
+        ];
+        let numbers = [data.friction, data.restitution, data.warmstart_twist];
+        vectors.iter().all(|vector| vector.is_finite())
+            && numbers.iter().all(|number| number.is_finite())
+            && data.points.iter().all(Contact::is_sound)
     }
 
     /// Sum of the normal impulses of the last step.

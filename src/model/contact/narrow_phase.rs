@@ -5,7 +5,7 @@ use super::pair::{ContactPair, IntersectionPair};
 use super::store::{Pair, PairId, PairStore};
 use crate::base::tasks::Tasks;
 use crate::model::collider::ColliderHandle;
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 
 /// All contact and intersection pairs, kept from step to step.
 ///
@@ -20,7 +20,8 @@ pub struct NarrowPhase {
     pub(crate) intersections: PairStore<IntersectionPair>,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) lanes: ContactLanes,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 impl Clone for NarrowPhase {
@@ -31,7 +32,7 @@ impl Clone for NarrowPhase {
             contacts: self.contacts.clone(),
             intersections: self.intersections.clone(),
             lanes: self.lanes.clone(),
-            seal: self.seal,
+            stamp: self.stamp,
         }
     }
 }
@@ -56,11 +57,10 @@ impl serde::Serialize for NarrowPhase {
         struct Saved<'a> {
             contacts: &'a PairStore<ContactPair>,
             intersections: &'a PairStore<IntersectionPair>,
-            seal: Seal,
         }
         self.settle_all_shared();
-        let Self { contacts, intersections, seal, .. } = self;
-        Saved { contacts, intersections, seal: *seal }.serialize(serializer)
+        let Self { contacts, intersections, .. } = self;
+        Saved { contacts, intersections }.serialize(serializer)
     }
 }
 

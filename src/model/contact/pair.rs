@@ -66,6 +66,13 @@ impl ContactPair {
         !self.manifolds.is_empty()
     }
 
+    /// Returns whether all numbers can be computed with.
+    pub(crate) fn is_sound(&self) -> bool {
+        self.pose12.is_finite()
+            && self.placement.is_sound()
+            && self.manifolds.iter().all(ContactManifold::is_sound)
+    }
+
     /// Sum of the impulses of all contacts during the last step, in world space: what the first
     /// collider's body did to the second's along the normals (friction is not counted).
     pub fn total_impulse(&self) -> Vector {

@@ -1,7 +1,7 @@
 //! Where contact points were put into the world, and where they are now: for one pair, and for lanes of pairs.
 
 use crate::base::wide::{Lane, Wide};
-use crate::dim::math::{Real, Rotation, Vector};
+use crate::dim::math::{Real, Rotation, Vector, rotation_is_valid};
 use crate::dim::state::WidePose;
 use crate::dim::wide::{WideRotation, WideVector};
 
@@ -48,6 +48,11 @@ impl Placement {
     /// Both bodies at the origin.
     pub const NOWHERE: Self =
         Self { rotations: [Rotation::IDENTITY; 2], centers: Vector::ZERO, may_hold: false };
+
+    /// Returns whether all numbers can be computed with.
+    pub fn is_sound(&self) -> bool {
+        self.rotations.iter().all(rotation_is_valid) && self.centers.is_finite()
+    }
 
     /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows
     /// that settles stay below it; at 0.02 they did not, and it was seen to lean.

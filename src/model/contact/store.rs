@@ -18,8 +18,10 @@
 
 use super::lanes::ContactLanes;
 use crate::base::disjoint::DisjointMut;
+use crate::base::fault::{Fault, ensure};
 use crate::base::id_set::IdSet;
 use crate::base::late::Late;
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::base::tasks::{Gather, Tasks};
 use crate::base::wide::prefetch;
 use crate::dim::math::Real;
@@ -123,6 +125,7 @@ impl PairSlots<'_> {
 /// All pairs of one kind. See the [module](self).
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub(crate) struct PairStore<P> {
     pairs: Vec<Late<Option<P>>>,
     states: Vec<PairState>,
@@ -372,12 +375,7 @@ impl<P: Pair> PairStore<P> {
         lists.into_iter().flatten().for_each(prefetch);
     }
 
-    /// What the narrow phase visits, in the order of the ids.
-    pub fn awake(&self) -> impl Iterator<Item = PairId> {
-        self.awake.iter()
-    }
-
-    /// The same, pairs and all.
+    /// Visits the awake pairs, in the order of the ids.
     pub fn for_each_awake_pair(&mut self, tasks: Tasks<'_>, visit: impl Fn(PairId, &mut P) + Sync)
     where
         P: Send + Sync,
@@ -412,6 +410,11 @@ impl<P: Pair> PairStore<P> {
         gather.run(tasks, (awake.page_count(), PAGES_PER_TASK), find, list);
     }
 
+    /// How far the two may still move against each other before the pair must be computed again.
+    pub fn slack(&self, id: PairId) -> Real {
+        self.states[id as usize].slack
+    }
+
     /// What the narrow phase asks of a pair.
     pub fn state_mut(&mut self, id: PairId) -> &mut PairState {
         &mut self.states[id as usize]
@@ -427,31 +430,73 @@ impl<P: Pair> PairStore<P> {
             pairs: Late::slice_mut(&mut self.pairs),
         }
     }
+}
 
-    /// Checks that the views agree.
-    pub fn validate(&self) {
-        let living = self.iter().count();
-        assert_eq!(living, self.len());
-        assert_eq!([self.states.len(), self.places.len()], [self.pairs.len(); 2]);
+check_when_loaded!(PairStore<P>, P: Pair);
+
+/// The views agree.
+impl<P: Pair> Loaded for PairStore<P> {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        self.check_ids()?;
+        self.check_views()
+    }
+}
+
+impl<P: Pair> PairStore<P> {
+    /// Checks that the lists of colliders are those of the pairs.
+    pub fn check_views(&self) -> Result<(), Fault> {
+        let is_gone =
+            |id: PairId| self.pairs.get(id as usize).is_none_or(|pair| pair.get().is_none());
+        let gone = self.awake.iter().find(|&id| is_gone(id));
+        ensure!(gone.is_none(), "pair {gone:?} is awake and gone");
+        let asleep = self.reporting.iter().find(|&id| !self.is_awake(id));
+        ensure!(asleep.is_none(), "pair {asleep:?} reports and sleeps");
+        ensure!(self.iter().count() == self.len(), "{} pairs are counted", self.len());
+        let living = self.pairs.iter().enumerate();
+        let living = living.filter_map(|(id, pair)| Some((id as PairId, pair.get().as_ref()?)));
+        let mut listed = 0;
+        for (id, pair) in living {
+            self.check_place(id, pair)?;
+            listed += 2;
+        }
+        let lengths = self.of_collider.iter().map(|list| [list.ids.len(), list.slots.len()]);
+        let sums = lengths.fold([0, 0], |sum, lengths| [sum[0] + lengths[0], sum[1] + lengths[1]]);
+        ensure!(sums == [listed; 2], "colliders list {sums:?} pairs of {listed}");
+        Ok(())
+    }
+
+    fn check_ids(&self) -> Result<(), Fault> {
+        let bound = self.pairs.len();
+        let lengths = [self.states.len(), self.places.len()];
+        ensure!(lengths == [bound; 2], "{bound} pairs have {lengths:?} states and places");
+        let mut is_free = vec![false; bound];
+        for &id in &self.free {
+            let free = is_free.get_mut(id as usize);
+            let was_free = free.map(|free| core::mem::replace(free, true));
+            ensure!(was_free == Some(false), "pair {id} of {bound} is free twice, or none");
+        }
         for (id, pair) in self.pairs.iter().enumerate() {
-            assert_eq!(pair.get().is_some(), self.places[id] != Place::NOWHERE);
-            let Some(pair) = pair.get() else { continue };
-            let Place { slots, positions } = self.places[id];
-            assert_eq!(slots, pair.colliders().map(slot));
-            assert_eq!(self.find(pair.colliders()), Some(id as u32));
-            for side in 0..2 {
-                let list = &self.of_collider[slots[side] as usize];
-                let position = positions[side] as usize;
-                assert_eq!(
-                    (list.ids[position], list.slots[position]),
-                    (id as u32, slots[1 - side])
-                );
-            }
+            let (is_living, has_place) = (pair.get().is_some(), self.places[id] != Place::NOWHERE);
+            ensure!(is_living == has_place, "pair {id} has a place: {has_place}");
+            ensure!(is_living != is_free[id], "pair {id} is free: {}", is_free[id]);
         }
-        for id in self.awake() {
-            assert!(self.pairs[id as usize].get().is_some(), "pair {id} is awake and gone");
+        Ok(())
+    }
+
+    fn check_place(&self, id: PairId, pair: &P) -> Result<(), Fault> {
+        let Place { slots, positions } = self.places[id as usize];
+        ensure!(slots == pair.colliders().map(slot), "pair {id} is filed under {slots:?}");
+        ensure!(slots[0] != slots[1], "pair {id} is one collider, {}", slots[0]);
+        for side in 0..2 {
+            let (list, position) = (self.of_collider.get(slots[side] as usize), positions[side]);
+            let entry = list.and_then(|list| {
+                Some((*list.ids.get(position as usize)?, *list.slots.get(position as usize)?))
+            });
+            let expected = Some((id, slots[1 - side]));
+            ensure!(entry == expected, "collider {} lists {entry:?} as pair {id}", slots[side]);
         }
-        assert!(self.reporting().all(|id| self.is_awake(id)));
+        ensure!(self.find(pair.colliders()) == Some(id), "two pairs of {slots:?}: {id} is one");
+        Ok(())
     }
 }
 

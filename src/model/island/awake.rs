@@ -25,6 +25,11 @@ impl AwakeBodies {
         &self.bodies[self.kinematic..]
     }
 
+    /// Returns whether there are as many bodies as kinematic ones, as must be in a list that was loaded.
+    pub fn is_divided(&self) -> bool {
+        self.kinematic <= self.bodies.len()
+    }
+
     /// Adds a body. Returns the positions at which somebody else stands than before.
     pub fn insert(&mut self, handle: RigidBodyHandle, is_kinematic: bool) -> [usize; 2] {
         let last = self.bodies.len();

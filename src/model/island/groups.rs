@@ -3,6 +3,7 @@
 //! The set of multibodies is the user's; this table says what the step has taken in of it.
 
 use super::link::NONE;
+use crate::base::fault::{Fault, ensure};
 use crate::model::body::RigidBodyHandle;
 
 /// Which bodies belong together.
@@ -26,6 +27,33 @@ impl BodyGroups {
     /// All bodies that are in a group.
     pub fn bodies(&self) -> impl Iterator<Item = RigidBodyHandle> {
         self.groups.iter().flatten().copied()
+    }
+
+    /// All groups that have bodies.
+    pub fn iter(&self) -> impl Iterator<Item = &[RigidBodyHandle]> {
+        self.groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty())
+    }
+
+    /// Checks that each body of a group has that group, and that empty groups are free.
+    pub fn check(&self) -> Result<(), Fault> {
+        let mut is_free = vec![false; self.groups.len()];
+        for &id in &self.free {
+            let free = is_free.get_mut(id as usize);
+            let was_free = free.map(|free| core::mem::replace(free, true));
+            ensure!(was_free == Some(false), "group {id} is free twice, or none");
+        }
+        let mut count = 0;
+        for (id, group) in self.groups.iter().enumerate() {
+            ensure!(group.is_empty() == is_free[id], "group {id} of {group:?} is free, or not");
+            for body in group {
+                let own = self.of_body.get(body.into_raw_parts().0 as usize).copied();
+                ensure!(own == Some(id as u32), "{body:?} of group {id} has the group {own:?}");
+            }
+            count += group.len();
+        }
+        let grouped = self.of_body.iter().filter(|&&group| group != NONE).count();
+        ensure!(grouped == count, "{grouped} bodies have a group, and groups have {count}");
+        Ok(())
     }
 
     /// Makes a group of bodies that have none.

@@ -4,10 +4,11 @@ use super::awake::AwakeBodies;
 use super::groups::BodyGroups;
 use super::link::NONE;
 use super::motion::BodyMotion;
+use crate::base::fault::{Fault, ensure};
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 
 /// Bodies that touch, directly or through other dynamic bodies.
 ///
@@ -54,7 +55,8 @@ pub struct IslandManager {
     pub(crate) motion: Vec<BodyMotion>,
     /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
     pub(crate) strained: bool,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 impl IslandManager {
@@ -113,6 +115,22 @@ impl IslandManager {
         island.is_cut = false;
         island.sleeping = false;
         self.free.push(id);
+    }
+
+    /// Checks that empty islands are free, and no others.
+    pub(crate) fn check_free(&self) -> Result<(), Fault> {
+        let mut is_free = vec![false; self.islands.len()];
+        for &id in &self.free {
+            let free = is_free.get_mut(id as usize);
+            let was_free = free.map(|free| core::mem::replace(free, true));
+            ensure!(was_free == Some(false), "island {id} is free twice, or none");
+        }
+        let wrong = (0..).zip(&self.islands).find(|(id, island)| {
+            let is_plain = !island.sleeping && !island.is_cut;
+            island.bodies.is_empty() != is_free[*id] || is_free[*id] && !is_plain
+        });
+        ensure!(wrong.is_none(), "{wrong:?} is free, or not");
+        Ok(())
     }
 
     /// How far the body in a slot moved in the last step.

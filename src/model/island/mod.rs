@@ -6,6 +6,7 @@ mod link;
 mod manager;
 mod motion;
 
+pub(crate) use groups::BodyGroups;
 pub(crate) use link::{BodyLink, NONE};
 pub use manager::IslandManager;
 pub(crate) use motion::BodyMotion;

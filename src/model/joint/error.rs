@@ -26,6 +26,12 @@ pub enum InvalidJoint {
         /// The frame.
         frame: Pose,
     },
+    /// A set of axes contains some that there are not.
+    #[error("the axes {axes:?} are not all axes of a joint")]
+    UnknownAxes {
+        /// The axes.
+        axes: JointAxesMask,
+    },
     /// The lower limit is above the upper one, or one of them is NaN.
     #[error(
         "the limits of {axis:?} are {min} to {max}, but the first must not be above the second"

@@ -413,6 +413,10 @@ impl GenericJoint {
         for frame in [self.local_frame1, self.local_frame2] {
             checked_pose(frame).ok_or(InvalidJoint::Frame { frame })?;
         }
+        for axes in [self.locked_axes, self.limit_axes, self.motor_axes, self.coupled_axes] {
+            let unknown = axes.bits() & !JointAxesMask::all().bits();
+            (unknown == 0).then_some(()).ok_or(InvalidJoint::UnknownAxes { axes })?;
+        }
         for axis in JointAxis::ALL {
             self.limits(axis).map_or(Ok(()), |limits| limits.check(axis))?;
             self.motor(axis).map_or(Ok(()), JointMotor::check)?;

@@ -3,10 +3,12 @@
 //! The set of joints is the user's; this table says what the step has taken in of it. It changes where
 //! islands change, and only there.
 
-use super::{GenericJoint, ImpulseJointHandle};
+use super::{GenericJoint, ImpulseJointHandle, ImpulseJointSet};
+use crate::base::fault::{Fault, ensure};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::RigidBodyHandle;
 use crate::model::constraint_graph::ColorSlot;
+use std::collections::BTreeSet;
 
 /// What a joint's constraint is made of.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
@@ -127,6 +129,34 @@ impl JointLinks {
         for body in link.body_slots() {
             self.of_body[body as usize].retain(|&other| other != slot);
         }
+    }
+
+    /// Checks that each joint stands in its slot and in the lists of its bodies, and nothing else does.
+    pub fn check(&self) -> Result<(), Fault> {
+        let mut count = 0;
+        for (slot, link) in self.iter() {
+            let own = link.handle.into_raw_parts().0;
+            ensure!(own == slot, "joint {own} stands in slot {slot}");
+            for body in link.body_slots() {
+                let is_listed = self.of_body(body).contains(&slot);
+                ensure!(is_listed, "body {body} does not list its joint {slot}");
+                count += 1;
+            }
+        }
+        let listed: usize = self.of_body.iter().map(Vec::len).sum();
+        ensure!(listed == count, "bodies list {listed} of {count} ends of joints");
+        Ok(())
+    }
+
+    /// Returns whether each joint that was taken in is in a set, joins the same bodies there, or was edited or removed since.
+    pub fn are_of(&self, joints: &ImpulseJointSet) -> bool {
+        let removed: BTreeSet<_> = joints.removed().map(|(handle, _)| handle).collect();
+        self.iter().all(|(_, link)| match joints.get(link.handle) {
+            Some(joint) => {
+                [joint.body1, joint.body2] == link.bodies || joints.is_noted(link.handle)
+            }
+            None => removed.contains(&link.handle),
+        })
     }
 
     /// Does a joint keep the colliders of these two bodies from touching each other?

@@ -4,9 +4,11 @@ use super::{
     GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled, JointLinks,
 };
 use crate::base::arena::{Arena, SharedArena};
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::model::body::RigidBodyHandle;
-use crate::model::seal::Seal;
-use std::collections::BTreeMap;
+use crate::model::stamp::WorldStamp;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A joint in its slot. The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug)]
@@ -36,6 +38,7 @@ struct Note {
 /// A joint goes when one of its bodies is removed, at the latest in the next step or update.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct ImpulseJointSet {
     joints: Arena<Entry>,
     /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing bounds the slots of
@@ -45,7 +48,8 @@ pub struct ImpulseJointSet {
     modified: Vec<ImpulseJointHandle>,
     /// Joints that were removed since the last step, and whether their bodies wake.
     removed: Vec<(ImpulseJointHandle, bool)>,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 impl ImpulseJointSet {
@@ -269,6 +273,25 @@ impl ImpulseJointSet {
         })
     }
 
+    /// Returns whether the user may have changed a joint since the last step.
+    pub(crate) fn is_noted(&self, handle: ImpulseJointHandle) -> bool {
+        self.joints.get(handle.0).is_some_and(|entry| entry.note.listed)
+    }
+
+    /// Checks the notes of a set that was loaded: each joint that says that it is noted stands in the list, and removed ones are gone.
+    pub(crate) fn check_notes(&self) -> Result<(), Fault> {
+        let mut listed = BTreeSet::new();
+        for handle in self.modified.iter().filter(|handle| self.contains(**handle)) {
+            ensure!(self.is_noted(*handle), "{handle:?} is listed as edited");
+            listed.insert(*handle);
+        }
+        let noted = self.joints.iter().filter(|(_, entry)| entry.note.listed).count();
+        ensure!(noted == listed.len(), "{} of {noted} edited joints are listed", listed.len());
+        let there = self.removed.iter().find(|(handle, _)| self.contains(*handle));
+        ensure!(there.is_none(), "{there:?} is removed, and there");
+        Ok(())
+    }
+
     /// To the next step all joints are new.
     pub(crate) fn begin_anew(&mut self) {
         (self.modified, self.removed) = (Vec::new(), Vec::new());
@@ -366,6 +389,26 @@ impl ImpulseJointSet {
                 self.of_body.remove(&slot);
             }
         }
+    }
+}
+
+check_when_loaded!(ImpulseJointSet);
+
+/// Each joint is filed under its bodies, and nothing else is.
+impl Loaded for ImpulseJointSet {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        let mut count = 0;
+        for (index, entry) in self.joints.iter() {
+            let handle = ImpulseJointHandle(index);
+            for slot in slots_of(entry.filed) {
+                let files = self.handles_of(slot).iter().filter(|filed| **filed == handle).count();
+                ensure!(files == 1, "{handle:?} is filed {files} times under body {slot}");
+                count += 1;
+            }
+        }
+        let filed: usize = self.of_body.values().map(Vec::len).sum();
+        ensure!(filed == count, "{filed} joints are filed, and {count} are there");
+        Ok(())
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::{MultibodyJoint, MultibodyJointHandle};
 use crate::dim::joint_axes::JointAxesMask;
-use crate::dim::mass::no_mass;
+use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
+use crate::model::check::checked_pose;
 use parry::mass_properties::MassProperties;
 
 /// One body of a multibody, and the joint that holds it.
@@ -46,6 +47,16 @@ impl MultibodyLink {
             seen_pose: None,
             seen_velocity: None,
         }
+    }
+
+    /// Returns whether all numbers can be computed with.
+    pub(super) fn is_sound(&self) -> bool {
+        let poses = [Some(self.pose), self.seen_pose];
+        let mut velocities = self.seen_velocity.iter();
+        self.joint.is_sound()
+            && mass_is_valid(&self.mass)
+            && poses.into_iter().flatten().all(|pose| checked_pose(pose).is_some())
+            && velocities.all(|velocity| velocity.is_finite())
     }
 
     /// The joint to the parent.

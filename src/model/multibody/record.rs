@@ -1,6 +1,8 @@
 //! The record of one multibody: its links, and a number of each kind per degree of freedom.
 
 use super::{MultibodyDofCoupling, MultibodyJoint, MultibodyLink};
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 use crate::dim::spatial::free_axes;
@@ -47,6 +49,7 @@ pub(crate) struct DofLists {
 /// enabled. Otherwise the bodies move as if nothing joined them.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct Multibody {
     pub(crate) links: Vec<MultibodyLink>,
     pub(crate) dofs: Vec<Dof>,
@@ -303,6 +306,32 @@ impl Multibody {
     }
 }
 
+check_when_loaded!(Multibody);
+
+/// Links and degrees of freedom are numbered, there is a number of each kind for each degree of freedom, and all numbers can be computed with.
+impl Loaded for Multibody {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        ensure!(self.is_whole(), "the links of a multibody are not in order");
+        let mut dofs = self.dofs.iter();
+        for link in &self.links {
+            let unknown = link.free.bits() & !JointAxesMask::all().bits();
+            ensure!(unknown == 0, "link {} is free along {:?}", link.id, link.free);
+            ensure!(link.is_sound(), "link {} has numbers that are none: {link:?}", link.id);
+            let free = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
+            for axis in free {
+                let (expected, dof) = (Dof { link: link.id, axis }, dofs.next());
+                ensure!(dof == Some(&expected), "{dof:?} is in the place of {expected:?}");
+            }
+        }
+        let lists = self.lists.all_ref();
+        let lengths = lists.map(Vec::len);
+        ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
+        let wrong = lists.into_iter().flatten().find(|number| !number.is_finite());
+        ensure!(wrong.is_none(), "a number of a degree of freedom is {wrong:?}");
+        Ok(())
+    }
+}
+
 impl MultibodyLink {
     /// Its degrees of freedom among the multibody's.
     pub(crate) fn dofs(&self) -> Range<usize> {
@@ -312,6 +341,12 @@ impl MultibodyLink {
 
 impl DofLists {
     fn all(&mut self) -> [&mut Vec<Real>; 6] {
+        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
+            self;
+        [velocities, accelerations, damping, armature, frictions, friction_impulses]
+    }
+
+    fn all_ref(&self) -> [&Vec<Real>; 6] {
         let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
             self;
         [velocities, accelerations, damping, armature, frictions, friction_impulses]

@@ -4,10 +4,13 @@ use super::{
     Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyLink, MultibodyLinkId,
 };
 use crate::base::arena::Arena;
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::island::BodyGroups;
 use crate::model::joint::{GenericJoint, InvalidJoint};
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 use std::collections::BTreeMap;
 
 /// How multibodies changed since the last step. Each comes with whether it wakes.
@@ -38,6 +41,7 @@ pub(crate) struct MultibodyEdits {
 /// ```
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct MultibodyJointSet {
     multibodies: Arena<Multibody>,
     joints: Arena<MultibodyLinkId>,
@@ -50,7 +54,8 @@ pub struct MultibodyJointSet {
     modified: Vec<(MultibodyIndex, bool)>,
     /// Bodies that lost a joint since the last step, and whether they wake.
     cut: Vec<(RigidBodyHandle, bool)>,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 impl MultibodyJointSet {
@@ -468,9 +473,51 @@ impl MultibodyJointSet {
         self.modified = all.collect();
     }
 
+    /// Checks that groups are the bodies of multibodies, unless these were edited since.
+    pub(crate) fn check_groups(&self, groups: &BodyGroups) -> Result<(), Fault> {
+        let slot = |body: &RigidBodyHandle| body.into_raw_parts().0;
+        let is_edited = |index| self.modified.iter().any(|(edited, _)| *edited == index);
+        for (index, multibody) in self.multibodies.iter() {
+            let index = MultibodyIndex(index);
+            if is_edited(index) {
+                continue;
+            }
+            let bodies: Vec<_> = multibody.links.iter().map(|link| link.body).collect();
+            let group = bodies.first().map_or(&[] as &[_], |body| groups.of(slot(body)));
+            ensure!(group == bodies, "the links of {index:?} are {bodies:?}, not {group:?}");
+        }
+        let is_link = |body: &RigidBodyHandle| {
+            self.rigid_body_link(*body).is_some() || self.cut.iter().any(|(cut, _)| cut == body)
+        };
+        let other = groups.bodies().find(|body| !is_link(body));
+        ensure!(other.is_none(), "{other:?} is in a group, and no link");
+        Ok(())
+    }
+
     /// Has the next step look at a multibody again.
     pub(crate) fn note(&mut self, index: MultibodyIndex) {
         self.modified.push((index, false));
+    }
+}
+
+check_when_loaded!(MultibodyJointSet);
+
+/// Each link is found by its body and its joint, and nothing else is.
+impl Loaded for MultibodyJointSet {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        let (mut links, mut joints) = (0, 0);
+        for (index, multibody) in self.multibodies.iter() {
+            let index = MultibodyIndex(index);
+            ensure!(!self.is_broken(index), "links of {index:?} are not those that are filed");
+            links += multibody.num_links();
+            joints += multibody.links.iter().filter(|link| link.handle.is_some()).count();
+        }
+        let filed = [self.of_body.len(), self.joints.len()];
+        ensure!(
+            filed == [links, joints],
+            "{filed:?} of {links} links and {joints} joints are filed"
+        );
+        Ok(())
     }
 }
 

@@ -3,7 +3,6 @@
 
 use super::Structure;
 use crate::model::body::RigidBodyHandle;
-use crate::model::island::NONE;
 use crate::model::joint::JointLink;
 
 impl Structure<'_> {
@@ -136,22 +135,5 @@ impl Structure<'_> {
         if let Some(link) = self.islands.joints.get_mut(slot) {
             link.slot = color;
         }
-    }
-
-    pub(super) fn validate_joints(&self) {
-        let mut colored = 0;
-        for (slot, link) in self.islands.joints.iter() {
-            let dynamic = self.dynamic_slots(link.body_slots());
-            if let ([Some(slot1), Some(slot2)], true) = (dynamic, link.attached) {
-                let island_of = |slot| self.body(slot).map_or(NONE, |body| body.link.island);
-                assert_eq!(island_of(slot1), island_of(slot2), "joined bodies share an island");
-            }
-            let wanted = link.attached && dynamic.iter().flatten().any(|&body| self.is_awake(body));
-            assert_eq!(link.slot.is_some(), wanted, "colour of joint {slot}");
-            let Some(color) = link.slot else { continue };
-            assert_eq!(self.islands.joint_graph.at(color), Some(slot));
-            colored += 1;
-        }
-        assert_eq!(colored, self.islands.joint_graph.len(), "the graph holds no other joints");
     }
 }

@@ -13,11 +13,13 @@
 //! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs to
 //!   know where it is.
 
+mod check;
 mod groups;
 mod islands;
 mod joints;
 mod touching;
-mod validate;
+
+pub(crate) use check::World;
 
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderHandle;

@@ -21,9 +21,10 @@ pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};
 
 use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::base::fault::{Fault, ensure};
 use crate::dim::math::Real;
 use crate::model::collider::{ColliderHandle, InteractionGroups};
-use crate::model::seal::Seal;
+use crate::model::stamp::WorldStamp;
 use parry::bounding_volume::Aabb;
 
 /// The enlarged boxes of all colliders.
@@ -43,7 +44,8 @@ pub struct BroadPhaseBvh {
     has_sensors: bool,
     /// All memberships and wishes that colliders of these trees ever had, together.
     groups: Option<InteractionGroups>,
-    pub(crate) seal: Seal,
+    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
+    pub(crate) stamp: WorldStamp,
 }
 
 impl BroadPhaseBvh {
@@ -146,6 +148,15 @@ impl BroadPhaseBvh {
     pub(crate) fn is_moved(&self, slot: u32) -> bool {
         let word = self.moved_bits.get(slot as usize / 64).copied().unwrap_or(0);
         word & (1 << (slot % 64)) != 0
+    }
+
+    /// Checks that the bits are those of the list, and the list has each slot once.
+    pub(crate) fn check_moved(&self) -> Result<(), Fault> {
+        let unmarked = self.moved.iter().find(|&&slot| !self.is_moved(slot));
+        ensure!(unmarked.is_none(), "the box in slot {unmarked:?} has moved and is not marked");
+        let marked: u32 = self.moved_bits.iter().map(|word| word.count_ones()).sum();
+        ensure!(marked as usize == self.moved.len(), "{marked} moved boxes are marked");
+        Ok(())
     }
 
     /// All have looked for neighbours.

@@ -5,7 +5,7 @@
 //! Runs:    serial, in the order of the edits
 //! Never:   looks at anything that was not edited, or does not touch what was
 //!
-//! Who exchanges a whole set edits all that is in it: [`Reunion`] comes before everything else.
+//! Replacing a whole set edits everything in it: [`Resync`] comes before everything else.
 //!
 //! Removals come first, because slots of removed bodies and colliders may have new tenants already.
 
@@ -15,9 +15,9 @@ mod joints;
 mod moved;
 mod multibodies;
 mod removals;
-mod reunion;
+mod resync;
 
-pub(crate) use reunion::Reunion;
+pub(crate) use resync::{Resync, Resynced};
 
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;

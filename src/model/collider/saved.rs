@@ -1,0 +1,132 @@
+//! The saved form of a shape.
+//!
+//! parry's own form contains what its constructors compute (trees of boxes, topology, adjacency), and believes it when it is loaded: an index out of
+//! range panics in some later query. Here, shapes made of many parts are saved as the lists that they were made of, and made again; the same
+//! lists give the same tree. Convex hulls keep parry's form, because another construction might number the faces differently: their indices are
+//! checked. (Of a compound with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the default.)
+//! Whatever was loaded is [judged](super::check) as if the user had made it.
+
+use super::check::{check_elements, check_parts, check_points, check_shape};
+use super::{ColliderBuilder, InvalidCollider};
+use crate::base::fault::Fault;
+use crate::dim::math::{Pose, Vector};
+use crate::dim::saved::{SavedField, check_hull};
+use parry::math::IVector;
+use parry::shape::{
+    Compound, CompoundFlags, Polyline, PolylineFlags, SharedShape, TriMeshFlags, TypedShape,
+};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[derive(Serialize, Deserialize)]
+enum SavedShape {
+    /// A shape that is made of a few numbers, or a convex hull.
+    Plain(SharedShape),
+    TriMesh {
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 3]>,
+        flags: u16,
+    },
+    Polyline {
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 2]>,
+        flags: u8,
+    },
+    HeightField(SavedField),
+    Voxels {
+        size: Vector,
+        cells: Vec<IVector>,
+    },
+    Compound {
+        parts: Vec<(Pose, SharedShape)>,
+        flags: u8,
+    },
+}
+
+/// Saves a shape.
+pub fn serialize<S: Serializer>(shape: &SharedShape, serializer: S) -> Result<S::Ok, S::Error> {
+    SavedShape::of(shape).serialize(serializer)
+}
+
+/// Loads a shape.
+pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SharedShape, D::Error> {
+    SavedShape::deserialize(deserializer)?.restore().map_err(D::Error::custom)
+}
+
+impl From<InvalidCollider> for Fault {
+    fn from(invalid: InvalidCollider) -> Self {
+        Self::new(format_args!("{invalid}"))
+    }
+}
+
+impl SavedShape {
+    fn of(shape: &SharedShape) -> Self {
+        match shape.as_typed_shape() {
+            TypedShape::TriMesh(mesh) => Self::TriMesh {
+                vertices: mesh.vertices().to_vec(),
+                indices: mesh.indices().to_vec(),
+                flags: mesh.flags().bits(),
+            },
+            TypedShape::Polyline(line) => Self::Polyline {
+                vertices: line.vertices().to_vec(),
+                indices: line.indices().to_vec(),
+                flags: line.flags().bits(),
+            },
+            TypedShape::HeightField(field) => Self::HeightField(SavedField::of(field)),
+            TypedShape::Voxels(voxels) => {
+                let filled = voxels.voxels().filter(|voxel| !voxel.state.is_empty());
+                let cells = filled.map(|voxel| voxel.grid_coords).collect();
+                Self::Voxels { size: voxels.voxel_size(), cells }
+            }
+            TypedShape::Compound(compound) => {
+                Self::Compound { parts: compound.shapes().to_vec(), flags: compound.flags().bits() }
+            }
+            _ => Self::Plain(shape.clone()),
+        }
+    }
+
+    fn restore(self) -> Result<SharedShape, Fault> {
+        let shape = match self {
+            Self::Plain(shape) => {
+                check_plain(&shape)?;
+                shape
+            }
+            Self::TriMesh { vertices, indices, flags } => {
+                let flags = TriMeshFlags::from_bits_truncate(flags);
+                super::shapes::trimesh_shape(vertices, indices, flags)?
+            }
+            Self::Polyline { vertices, indices, flags } => {
+                check_points("vertices", &vertices)?;
+                check_elements("indices", &indices, vertices.len())?;
+                let flags = PolylineFlags::from_bits_truncate(flags);
+                SharedShape::new(Polyline::with_flags(vertices, Some(indices), flags))
+            }
+            Self::HeightField(field) => SharedShape::new(field.restore()?),
+            Self::Voxels { size, cells } => {
+                ColliderBuilder::voxels(size, &cells).try_build()?.shared_shape().clone()
+            }
+            Self::Compound { parts, flags } => {
+                parts.iter().try_for_each(|(_, part)| check_plain(part))?;
+                check_parts(&parts)?;
+                let flags = CompoundFlags::from_bits_truncate(flags);
+                SharedShape::new(Compound::with_flags(parts, flags, None))
+            }
+        };
+        check_shape(&*shape)?;
+        Ok(shape)
+    }
+}
+
+/// Refuses shapes that are saved in another form, and hulls whose parts name others that are not there.
+fn check_plain(shape: &SharedShape) -> Result<(), Fault> {
+    match shape.as_typed_shape() {
+        TypedShape::TriMesh(_)
+        | TypedShape::Polyline(_)
+        | TypedShape::HeightField(_)
+        | TypedShape::Voxels(_)
+        | TypedShape::Compound(_) => {
+            Err(Fault::new(format_args!("a shape is saved in a form that is not its own")))
+        }
+        typed => check_hull(typed),
+    }
+}

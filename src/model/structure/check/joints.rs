@@ -1,0 +1,46 @@
+//! Joints that were taken in.
+
+use super::colors::Colors;
+use super::last_step::LastStep;
+use super::{Depth, Structure, Verdict};
+use crate::base::fault::ensure;
+use crate::model::joint::{ImpulseJointSet, JointForm};
+
+impl Structure<'_> {
+    /// The bodies of a joint that acts share an island, and it has a colour while one of them is awake.
+    pub(super) fn check_joints(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
+        self.islands.joints.check()?;
+        let mut colors = Colors::of(&self.islands.joint_graph, depth)?;
+        for (slot, link) in self.islands.joints.iter() {
+            let slots = link.body_slots();
+            let are_there = slots.iter().all(|&body| then.has_slot(body));
+            ensure!(are_there, "joint {slot} is of bodies {slots:?}");
+            let dynamic = then.dynamic(slots);
+            if let ([Some(slot1), Some(slot2)], true) = (dynamic, link.attached) {
+                let islands = [slot1, slot2].map(|slot| then.link(slot).island);
+                ensure!(islands[0] == islands[1], "joint {slot} is of islands {islands:?}");
+            }
+            let wanted = link.attached && dynamic.iter().flatten().any(|&body| then.is_awake(body));
+            colors.check((slot, link.slot, wanted), slots, then)?;
+        }
+        colors.finish()
+    }
+
+    /// Joints that were taken in are those of a set, unless the user edited or removed them.
+    pub(super) fn check_known_joints(&self, joints: &ImpulseJointSet) -> Verdict {
+        joints.check_notes()?;
+        ensure!(self.islands.joints.are_of(joints), "joints were taken in that are not there");
+        for (slot, link) in self.islands.joints.iter() {
+            let Some(joint) = joints.get(link.handle) else { continue };
+            ensure!(joint.is_sound(), "joint {slot} has impulses that are none: {joint:?}");
+            if joints.is_noted(link.handle) {
+                continue;
+            }
+            let form = JointForm::of(&joint.data);
+            ensure!(link.form == form, "joint {slot} is {form:?}, not {:?}", link.form);
+            let error = joint.data.validate().err().filter(|_| link.attached);
+            ensure!(error.is_none(), "joint {slot} acts: {error:?}");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! What must hold between stages, and of a world that was loaded.
+//!
+//! Debug builds check it twice a step. Of a loaded world it is checked before the first step takes in what the user edited: until then the lists
+//! refer to the state after the last step, and edits stand beside it as notes. So a reference is compared with what was there *then*
+//! ([`LastStep`]): a removed body keeps its place in the lists, a new one has none yet, and what the notes say was changed may differ.
+
+mod bodies;
+mod colors;
+mod joints;
+mod last_step;
+mod pairs;
+mod trees;
+
+use super::Structure;
+use crate::base::fault::Fault;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
+use crate::model::tree::BroadPhaseBvh;
+use last_step::LastStep;
+
+/// The sets of a world beside those of the structure.
+pub(crate) struct World<'a> {
+    pub tree: &'a BroadPhaseBvh,
+    pub joints: &'a ImpulseJointSet,
+    /// `None` before a collision detection, which does not know them.
+    pub multibodies: Option<&'a MultibodyJointSet>,
+}
+
+type Verdict = Result<(), Fault>;
+
+/// How much is checked.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Depth {
+    /// What a mistake of ours would break. Asks for no memory, as the step does not.
+    Quick,
+    /// What made-up data could break besides.
+    Full,
+}
+
+impl Structure<'_> {
+    /// Checks every sentence of the module's documentation.
+    ///
+    /// # Panics
+    /// If one does not hold.
+    pub fn validate(&self) {
+        let fault = self.check().err();
+        assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.to_string()));
+    }
+
+    fn check(&self) -> Verdict {
+        self.narrow_phase.contacts.check_views()?;
+        self.narrow_phase.intersections.check_views()?;
+        self.check_lists(&LastStep::of(self)?, Depth::Quick)
+    }
+
+    fn check_lists(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
+        self.check_awake(then)?;
+        self.check_islands(then)?;
+        self.check_contacts(then, depth)?;
+        self.check_intersections(then)?;
+        self.check_joints(then, depth)
+    }
+
+    /// Checks all references between the sets of a world that was loaded, and the numbers in its lists.
+    ///
+    /// # Errors
+    /// If a reference is wrong, or a number is not finite.
+    pub fn check_world(&self, world: World<'_>) -> Verdict {
+        let then = LastStep::of(self)?;
+        self.check_lists(&then, Depth::Full)?;
+        self.islands.check_free()?;
+        self.check_body_types()?;
+        self.check_attachments(&then)?;
+        self.check_contact_data()?;
+        self.check_known_joints(world.joints)?;
+        self.check_groups(&then, world.multibodies)?;
+        self.check_trees(world.tree)
+    }
+}

@@ -1,0 +1,176 @@
+//! Sets that are not the ones of the last step: `mem::take(&mut world.bodies)`, an older copy of the colliders alone, joints from a file.
+//!
+//! The references of the other sets to such a set are wrong ([`WorldStamp`] detects this). If it is one of those that refer to each other
+//! (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees, and takes in all bodies, colliders and joints as new
+//! and awake. Bodies that are gone count as removed: their colliders and joints are removed, too. The same happens if joints were replaced
+//! that the islands refer to. A set of joints that replaces an empty one is only taken in.
+//!
+//! Loaded sets are unverified. The first step checks all references between the sets. If these hold, the world continues bit for bit as if it
+//! had not been saved; otherwise everything is taken in as new.
+
+use crate::base::fault::{Fault, ensure};
+use crate::collide::form_of;
+use crate::model::collider::ColliderChanges;
+use crate::model::contact::NarrowPhase;
+use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use crate::model::island::IslandManager;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
+use crate::model::stamp::WorldStamp;
+use crate::model::structure::{Structure, World};
+use crate::model::tree::BroadPhaseBvh;
+
+/// The sets that refer to each other.
+pub(crate) struct Resync<'a> {
+    pub structure: Structure<'a>,
+    pub tree: &'a mut BroadPhaseBvh,
+}
+
+/// The result of a resync.
+pub(crate) struct Resynced {
+    /// Events of pairs that were discarded.
+    pub parted: Vec<CollisionEvent>,
+    /// The stamp that the islands get when the step has ended. Until then they fit no other set: after a step that does not return, because
+    /// something panicked, everything is taken in as new.
+    pub stamp: WorldStamp,
+    /// Whether the joints are those that the islands refer to, so that edits of them can be taken in.
+    pub joints_fit: bool,
+}
+
+impl Resync<'_> {
+    /// Before a step.
+    pub fn before_step(
+        mut self,
+        joints: &mut ImpulseJointSet,
+        multibodies: &mut MultibodyJointSet,
+    ) -> Resynced {
+        let unverified = self.any_unverified()
+            || [joints.stamp, multibodies.stamp].iter().any(|s| s.is_unverified());
+        let mut parted = Vec::new();
+        if unverified {
+            if let Err(fault) = self.check(joints, Some(multibodies)) {
+                log::warn!("a loaded world is taken in as new: {fault}");
+                parted = self.begin_anew();
+                joints.begin_anew();
+                multibodies.begin_anew();
+            }
+        } else {
+            parted = self.unite();
+            parted.extend(self.unite_joints(joints, multibodies));
+        }
+        let stamp = WorldStamp::of_new_step();
+        self.put(stamp);
+        (joints.stamp, multibodies.stamp) = (stamp, stamp);
+        self.structure.islands.stamp = WorldStamp::of_new_step();
+        Resynced { parted, stamp, joints_fit: true }
+    }
+
+    /// Before collisions are detected without a step.
+    pub fn before_detection(mut self, joints: &ImpulseJointSet) -> Resynced {
+        let parted = if !self.any_unverified() {
+            self.unite()
+        } else if let Err(fault) = self.check(joints, None) {
+            log::warn!("a loaded world is taken in as new: {fault}");
+            self.begin_anew()
+        } else {
+            Vec::new()
+        };
+        let joints_fit = self.structure.islands.joints.are_of(joints);
+        let stamp = self.structure.islands.stamp.after_detection();
+        self.put(stamp);
+        self.structure.islands.stamp = WorldStamp::of_new_step();
+        Resynced { parted, stamp, joints_fit }
+    }
+
+    fn stamps(&self) -> [WorldStamp; 5] {
+        let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
+        [bodies.stamp, colliders.stamp, narrow_phase.stamp, islands.stamp, self.tree.stamp]
+    }
+
+    fn any_unverified(&self) -> bool {
+        self.stamps().iter().any(|stamp| stamp.is_unverified())
+    }
+
+    fn check(
+        &self,
+        joints: &ImpulseJointSet,
+        multibodies: Option<&MultibodyJointSet>,
+    ) -> Result<(), Fault> {
+        self.structure.check_world(World { tree: self.tree, joints, multibodies })?;
+        for (handle, collider) in self.structure.colliders.iter() {
+            let (known, form) = (collider.form, form_of(&*collider.shape));
+            let is_edited = collider.changes.contains(ColliderChanges::SHAPE);
+            ensure!(known == form || is_edited, "{handle:?} is {known:?} and not {form:?}");
+        }
+        Ok(())
+    }
+
+    /// Takes everything in as new unless the sets are of one step.
+    fn unite(&mut self) -> Vec<CollisionEvent> {
+        let Structure { bodies, colliders, islands, .. } = &self.structure;
+        let are_of_one_world =
+            self.stamps().iter().all(|stamp| stamp.is_of_same_detection(islands.stamp));
+        if are_of_one_world && bodies.stamp == colliders.stamp {
+            return Vec::new();
+        }
+        log::warn!("a set is not that of the last step: everything is taken in as new");
+        self.begin_anew()
+    }
+
+    /// The same for joints. A set without joints may be replaced by another one in each step at no cost.
+    fn unite_joints(
+        &mut self,
+        joints: &mut ImpulseJointSet,
+        multibodies: &mut MultibodyJointSet,
+    ) -> Vec<CollisionEvent> {
+        let islands = &self.structure.islands;
+        let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
+            || islands.stamp.has_detected() && !islands.joints.are_of(joints);
+        let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
+        let known_are_others = other_joints && islands.joints.iter().next().is_some()
+            || other_multibodies && islands.groups.bodies().next().is_some();
+        let parted = if known_are_others { self.begin_anew() } else { Vec::new() };
+        if other_joints || known_are_others {
+            joints.begin_anew();
+        }
+        if other_multibodies || known_are_others {
+            multibodies.begin_anew();
+        }
+        parted
+    }
+
+    /// Discards islands, pairs and trees: everything is new.
+    fn begin_anew(&mut self) -> Vec<CollisionEvent> {
+        let Structure { bodies, colliders, narrow_phase, islands } = &mut self.structure;
+        bodies.begin_anew();
+        colliders.begin_anew(bodies);
+        let known = core::mem::take(*narrow_phase);
+        **islands = IslandManager::new();
+        *self.tree = BroadPhaseBvh::new();
+        self.parted(&known)
+    }
+
+    /// The end of each contact and intersection whose begin was reported.
+    fn parted(&self, known: &NarrowPhase) -> Vec<CollisionEvent> {
+        let contacts = known.contacts.iter().filter(|pair| pair.start_event_emitted);
+        let contacts = contacts.map(|pair| ([pair.collider1, pair.collider2], false));
+        let intersections = known.intersections.iter().filter(|pair| pair.start_event_emitted);
+        let intersections = intersections.map(|pair| ([pair.collider1, pair.collider2], true));
+        let is_there = |&collider: &_| self.structure.colliders.contains(collider);
+        let event = |(pair, is_sensor): ([_; 2], bool)| {
+            let mut flags = CollisionEventFlags::empty();
+            flags.set(CollisionEventFlags::SENSOR, is_sensor);
+            flags.set(CollisionEventFlags::REMOVED, !pair.iter().all(is_there));
+            CollisionEvent::Stopped(pair[0], pair[1], flags)
+        };
+        contacts.chain(intersections).map(event).collect()
+    }
+
+    fn put(&mut self, stamp: WorldStamp) {
+        self.structure.bodies.stamp = stamp;
+        self.structure.colliders.stamp = stamp;
+        self.structure.narrow_phase.stamp = stamp;
+        self.structure.islands.stamp = stamp;
+        self.tree.stamp = stamp;
+    }
+}

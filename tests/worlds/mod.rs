@@ -1,0 +1,15 @@
+//! # Whole worlds
+//!
+//! What happens to the sets of a world as wholes: they are replaced by those of other worlds, saved, loaded, and loaded from damaged data.
+//! Nothing here depends on the dimension, so that it compiles quickly.
+
+mod records;
+mod scene;
+mod twins;
+// Saving is a feature.
+#[cfg(feature = "serde-serialize")]
+mod damaged;
+#[cfg(feature = "serde-serialize")]
+mod saved;
+#[cfg(feature = "serde-serialize")]
+mod tree;

@@ -1,0 +1,166 @@
+//! Worlds that are saved and loaded.
+
+use super::scene::{bits, copy, cube, step, world};
+use super::tree::{Tree, load, save};
+use crate::rapier::prelude::*;
+
+/// The sets of a world, saved one by one.
+pub type Saved = [Tree; 7];
+
+/// Saves all sets.
+pub fn save_all(world: &PhysicsWorld) -> Saved {
+    [
+        save(&world.bodies),
+        save(&world.colliders),
+        save(&world.islands),
+        save(&world.broad_phase),
+        save(&world.narrow_phase),
+        save(&world.impulse_joints),
+        save(&world.multibody_joints),
+    ]
+}
+
+/// Loads one set into a world.
+pub fn load_into(world: &mut PhysicsWorld, set: usize, tree: &Tree) -> Result<(), String> {
+    let refused = |refusal: super::tree::Refusal| refusal.to_string();
+    match set {
+        0 => load(tree).map(|it| world.bodies = it),
+        1 => load(tree).map(|it| world.colliders = it),
+        2 => load(tree).map(|it| world.islands = it),
+        3 => load(tree).map(|it| world.broad_phase = it),
+        4 => load(tree).map(|it| world.narrow_phase = it),
+        5 => load(tree).map(|it| world.impulse_joints = it),
+        _ => load(tree).map(|it| world.multibody_joints = it),
+    }
+    .map_err(refused)
+}
+
+/// Loads a world.
+pub fn load_all(saved: &Saved) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    for (set, tree) in saved.iter().enumerate() {
+        load_into(&mut world, set, tree).expect("it was saved");
+    }
+    world
+}
+
+/// What the user may have done between the last step and saving.
+const EDITS: [(&str, fn(&mut PhysicsWorld)); 9] = [
+    ("nothing", |_| {}),
+    ("a push", |world| {
+        let body = world.active_bodies()[2];
+        world.bodies[body].apply_impulse(Vector::X, true);
+    }),
+    ("a body that was moved", |world| {
+        let body = world.active_bodies()[1];
+        world.bodies[body].set_translation(Vector::Y * 20.0, true);
+    }),
+    ("a body more", |world| {
+        world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y * 9.0), cube(0.3));
+    }),
+    ("a body less", |world| drop(world.bodies.remove(world.active_bodies()[1]))),
+    ("a body in the place of another", |world| {
+        world.bodies.remove(world.active_bodies()[1]);
+        world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y * 9.0), cube(0.3));
+    }),
+    ("a collider less", |world| {
+        let body = world.active_bodies()[3];
+        world.remove_collider(world.bodies[body].colliders()[0]);
+    }),
+    ("another type", |world| {
+        let body = world.active_bodies()[2];
+        world.bodies[body].set_body_type(RigidBodyType::Fixed, true);
+    }),
+    ("a joint less, and links that are cut", |world| {
+        let joint = world.impulse_joints.iter().next().expect("there are two").0;
+        world.impulse_joints.remove(joint, true);
+        let link = world.multibody_joints.iter().nth(1).expect("there are three").0;
+        world.multibody_joints.remove(link, true);
+    }),
+];
+
+/// A world that was loaded goes on bit for bit as the one that was saved, whatever the user did before it was saved.
+#[test]
+fn a_loaded_world_goes_on_as_if_it_had_not_been_saved() {
+    for steps in [0, 1, 12, 150] {
+        for (name, edit) in EDITS {
+            if steps == 0 && name != "nothing" {
+                continue;
+            }
+            let mut one = world();
+            (0..steps).for_each(|_| step(&mut one));
+            edit(&mut one);
+            let mut two = load_all(&save_all(&one));
+            for k in 0..20 {
+                step(&mut one);
+                step(&mut two);
+                assert_eq!(bits(&one), bits(&two), "{name}: {k} steps after {steps}");
+            }
+        }
+    }
+}
+
+/// The same data in every run, and of a copy: nothing that is counted by the process is saved.
+#[test]
+fn the_same_history_is_saved_as_the_same_data() {
+    let run = || {
+        let mut world = world();
+        (0..12).for_each(|_| step(&mut world));
+        save_all(&world)
+    };
+    let first = run();
+    assert!(first == run() && first == save_all(&load_all(&first)));
+}
+
+/// Sets that were loaded fit those that they were saved with: any of them may be loaded alone.
+#[test]
+fn sets_that_are_loaded_alone_fit_the_others() {
+    let mut one = world();
+    (0..12).for_each(|_| step(&mut one));
+    let saved = save_all(&one);
+    let mut expected = copy(&one);
+    (0..5).for_each(|_| step(&mut expected));
+    for sets in 0..1 << saved.len() {
+        let mut mixed = copy(&one);
+        for (set, tree) in saved.iter().enumerate().filter(|(set, _)| sets & (1 << set) != 0) {
+            load_into(&mut mixed, set, tree).expect("it was saved");
+        }
+        (0..5).for_each(|_| step(&mut mixed));
+        assert_eq!(bits(&mixed), bits(&expected), "loaded sets: {sets:07b}");
+    }
+}
+
+/// Sets of different times and of twins: the world goes on, whatever is mixed.
+#[test]
+fn sets_of_different_times_are_mixed() {
+    let mut one = world();
+    (0..10).for_each(|_| step(&mut one));
+    let early = save_all(&one);
+    (0..3).for_each(|_| step(&mut one));
+    let late = save_all(&one);
+    for sets in 0..1 << early.len() {
+        let mixed = core::array::from_fn(|set| {
+            if sets & (1 << set) == 0 { early[set].clone() } else { late[set].clone() }
+        });
+        let mut loaded = load_all(&mixed);
+        loaded.detect_collisions(&(), &());
+        (0..3).for_each(|_| step(&mut loaded));
+    }
+}
+
+/// A world that is loaded, edited and searched before its first step.
+#[test]
+fn a_loaded_world_can_be_edited_before_its_first_step() {
+    for (name, edit) in EDITS {
+        let mut one = world();
+        (0..12).for_each(|_| step(&mut one));
+        let mut two = load_all(&save_all(&one));
+        edit(&mut one);
+        edit(&mut two);
+        for _ in 0..5 {
+            step(&mut one);
+            step(&mut two);
+        }
+        assert_eq!(bits(&one), bits(&two), "{name}");
+    }
+}
