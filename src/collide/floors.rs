@@ -83,8 +83,8 @@ impl Search<'_> {
                 for (left, taken) in self.sifted.left.iter_mut().zip(&pieces) {
                     *left &= !taken;
                 }
-                if let Some(patch) = self.add_floor(sifting, &stand) {
-                    self.sifted.floors.push((patch, pieces));
+                if self.add_floor(sifting, &stand) {
+                    self.sifted.floors.push(pieces);
                 }
             }
         }
@@ -146,8 +146,8 @@ impl Search<'_> {
     }
 
     /// Adds the contacts with a floor, in the name of the piece under the deepest.
-    /// Returns the number of its patch.
-    fn add_floor(&mut self, sifting: &Sifting<'_>, stand: &Stand) -> Option<usize> {
+    /// Returns whether they are usable.
+    fn add_floor(&mut self, sifting: &Sifting<'_>, stand: &Stand) -> bool {
         let (raw, prediction) = (&mut *self.raw, self.pair.prediction);
         let normals = [stand.normal, sifting.poses[1].rotation * -stand.normal];
         [raw.local_n1, raw.local_n2] =
@@ -158,13 +158,13 @@ impl Search<'_> {
         self.distance = 0.0;
         // Of the piece only its number counts: points are in the frame of the shape.
         let piece = Part { id: stand.piece, ..Part::whole(sifting.body.shape) };
-        let [part1, part2] = sifting.with_body(piece);
-        self.patches.add(raw, &part1, &part2).then(|| self.patches.list().len() - 1)
+        let floor = self.sifted.floors.len() as u32;
+        self.patches.add_on(self.pair, raw, &sifting.with_body(piece), Some(floor))
     }
 
     /// Tells the patches of floors what these are made of, which only seams ask for.
     pub(super) fn lay_floors(&mut self, nearby: &Nearby) {
-        for (patch, pieces) in &self.sifted.floors {
+        for (floor, pieces) in self.sifted.floors.iter().enumerate() {
             let bits = |(block, bits): (usize, &u32)| {
                 let bits = *bits;
                 let lanes = (0..LANES).filter(move |lane| bits & (1 << lane) != 0);
@@ -172,7 +172,7 @@ impl Search<'_> {
             };
             let places = pieces.iter().enumerate().flat_map(bits);
             let shapes = places.map(|(block, lane)| nearby.piece(block, lane).1);
-            self.patches.lay_floor(*patch, shapes);
+            self.patches.lay_floor(floor as u32, shapes);
         }
     }
 }

@@ -43,6 +43,15 @@ pub(crate) struct ManifoldScratch {
     sifted: Sifted,
     passing: Nearby,
     seams: Vec<Seam>,
+    /// Were there too many pairs of parts to compute the contacts of all?
+    are_parts_culled: bool,
+}
+
+impl ManifoldScratch {
+    /// Returns whether the last manifolds were made of some contacts alone, because there were too many.
+    pub fn is_culled(&self) -> bool {
+        self.are_parts_culled || self.patches.are_culled()
+    }
 }
 
 /// Two shapes, and which contacts of theirs are wanted.
@@ -80,6 +89,8 @@ pub(crate) fn compute_manifolds(
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
     out.clear();
+    scratch.patches.clear();
+    scratch.are_parts_culled = false;
     let ShapePair { pos12, shapes: [shape1, shape2], prediction, .. } = *pair;
     if !pose_is_usable(&pos12) || !prediction.is_finite() {
         return 0.0;
@@ -95,13 +106,22 @@ pub(crate) fn compute_manifolds(
         return bound;
     }
     if parry_merges_voxels(shape1, shape2, &pos12) || parry_merges_voxels(shape2, shape1, &pos12) {
-        return voxel_manifolds(&pos12, [shape1, shape2], prediction, scratch, out);
+        return voxel_manifolds(pair, scratch, out);
     }
-    let ManifoldScratch { raw, patches, sifted, passing, seams, .. } = scratch;
-    patches.clear();
+    let ManifoldScratch { raw, patches, sifted, passing, seams, are_parts_culled, .. } = scratch;
     let distance = Real::INFINITY;
-    let mut search =
-        Search { pair, parts, previous, raw, patches, sifted, kept, passing, distance };
+    let mut search = Search {
+        pair,
+        parts,
+        previous,
+        raw,
+        patches,
+        sifted,
+        kept,
+        passing,
+        distance,
+        are_parts_culled,
+    };
     let bound = search.visit_near();
     for side in 0..2 {
         search.take_out_seams(side, seams);
@@ -245,19 +265,17 @@ fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> b
 /// The manifolds of a pair with voxels, which parry treats as a whole: it merges neighbouring voxels
 /// so that nothing catches on the edges between them.
 fn voxel_manifolds(
-    pos12: &Pose,
-    shapes: [&dyn Shape; 2],
-    prediction: Real,
+    pair: &ShapePair<'_>,
     scratch: &mut ManifoldScratch,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
+    let ShapePair { pos12, shapes, prediction, .. } = pair;
     let ManifoldScratch { many, patches, .. } = scratch;
     many.clear();
-    patches.clear();
-    let [shape1, shape2] = shapes;
+    let [shape1, shape2] = *shapes;
     let query = DefaultQueryDispatcher;
     let found =
-        guarded(|| query.contact_manifolds(pos12, shape1, shape2, prediction, many, &mut None));
+        guarded(|| query.contact_manifolds(pos12, shape1, shape2, *prediction, many, &mut None));
     match found {
         Some(Ok(())) => {}
         Some(Err(_)) => return Real::INFINITY,
@@ -269,11 +287,11 @@ fn voxel_manifolds(
         let (pose1, pose2) = poses.unwrap_or_default();
         let part1 = Part { id: raw.subshape1, pose: pose1, ..Part::whole(shapes[0]) };
         let part2 = Part { id: raw.subshape2, pose: pose2, ..Part::whole(shapes[1]) };
-        raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
+        raw.points.retain(|point| is_sound(point) && point.dist <= *prediction);
         if !raw.points.is_empty() {
-            patches.add(raw, &part1, &part2);
+            patches.add(pair, raw, &[part1, part2]);
         }
     }
-    patches.merge(pos12, prediction, out);
-    if out.is_empty() { prediction } else { 0.0 }
+    patches.merge(pos12, *prediction, out);
+    if out.is_empty() { *prediction } else { 0.0 }
 }

@@ -13,12 +13,14 @@
 mod ball;
 mod capsule;
 mod convex;
+mod culling;
 mod floors;
 mod footing;
 mod form;
 mod manifolds;
 mod matching;
 mod neighbor;
+mod part_pairs;
 mod parts;
 mod patches;
 mod polytopes;

@@ -6,7 +6,7 @@
 use super::voxels::{for_each_voxel, with_voxel};
 use crate::base::bvh::SlabProbe;
 use crate::dim::collide::{
-    Flat, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_of, for_each_cell,
+    Flat, FlatShape, as_flat, as_flat_mesh, cell_count, flat_corners, flat_of, for_each_cell,
     for_each_free_cell, has_free_cells, with_cell,
 };
 use crate::dim::math::{Pose, Real, Vector};
@@ -89,6 +89,16 @@ impl<'a> Parts<'a> {
         match *self {
             Self::Convex(shape) => shape,
             Self::Tree(shape, _) | Self::Grid(shape, _) | Self::Voxels(shape, _) => shape,
+        }
+    }
+
+    /// Number of parts, or a bound of it.
+    pub fn len(&self) -> usize {
+        match *self {
+            Self::Convex(_) => 1,
+            Self::Tree(_, composite) => composite.bvh().leaf_count() as usize,
+            Self::Grid(_, field) => cell_count(field),
+            Self::Voxels(..) => usize::MAX,
         }
     }
 

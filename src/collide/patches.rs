@@ -5,11 +5,13 @@
 //! patches that look the same way are put together, and of all their points only those are kept that
 //! a single face would have: the outermost.
 
+use super::culling::{Grid, Rank, main_direction};
+use super::manifolds::ShapePair;
 use super::matching::set_contacts;
 use super::parts::Part;
 use super::seams::SAME_NORMAL;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
-use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::math::{DIM, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use core::ops::Range;
 use parry::shape::PackedFeatureId;
@@ -21,6 +23,14 @@ const NORMAL_TOLERANCE: Real = 1.0e-2;
 const SAME_WAY: Real = 0.9962;
 /// Points closer to each other than this share of the manifold's size are one.
 const SAME_PLACE: Real = 1.0e-3;
+/// Patches are culled beyond this number. Meshes finer than the bodies on them stay far below it.
+const PATCHES_MAX: usize = 1024;
+/// Points of replaced patches are dropped beyond this number.
+const POINTS_MAX: usize = 32 * PATCHES_MAX;
+/// A cell of the culling grid keeps a patch for each of these directions of its normal.
+const DIRECTIONS: usize = 2 * DIM;
+/// Stands for no patch.
+const NONE: u32 = u32::MAX;
 
 /// The contacts of two convex parts.
 #[derive(Clone, Debug)]
@@ -33,11 +43,17 @@ pub(super) struct Patch {
     pub dist: Real,
     /// Where its points are.
     points: Range<usize>,
-    /// Where the pieces of a [floor](super::floors) are; none are of one part alone.
+    /// The number of the [floor](super::floors) that it is on.
+    floor: Option<u32>,
+    /// Where the pieces of the floor are; none are of one part alone.
     pieces: Range<usize>,
 }
 
 impl Patch {
+    fn rank(&self) -> Rank {
+        Rank { dist: self.dist, parts: self.parts }
+    }
+
     /// A point as one of a manifold of these parts. Features of other parts would be taken for theirs.
     fn named(&self, point: &RawPoint, parts: [u32; 2]) -> RawPoint {
         let mut named = *point;
@@ -62,6 +78,9 @@ pub(super) struct Patches {
     /// Which patches are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
+    /// The grid by which patches are culled, once there are too many, and by cell and direction the patch that is kept.
+    grid: Option<Grid>,
+    kept: Vec<u32>,
 }
 
 impl Patches {
@@ -69,6 +88,12 @@ impl Patches {
         self.list.clear();
         self.points.clear();
         self.pieces.clear();
+        self.grid = None;
+    }
+
+    /// Returns whether some patches were dropped because there were too many.
+    pub fn are_culled(&self) -> bool {
+        self.grid.is_some()
     }
 
     pub fn list(&self) -> &[Patch] {
@@ -87,24 +112,92 @@ impl Patches {
         &self.points[self.list[index].points.clone()]
     }
 
-    /// Adds what was found between two parts, in their frames. `false` if it is not usable.
-    pub fn add(&mut self, raw: &RawManifold, part1: &Part<'_>, part2: &Part<'_>) -> bool {
-        let range = self.points.len()..self.points.len();
-        let at = self.list.len();
-        let (parts, pieces) = ([part1.id, part2.id], 0..0);
-        self.list.push(Patch { parts, normal: Vector::ZERO, dist: 0.0, points: range, pieces });
-        let is_sound = self.replace(at, raw, part1, part2);
-        if !is_sound {
-            self.list.pop();
-        }
-        is_sound
+    /// Adds what was found between two parts, in their frames. Returns whether it is usable.
+    pub fn add(&mut self, pair: &ShapePair<'_>, raw: &RawManifold, parts: &[Part<'_>; 2]) -> bool {
+        self.add_on(pair, raw, parts, None)
     }
 
-    /// Says which pieces the floor consists of that a patch is on.
-    pub fn lay_floor(&mut self, index: usize, pieces: impl Iterator<Item = FlatShape>) {
+    /// Adds contacts with a [floor](super::floors) of this number, if it is one.
+    pub fn add_on(
+        &mut self,
+        pair: &ShapePair<'_>,
+        raw: &RawManifold,
+        [part1, part2]: &[Part<'_>; 2],
+        floor: Option<u32>,
+    ) -> bool {
+        let at = self.list.len();
+        self.list.push(Patch {
+            parts: [part1.id, part2.id],
+            normal: Vector::ZERO,
+            dist: 0.0,
+            points: 0..0,
+            floor,
+            pieces: 0..0,
+        });
+        if !self.replace(at, raw, part1, part2) {
+            self.list.pop();
+            return false;
+        }
+        if self.grid.is_some() {
+            self.cull_last();
+        } else if self.list.len() > PATCHES_MAX {
+            self.cull_all(pair);
+        }
+        true
+    }
+
+    /// Begins to cull: of all patches so far and to come, the deepest of each cell and direction stay.
+    fn cull_all(&mut self, pair: &ShapePair<'_>) {
+        let grid = Grid::between(pair);
+        self.kept.clear();
+        self.kept.resize(grid.len() * DIRECTIONS, NONE);
+        self.grid = Some(grid);
+        for patch in core::mem::take(&mut self.list) {
+            self.list.push(patch);
+            self.cull_last();
+        }
+    }
+
+    /// Keeps the last patch only if it is the deepest of its cell and direction.
+    fn cull_last(&mut self) {
+        let (Some(grid), Some(patch)) = (self.grid, self.list.pop()) else { return };
+        let points = &self.points[patch.points.clone()];
+        let deepest = points.iter().min_by(|a, b| a.dist.total_cmp(&b.dist));
+        let cell = deepest.map_or(0, |point| grid.cell(point.local_p1));
+        let kept = &mut self.kept[cell * DIRECTIONS + main_direction(patch.normal)];
+        if *kept == NONE {
+            *kept = self.list.len() as u32;
+            self.list.push(patch);
+        } else {
+            let other = &mut self.list[*kept as usize];
+            if patch.rank().is_before(&other.rank()) {
+                *other = patch;
+            }
+        }
+        if self.points.len() > POINTS_MAX {
+            self.drop_unused_points();
+        }
+    }
+
+    /// Drops the points of patches that are no more.
+    fn drop_unused_points(&mut self) {
+        let used: usize = self.list.iter().map(|patch| patch.points.len()).sum();
+        let mut points = Vec::with_capacity(2 * used);
+        for patch in &mut self.list {
+            let start = points.len();
+            points.extend_from_slice(&self.points[patch.points.clone()]);
+            patch.points = start..points.len();
+        }
+        self.points = points;
+    }
+
+    /// Stores the pieces of a floor for the patch that is on it, if that was not culled.
+    pub fn lay_floor(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
+        let on_floor = |patch: &&mut Patch| patch.floor == Some(floor);
+        let Some(patch) = self.list.iter_mut().find(on_floor) else { return };
         let start = self.pieces.len();
         self.pieces.extend(pieces);
-        self.list[index].pieces = start..self.pieces.len();
+        patch.pieces = start..self.pieces.len();
     }
 
     /// The pieces of the floor that a patch is on; none if it is on one part.

@@ -25,6 +25,8 @@ pub(super) struct Search<'a> {
     pub passing: &'a mut Nearby,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,
+    /// Is set if there are too many pairs of parts to visit all.
+    pub are_parts_culled: &'a mut bool,
 }
 
 /// The search for parts that are near each other.
@@ -55,16 +57,6 @@ impl Search<'_> {
         });
     }
 
-    fn visit_parts_of_both(&mut self) {
-        let ([parts1, parts2], prediction) = (self.parts, self.pair.prediction);
-        let pos21 = self.pair.pos12.inverse();
-        let near1 = Near::of(parts2.shape(), &self.pair.pos12, prediction);
-        parts1.for_each_part(&near1, &mut |part1| {
-            let near2 = Near::of(part1.shape, &(pos21 * part1.pose()), prediction);
-            parts2.for_each_part(&near2, &mut |part2| self.visit(part1, part2));
-        });
-    }
-
     /// Computes the contacts of two convex parts.
     pub(super) fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
         let pos12 = self.pose_of_parts(&part1, &part2);
@@ -73,7 +65,7 @@ impl Search<'_> {
         if let Some(gap) = part_manifold(&pos12, &parts, self.pair.prediction, self.raw) {
             self.distance = self.distance.min(gap);
             if !self.raw.points.is_empty() {
-                self.patches.add(self.raw, &part1, &part2);
+                self.patches.add(self.pair, self.raw, &parts);
             }
         }
     }

@@ -22,6 +22,9 @@ const STEPS_AHEAD: Real = 6.0;
 /// And for motion in other directions, as a share of its size.
 const MARGIN: Real = 0.05;
 
+/// Pieces of a surface times parts of a body, beyond which the pieces are found in the surface's tree.
+const LOOKS_MAX: usize = 1 << 20;
+
 /// Some flat parts: a bit for each of each block.
 pub(super) type Bits = SmallVec<[u32; 16]>;
 
@@ -32,8 +35,8 @@ pub(super) struct Sifted {
     pub side: usize,
     /// Those that are still to be looked at.
     pub left: Bits,
-    /// The pieces of floors, with the number of the floor's patch.
-    pub floors: Vec<(usize, Bits)>,
+    /// The pieces of floors, by the floor's number.
+    pub floors: Vec<Bits>,
     /// The axes of a block.
     axes: FlatAxes,
 }
@@ -76,6 +79,13 @@ impl Search<'_> {
         let kept = self.kept.take();
         let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
         look_up(&surface, &bounds, self.pair.motion_of(1 - side), place);
+        // Each part of the body looks through all that is kept.
+        if is_tree_quicker(place, &body) {
+            place.shrink();
+            passing.clear();
+            *self.passing = passing;
+            return false;
+        }
         let nearby = &*place;
         self.sifted.side = side;
         self.sifted.floors.clear();
@@ -178,9 +188,14 @@ impl Search<'_> {
             self.distance = self.distance.min(gap.max(0.0) * DISTANCE_SHARE);
         } else {
             self.distance = 0.0;
-            self.patches.add(raw, &parts[0], &parts[1]);
+            self.patches.add(self.pair, raw, &parts);
         }
     }
+}
+
+/// Returns whether the tree of a surface finds what is near the parts of a body sooner than a look at all pieces around the body.
+fn is_tree_quicker(nearby: &Nearby, body: &Parts<'_>) -> bool {
+    !body.is_convex() && nearby.len().saturating_mul(body.len()) > LOOKS_MAX
 }
 
 /// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there already.

@@ -46,10 +46,19 @@ pub struct CollisionDetectionCounters {
     pub narrow_phase_time: Timer,
     /// Number of pairs whose boxes overlap.
     pub ncontact_pairs: usize,
+    /// Number of pairs with a sensor whose boxes overlap.
+    pub nintersection_pairs: usize,
     /// Number of colliders that had more neighbours than
     /// [`max_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_neighbors_per_collider): some of them do
     /// without a contact.
     pub ncrowded: usize,
+    /// Number of colliders that overlapped more sensors, or as sensors more colliders, than
+    /// [`max_sensor_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_sensor_neighbors_per_collider): some of
+    /// these pairs are not reported.
+    pub ncrowded_sensors: usize,
+    /// Number of contact pairs, computed in this step, that touch in so many places that only the deepest contacts of each region
+    /// were kept: a body as large as the fine mesh that it lies on.
+    pub nculled_pairs: usize,
 }
 
 /// Times and numbers of the solver.

@@ -33,6 +33,7 @@ use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
+use broad_phase::NeighborLimits;
 use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
@@ -211,9 +212,10 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.collision_detection_time.resume();
     parts.counters.cd.broad_phase_time.resume();
     let (known, colliders) = (&*parts.narrow_phase, &*parts.colliders);
-    let tree = (&mut *parts.broad_phase, parts.params.max_neighbors_per_collider);
-    parts.counters.cd.ncrowded =
-        broad_phase::find_pairs(tasks, tree, colliders, known, broad_phase, pairs);
+    let tree = (&mut *parts.broad_phase, NeighborLimits::of(parts.params));
+    let crowded = broad_phase::find_pairs(tasks, tree, colliders, known, broad_phase, pairs);
+    parts.counters.cd.ncrowded = crowded.solids;
+    parts.counters.cd.ncrowded_sensors = crowded.sensors;
     let (mut structure, _) = parts.structure();
     structure.add_pairs(pairs);
     parts.counters.cd.broad_phase_time.pause();
@@ -229,9 +231,11 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
         hooks: parts.hooks,
         simd: *simd,
     };
-    narrow_phase::update(tasks, around, (contacts, intersections), narrow_phase, notes);
+    parts.counters.cd.nculled_pairs =
+        narrow_phase::update(tasks, around, (contacts, intersections), narrow_phase, notes);
     parts.counters.cd.narrow_phase_time.pause();
     parts.counters.cd.ncontact_pairs = parts.narrow_phase.contacts.len();
+    parts.counters.cd.nintersection_pairs = parts.narrow_phase.intersections.len();
     parts.counters.stages.collision_detection_time.pause();
 
     parts.counters.stages.island_construction_time.resume();

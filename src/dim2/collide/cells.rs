@@ -8,6 +8,11 @@ use parry::shape::{HeightField, Shape};
 /// Is called with a cell's number, its shape, and the normals that it may be hit along.
 pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstraints>) + 'a;
 
+/// Number of segments.
+pub fn cell_count(field: &HeightField) -> usize {
+    field.num_cells()
+}
+
 /// Calls `f` with the number, shape and normal constraints of each segment near `region`.
 pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>) {
     field.map_elements_in_local_aabb(region, &mut |id, segment| f(id, segment, None));

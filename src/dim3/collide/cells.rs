@@ -8,6 +8,11 @@ use parry::shape::{HeightField, HeightFieldFlags, Shape};
 /// Is called with a cell's number, its shape, and the normals that it may be hit along.
 pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstraints>) + 'a;
 
+/// Number of triangles.
+pub fn cell_count(field: &HeightField) -> usize {
+    2 * field.nrows() * field.ncols()
+}
+
 /// Calls `f` with the number, shape and normal constraints of each triangle near `region`.
 pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>) {
     field.map_elements_in_local_aabb(region, &mut |id, triangle| {

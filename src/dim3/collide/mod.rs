@@ -18,7 +18,7 @@ pub mod samples;
 
 pub use axes::{FlatAxes, Sieve, best_axis};
 pub use capsule_triangle::capsule_triangle;
-pub use cells::{for_each_cell, for_each_free_cell, has_free_cells, with_cell};
+pub use cells::{cell_count, for_each_cell, for_each_free_cell, has_free_cells, with_cell};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;

@@ -38,6 +38,11 @@ impl Nearby {
         self.region.contains(region)
     }
 
+    /// Number of pieces.
+    pub fn len(&self) -> usize {
+        self.ids.len()
+    }
+
     /// Forgets all pieces, as none are known any more.
     pub fn clear(&mut self) {
         self.region = Aabb::new_invalid();

@@ -42,6 +42,8 @@ pub struct BroadPhaseBvh {
     fixed_meet: bool,
     /// Has any collider ever been a sensor?
     has_sensors: bool,
+    /// One bit for each slot: is its collider a sensor?
+    sensor_bits: Vec<u64>,
     /// All memberships and wishes that colliders of these trees ever had, together.
     groups: Option<InteractionGroups>,
     #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
@@ -110,9 +112,11 @@ impl BroadPhaseBvh {
         self.sizes.get(slot as usize).copied().unwrap_or(0)
     }
 
-    /// Which of two colliders has to bear that they are a pair: the smaller one, and of equals the later one.
+    /// Returns whether a collider owns the pair with another: the smaller one does; of equals the one that is no sensor, or else the
+    /// later one.
     pub(crate) fn bears(&self, slot: u32, other_slot: u32) -> bool {
-        (self.size(slot), other_slot) < (self.size(other_slot), slot)
+        let order = |slot: u32, other: u32| (self.size(slot), self.is_sensor(slot), other);
+        order(slot, other_slot) < order(other_slot, slot)
     }
 
     /// Takes a collider out. Returns whether it was in.
@@ -164,6 +168,27 @@ impl BroadPhaseBvh {
         for slot in self.moved.drain(..) {
             self.moved_bits[slot as usize / 64] = 0;
         }
+    }
+
+    /// Notes whether the collider at a slot is a sensor.
+    fn note_sensor(&mut self, slot: u32, is_sensor: bool) {
+        self.has_sensors |= is_sensor;
+        let (word, bit) = (slot as usize / 64, 1_u64 << (slot % 64));
+        if !is_sensor {
+            self.sensor_bits.get_mut(word).into_iter().for_each(|word| *word &= !bit);
+            return;
+        }
+        if word >= self.sensor_bits.len() {
+            self.sensor_bits.resize(word + 1, 0);
+        }
+        self.sensor_bits[word] |= bit;
+    }
+
+    /// Returns whether the collider at a slot is a sensor.
+    #[inline]
+    pub(crate) fn is_sensor(&self, slot: u32) -> bool {
+        let word = self.sensor_bits.get(slot as usize / 64).copied().unwrap_or(0);
+        word & (1 << (slot % 64)) != 0
     }
 
     /// May any collider be a sensor?

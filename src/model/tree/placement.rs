@@ -28,7 +28,7 @@ impl BroadPhaseBvh {
 
     /// Takes in whom a collider may meet, so that no search is spared that might find somebody.
     pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
-        self.has_sensors |= collider.is_sensor();
+        self.note_sensor(collider.proxy.slot, collider.is_sensor());
         let groups = collider.collision_groups();
         self.groups = Some(self.groups.map_or(groups, |all| all.union(groups)));
         if kind_of(body) == TreeKind::Fixed {

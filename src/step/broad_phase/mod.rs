@@ -5,10 +5,12 @@
 //! Runs:    parallel over colliders that moved; the list is sorted by slots
 //! Never:   touches a collider that stayed in its enlarged box
 //!
-//! Of two colliders one *bears* the pair: the smaller one, and of equals the later one. Who bears a pair finds it when both
-//! moved, and may bear only so many with others of its size, and as many with larger ones
-//! (`IntegrationParameters::max_neighbors_per_collider`): thousands of bodies at one point would else be as many pairs as the square
-//! of their number. A platform under thousands of crates bears none of these pairs, so it never has to choose.
+//! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the later one. The owner finds
+//! the pair when both moved. The number of pairs that a collider owns is limited, with others of its size and with larger ones, and
+//! separately for pairs with sensors (`IntegrationParameters::max_neighbors_per_collider`,
+//! `IntegrationParameters::max_sensor_neighbors_per_collider`): the pairs of thousands of bodies at one point are the square
+//! of their number. A platform under thousands of crates owns none of these pairs, nor does a sensor that thousands of bodies of its size
+//! or smaller ones visit, so neither misses one.
 
 mod borne;
 mod search;
@@ -20,6 +22,7 @@ use crate::base::tasks::Tasks;
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::NarrowPhase;
 use crate::model::tree::BroadPhaseBvh;
+pub(crate) use search::NeighborLimits;
 use search::{Finds, Search};
 
 /// Colliders that are worth handing over to another thread together.
@@ -33,7 +36,17 @@ pub(crate) struct BroadPhaseScratch {
     /// One for each task that runs at the same time.
     finds: Pool<Finds>,
     late: Vec<u32>,
-    refused: Vec<u32>,
+    /// Colliders that own as many pairs as they may, of solids and with sensors.
+    refused: [Vec<u32>; 2],
+}
+
+/// How many colliders own as many pairs as they may, and overlap others besides.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Crowded {
+    /// Pairs of solid colliders.
+    pub solids: usize,
+    /// Pairs with sensors.
+    pub sensors: usize,
 }
 
 /// What is known of pairs before the search.
@@ -62,15 +75,15 @@ impl KnownPairs for NarrowPhase {
 /// are those that cannot interact: of the same body, of groups or kinds of bodies that do not meet.
 /// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
 ///
-/// Colliders that bear as many pairs as they may (`most`) look again in the next step. Returns how many these are.
+/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
-    (tree, most): (&mut BroadPhaseBvh, usize),
+    (tree, most): (&mut BroadPhaseBvh, NeighborLimits),
     colliders: &ColliderSet,
     known: &impl KnownPairs,
     scratch: &mut BroadPhaseScratch,
     out: &mut Vec<(ColliderHandle, ColliderHandle)>,
-) -> usize {
+) -> Crowded {
     let BroadPhaseScratch { finds, late, refused } = scratch;
     out.clear();
     late.clear();
@@ -81,21 +94,34 @@ pub(crate) fn find_pairs(
     late.sort_unstable();
     late.dedup();
     Search { only_borne: true, ..search }.run(tasks, late, finds);
-    let had_refused = !refused.is_empty();
-    refused.clear();
+    let had_refused = refused.each_ref().map(|list| !list.is_empty());
+    refused.iter_mut().for_each(Vec::clear);
     finds.for_each(|found| {
         out.append(&mut found.pairs);
-        refused.append(&mut found.refused);
+        for (all, some) in refused.iter_mut().zip(&mut found.refused) {
+            all.append(some);
+        }
     });
     out.sort_unstable();
-    refused.sort_unstable();
     tree.clear_moved();
-    refused.iter().for_each(|&slot| tree.mark_moved(slot));
+    for list in refused.iter_mut() {
+        list.sort_unstable();
+        // A collider may be crowded by its like and by larger ones.
+        list.dedup();
+        list.iter().for_each(|&slot| tree.mark_moved(slot));
+    }
+    let [solids, sensors] = &*refused;
+    warn(solids, had_refused[0], ("max_neighbors_per_collider", most.solids));
+    warn(sensors, had_refused[1], ("max_sensor_neighbors_per_collider", most.sensors));
+    Crowded { solids: solids.len(), sensors: sensors.len() }
+}
+
+/// Warns when colliders begin to have more neighbours than a parameter allows.
+fn warn(refused: &[u32], had_refused: bool, (parameter, most): (&str, usize)) {
     if let (Some(slot), false) = (refused.first(), had_refused) {
         let count = refused.len();
         log::warn!(
-            "{count} colliders (such as {slot}) have more than {most} neighbours that are not smaller: see `max_neighbors_per_collider`"
+            "{count} colliders (such as {slot}) have more than {most} neighbours that are not smaller: see `{parameter}`"
         );
     }
-    refused.len()
 }

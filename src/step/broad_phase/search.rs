@@ -7,6 +7,7 @@ use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::base::wide::prefetch;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
+use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
 /// What one thread found.
@@ -15,12 +16,56 @@ pub(super) struct Finds {
     pub pairs: Vec<HandlePair>,
     /// Colliders that did not move, and have so many pairs already that they must say themselves whether they bear more.
     pub late: Vec<u32>,
-    /// Colliders that would have to bear more pairs than they may.
-    pub refused: Vec<u32>,
-    /// The pairs that one collider would have to bear: with larger ones, and with those of its size.
-    borne: [Borne; 2],
+    /// Colliders that would own more pairs than they may: of solids, and with sensors.
+    pub refused: [Vec<u32>; 2],
+    /// The pairs that one collider would own, by [`Kind`].
+    borne: [Borne; Kind::ALL.len()],
     /// Who has a pair with it already.
     known: Marks,
+}
+
+/// Pairs that are counted together.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+struct Kind {
+    /// Is one of the two a sensor?
+    is_sensed: bool,
+    /// Are the two of one size? Else the other one is larger than the owner.
+    is_alike: bool,
+}
+
+impl Kind {
+    const ALL: [Self; 4] = [
+        Self { is_sensed: false, is_alike: false },
+        Self { is_sensed: false, is_alike: true },
+        Self { is_sensed: true, is_alike: false },
+        Self { is_sensed: true, is_alike: true },
+    ];
+
+    fn index(self) -> usize {
+        2 * usize::from(self.is_sensed) + usize::from(self.is_alike)
+    }
+}
+
+/// Most pairs of each kind that a collider owns.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct NeighborLimits {
+    /// Of solid colliders.
+    pub solids: usize,
+    /// With a sensor.
+    pub sensors: usize,
+}
+
+impl NeighborLimits {
+    pub fn of(params: &IntegrationParameters) -> Self {
+        Self {
+            solids: params.max_neighbors_per_collider,
+            sensors: params.max_sensor_neighbors_per_collider,
+        }
+    }
+
+    fn of_kind(self, kind: Kind) -> usize {
+        if kind.is_sensed { self.sensors } else { self.solids }
+    }
 }
 
 /// Where to look, and for what.
@@ -28,8 +73,7 @@ pub(super) struct Search<'a, K> {
     pub tree: &'a BroadPhaseBvh,
     pub colliders: &'a ColliderSet,
     pub known: &'a K,
-    /// How many pairs a collider bears.
-    pub most: usize,
+    pub most: NeighborLimits,
     /// Look only for pairs that the collider who looks would have to bear?
     pub only_borne: bool,
 }
@@ -73,7 +117,9 @@ impl<K: KnownPairs> Search<'_, K> {
 
     /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
     fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
-        found.borne.iter_mut().for_each(|borne| borne.clear(self.most));
+        for kind in Kind::ALL {
+            found.borne[kind.index()].clear(self.most.of_kind(kind));
+        }
         found.known.clear();
         let partners = self.known.partners(seeker.slot);
         let all = partners.iter().chain(self.known.sensed(seeker.slot));
@@ -90,18 +136,28 @@ impl<K: KnownPairs> Search<'_, K> {
                 }
             });
         }
-        let mut is_crowded = false;
-        for (is_alike, borne) in [false, true].into_iter().zip(&mut found.borne) {
-            let mut places = self.most;
-            if borne.len() > 0 && partners.len() + borne.len() > self.most {
-                places -= self.count_borne(seeker.slot, is_alike).min(places);
-            }
-            is_crowded |= borne.len() > places;
-            found.pairs.extend(borne.nearest(places));
+        Kind::ALL.into_iter().for_each(|kind| self.take_nearest(seeker.slot, kind, found));
+    }
+
+    /// Adds the pairs of a kind that a collider owns, as many as there are places for.
+    fn take_nearest(&self, slot: u32, kind: Kind, found: &mut Finds) {
+        let borne = &mut found.borne[kind.index()];
+        if borne.len() == 0 {
+            return;
         }
-        if is_crowded {
-            found.refused.push(seeker.slot);
+        let mut places = self.most.of_kind(kind);
+        if self.partners(slot, kind.is_sensed).len() + borne.len() > places {
+            places -= self.count_borne(slot, kind).min(places);
         }
+        if borne.len() > places {
+            found.refused[usize::from(kind.is_sensed)].push(slot);
+        }
+        found.pairs.extend(borne.nearest(places));
+    }
+
+    /// The slots of the colliders that have pairs with one: as solids, or because of a sensor.
+    fn partners(&self, slot: u32, is_sensed: bool) -> &[u32] {
+        if is_sensed { self.known.sensed(slot) } else { self.known.partners(slot) }
     }
 
     /// Adds a new pair with the collider at another slot, if the two are to be one.
@@ -113,11 +169,10 @@ impl<K: KnownPairs> Search<'_, K> {
         if !bears && (self.only_borne || self.tree.is_moved(other_slot)) {
             return;
         }
-        let borne = &mut found.borne[usize::from(self.are_alike(slot, other_slot))];
+        let kind = self.kind_of(slot, other_slot);
+        let borne = &mut found.borne[kind.index()];
         let remoteness = slot.abs_diff(other_slot);
-        // Pairs with sensors are not counted, and must not be left out.
-        let may_leave_out = is_movable && !self.tree.has_sensors();
-        if bears && may_leave_out && borne.leaves_out(remoteness) {
+        if bears && is_movable && borne.leaves_out(remoteness) {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
@@ -125,35 +180,37 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
-        let is_counted = is_movable && !collider.is_sensor() && !other.is_sensor();
-        if self.only_borne && !is_counted {
+        if self.only_borne && !is_movable {
             // What is new here has moved, and has found the pair in the first search.
             return;
         }
-        if is_counted && bears {
+        if is_movable && bears {
             borne.push(remoteness, pair);
-        } else if is_counted && self.known.partners(other_slot).len() >= self.most {
+        } else if is_movable
+            && self.partners(other_slot, kind.is_sensed).len() >= self.most.of_kind(kind)
+        {
             found.late.push(other_slot);
         } else {
             found.pairs.push(pair);
         }
     }
 
-    fn are_alike(&self, slot: u32, other_slot: u32) -> bool {
-        self.tree.size(slot) == self.tree.size(other_slot)
+    fn kind_of(&self, slot: u32, other_slot: u32) -> Kind {
+        let is_sensed = self.tree.is_sensor(slot) || self.tree.is_sensor(other_slot);
+        Kind { is_sensed, is_alike: self.tree.size(slot) == self.tree.size(other_slot) }
     }
 
-    /// How many pairs of one kind the collider at a slot bears already.
-    fn count_borne(&self, slot: u32, alike: bool) -> usize {
+    /// How many pairs of one kind the collider at a slot owns already.
+    fn count_borne(&self, slot: u32, kind: Kind) -> usize {
         let is_movable = |other: u32| {
             let other = self.colliders.at_slot(other);
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
         let borne = |&other: &u32| {
             self.tree.bears(slot, other)
-                && self.are_alike(slot, other) == alike
+                && self.kind_of(slot, other) == kind
                 && is_movable(other)
         };
-        self.known.partners(slot).iter().copied().filter(borne).count()
+        self.partners(slot, kind.is_sensed).iter().copied().filter(borne).count()
     }
 }

@@ -1,6 +1,6 @@
 //! Tests of pair finding.
 
-use super::{BroadPhaseScratch, KnownPairs, find_pairs};
+use super::{BroadPhaseScratch, Crowded, KnownPairs, NeighborLimits, find_pairs};
 use crate::base::random::Random;
 use crate::base::tasks::Tasks;
 use crate::dim::collide::samples;
@@ -26,7 +26,7 @@ struct Boxes {
     params: IntegrationParameters,
     known: BTreeSet<(u32, u32)>,
     /// How many colliders had too many neighbours.
-    crowded: usize,
+    crowded: Crowded,
 }
 
 /// By slot, with whom it has a pair.
@@ -96,7 +96,7 @@ impl Boxes {
     fn find(&mut self) -> Vec<Pair> {
         let mut found = Vec::new();
         let (known, scratch) = (&Partners::of(&self.known), &mut BroadPhaseScratch::default());
-        let tree = (&mut self.tree, self.params.max_neighbors_per_collider);
+        let tree = (&mut self.tree, NeighborLimits::of(&self.params));
         self.crowded = Tasks::open(|tasks| {
             find_pairs(tasks, tree, &self.colliders, known, scratch, &mut found)
         });
@@ -255,7 +255,7 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
         })
         .collect();
     let found = boxes.find();
-    assert_eq!(boxes.crowded, 100 - 1 - MOST);
+    assert_eq!(boxes.crowded.solids, 100 - 1 - MOST);
     for (k, &cube) in cubes.iter().enumerate() {
         assert!(found.contains(&(ground, cube)), "the ground is not counted");
         let borne = found.iter().filter(|&&(low, high)| high == cube && low != ground);
@@ -263,7 +263,7 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
         assert!(borne.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
     }
     assert_eq!(boxes.find(), [], "nothing new");
-    assert_eq!(boxes.crowded, 100 - 1 - MOST, "but they looked");
+    assert_eq!(boxes.crowded.solids, 100 - 1 - MOST, "but they looked");
     // Two that one of them bore are gone: it takes the next nearest.
     let last = cubes[99];
     for gone in [cubes[98], cubes[97]] {

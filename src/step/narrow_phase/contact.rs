@@ -251,9 +251,10 @@ impl ContactPair {
         (view, place): (&PairView<'_>, &Place<'_>),
         worker: &mut Worker,
     ) -> Real {
-        let Worker { scratch, fresh, faults, .. } = worker;
+        let Worker { scratch, fresh, faults, culled, .. } = worker;
         let (old, colliders) = (&self.manifolds, [self.collider1, self.collider2]);
         let distance = compute_manifolds(pair, old, Some(&mut self.nearby), scratch, fresh);
+        culled.extend(scratch.is_culled().then_some(colliders));
         inherit_impulses(fresh, old);
         for manifold in fresh.iter_mut() {
             let fault = complete(manifold, colliders, view, place);

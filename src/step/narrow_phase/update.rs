@@ -58,6 +58,31 @@ pub(crate) struct NarrowPhaseScratch {
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
     seams: SeamScratch,
+    culled: Culled,
+}
+
+/// Pairs that touch in so many places that only some contacts were taken.
+#[derive(Default)]
+struct Culled {
+    pairs: Vec<[ColliderHandle; 2]>,
+    /// Has the log been told?
+    has_warned: bool,
+}
+
+impl Culled {
+    /// Collects the pairs from all workers. A pair that was computed twice counts once.
+    fn gather(&mut self, workers: &mut Pool<Worker>) {
+        self.pairs.clear();
+        workers.for_each(|worker| self.pairs.append(&mut worker.culled));
+        self.pairs.sort_unstable();
+        self.pairs.dedup();
+        if let (Some([one, two]), false) = (self.pairs.first(), self.has_warned) {
+            self.has_warned = true;
+            log::warn!(
+                "colliders {one:?} and {two:?} touch in thousands of places: the deepest contacts of each region are kept                  (`counters.cd.nculled_pairs` counts such pairs)"
+            );
+        }
+    }
 }
 
 /// A pair that changed, after the slots of its colliders.
@@ -72,6 +97,8 @@ pub(super) struct Worker {
     pub faults: Vec<([ColliderHandle; 2], QuarantineCause)>,
     /// Bodies that are deep in something.
     pub pressed: Vec<RigidBodyHandle>,
+    /// Pairs that touch in so many places that only some were taken.
+    pub culled: Vec<[ColliderHandle; 2]>,
 }
 
 /// What a look at one pair found.
@@ -97,14 +124,14 @@ impl Outcome {
     pub const APART: Self = Self { change: Some(PairChange::Apart), ..Self::unchanged(DUE, false) };
 }
 
-/// Brings all awake pairs up to date.
+/// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that only some were taken.
 pub(crate) fn update(
     tasks: Tasks<'_>,
     around: Surroundings<'_>,
     (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
-) {
+) -> usize {
     let look = AssertUnwindSafe(|| {
         update_store(tasks, around, contacts, scratch, &mut notes.contacts);
         update_store(tasks, around, intersections, scratch, &mut notes.intersections);
@@ -112,6 +139,7 @@ pub(crate) fn update(
     let looked = catch_unwind(look);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
     scratch.workers.for_each(|worker| notes.pressed.append(&mut worker.pressed));
+    scratch.culled.gather(&mut scratch.workers);
     if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
         contacts.invalidate_all();
@@ -119,6 +147,7 @@ pub(crate) fn update(
         intersections.invalidate_all();
         resume_unwind(panic);
     }
+    scratch.culled.pairs.len()
 }
 
 /// A kind of pair, and how it is computed.
@@ -150,8 +179,16 @@ fn update_store<P: Update>(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
 ) {
-    let NarrowPhaseScratch { due, gather_due, outcomes, changes, gather_changes, workers, seams } =
-        scratch;
+    let NarrowPhaseScratch {
+        due,
+        gather_due,
+        outcomes,
+        changes,
+        gather_changes,
+        workers,
+        seams,
+        ..
+    } = scratch;
     list_due(tasks, around, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
