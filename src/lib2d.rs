@@ -48,6 +48,9 @@ pub extern crate parry2d_f64 as parry;
 #[cfg(not(feature = "parry2d-f64"))]
 pub use ::parry;
 
+/// The vectors and poses under `Vector` and `Pose`, from the crate that the geometry library uses.
+pub use self::parry::glamx;
+
 mod dim2;
 use dim2 as dim; // the one line that decides the dimension
 

@@ -48,6 +48,9 @@ pub extern crate parry3d_f64 as parry;
 #[cfg(not(feature = "parry3d-f64"))]
 pub use ::parry;
 
+/// The vectors and poses under `Vector` and `Pose`, from the crate that the geometry library uses.
+pub use self::parry::glamx;
+
 mod dim3;
 use dim3 as dim; // the one line that decides the dimension
 

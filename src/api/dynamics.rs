@@ -10,7 +10,7 @@ pub use crate::model::body::{
 pub use crate::model::collider::CoefficientCombineRule;
 pub use crate::model::island::IslandManager;
 pub use crate::model::joint::{
-    FixedJoint, FixedJointBuilder, GenericJoint, GenericJointBuilder, ImpulseJoint,
+    BodyPair, FixedJoint, FixedJointBuilder, GenericJoint, GenericJointBuilder, ImpulseJoint,
     ImpulseJointHandle, ImpulseJointSet, InvalidJoint, JointEnabled, JointLimits, JointMotor,
     MotorModel, PrismaticJoint, PrismaticJointBuilder, RevoluteJoint, RevoluteJointBuilder,
     RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint, SpringJointBuilder,

@@ -12,7 +12,7 @@ pub use crate::model::contact::{
 // The one glob of the house: the two dimensions list different names there.
 pub use crate::dim::names::*;
 pub use crate::model::event::{CollisionEvent, CollisionEventFlags, ContactForceEvent};
-pub use crate::model::tree::BroadPhaseBvh;
+pub use crate::model::tree::{BroadPhaseBvh, DefaultBroadPhase};
 pub use parry::bounding_volume::{Aabb, BoundingSphere, BoundingVolume};
 pub use parry::query::{
     PointProjection, PointQuery, PointQueryWithLocation, Ray, RayCast, RayIntersection,

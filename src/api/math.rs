@@ -3,7 +3,14 @@
 pub use crate::dim::math::{
     ANG_DIM, AngVector, AngularInertia, DIM, Int, Isometry, MAX_MANIFOLD_POINTS, Matrix,
     Orientation, Point, Pose, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
+    rotation_from_angle,
 };
+// The mathematics under `Vector` and `Pose`: programs that name a dimension name these.
+pub use parry::glamx;
+pub use parry::math::{IVector, Mat2, Mat3, Pose2, Pose3, Rot2, Rot3, Vec2, Vec3};
+
+/// The Jacobian of a link of a multibody: by degree of freedom the velocity that it gives the link at the rate 1.
+pub type Jacobian = Vec<SpatialVector>;
 
 /// The components of a vector as a slice.
 pub trait AsSlice {

@@ -9,6 +9,9 @@ use parry::shape::ConvexPolygon;
 /// What convex hulls are.
 pub type ConvexShape = ConvexPolygon;
 
+/// Why points have no hull.
+pub const FLAT: &str = "its points lie on a line, or too close to one";
+
 /// A corner this close to the line through its neighbours, in parts of the size, is none.
 const FLATNESS: Real = 1.0e-5;
 /// A polygon with a smaller area than this, in parts of the squared size, has none.

@@ -9,6 +9,26 @@ pub fn no_mass() -> MassProperties {
     MassProperties { local_com: Vector::ZERO, inv_mass: 0.0, inv_principal_inertia: 0.0 }
 }
 
+/// Second moments of a mass about a point: in the plane their trace `∫ r² dm` is all that matters.
+pub type SecondMoment = Real;
+
+/// The second moment of a unit mass at `r`.
+pub fn second_moment(r: Vector) -> SecondMoment {
+    r.length_squared()
+}
+
+/// The sum of `moment` and a spherical distribution with `fraction` of its trace along each axis.
+pub fn thickened(moment: SecondMoment, fraction: Real) -> SecondMoment {
+    moment * (1.0 + 2.0 * fraction)
+}
+
+/// Mass properties from a mass, its centre, and its second moments about the centre.
+///
+/// The inertia is their trace.
+pub fn mass_from_moments(com: Vector, mass: Real, second: SecondMoment) -> MassProperties {
+    MassProperties::new(com, mass, second.max(0.0))
+}
+
 /// Are all values finite, also those that stand here as their inverse, and none negative where that would
 /// be impossible?
 pub fn mass_is_valid(mass: &MassProperties) -> bool {

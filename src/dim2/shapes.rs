@@ -26,6 +26,38 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     }
 }
 
+/// A polygon with a smaller area than this, as a fraction of its squared size, has none.
+const AREA_MIN: Real = 1.0e-6;
+
+/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {
+    let polygon = match shape {
+        TypedShape::ConvexPolygon(polygon) => polygon,
+        TypedShape::RoundConvexPolygon(round) => &round.inner_shape,
+        _ => return None,
+    };
+    let points = polygon.points();
+    let origin = *points.first()?;
+    let fan = points.windows(2).map(|side| (side[0] - origin).perp_dot(side[1] - origin));
+    let (area, size) = (0.5 * fan.sum::<Real>(), farthest_point(points, origin));
+    let least = AREA_MIN * size * size;
+    let reason = if area < -least {
+        "its corners run clockwise"
+    } else if area < least {
+        "its corners lie on a line"
+    } else {
+        return None;
+    };
+    Some(("convex polygon", reason))
+}
+
+/// The surface of this dimension's shapes without volume, as elements with the given corners.
+pub fn for_each_element(shape: TypedShape<'_>, mut visit: impl FnMut(&[Vector])) {
+    if let TypedShape::HeightField(field) = shape {
+        field.segments().for_each(|segment| visit(&[segment.a, segment.b]));
+    }
+}
+
 /// Largest distance from `center` to any point of the shape, exactly, for those of this dimension's
 /// shapes where that is easy.
 pub fn farthest(shape: TypedShape<'_>, center: Vector) -> Option<Real> {

@@ -15,6 +15,9 @@ use parry::utils::remove_unused_points;
 /// What convex hulls are.
 pub type ConvexShape = ConvexPolyhedron;
 
+/// Why points have no hull.
+pub const FLAT: &str = "its points lie in a plane, or too close to one";
+
 /// Points whose box is thinner than this, in parts of its length, span no volume.
 const THINNESS: Real = 1.0e-6;
 /// A polyhedron with a smaller volume than this, in parts of its box, has none.

@@ -23,6 +23,31 @@ pub fn no_mass() -> MassProperties {
     }
 }
 
+/// Second moments of a mass about a point: the tensor `∫ r rᵀ dm`.
+pub type SecondMoment = Matrix;
+
+/// The second moment of a unit mass at `r`.
+pub fn second_moment(r: Vector) -> SecondMoment {
+    Matrix::from_cols(r * r.x, r * r.y, r * r.z)
+}
+
+/// The sum of `moment` and a spherical distribution with `fraction` of its trace along each axis.
+pub fn thickened(moment: SecondMoment, fraction: Real) -> SecondMoment {
+    let trace = moment.x_axis.x + moment.y_axis.y + moment.z_axis.z;
+    moment + Matrix::from_diagonal(Vector::splat(fraction * trace))
+}
+
+/// Mass properties from a mass, its centre, and its second moments about the centre.
+///
+/// The inertia tensor is `tr(S) 1 − S`.
+pub fn mass_from_moments(com: Vector, mass: Real, second: SecondMoment) -> MassProperties {
+    let trace = second.x_axis.x + second.y_axis.y + second.z_axis.z;
+    let inertia = Matrix::from_diagonal(Vector::splat(trace)) - second;
+    let (moments, axes) = principal_axes(inertia);
+    let frame = Rotation::from_mat3(&axes).normalize();
+    MassProperties::with_principal_inertia_frame(com, mass, moments.max(Vector::ZERO), frame)
+}
+
 /// Are all values finite, also those that stand here as their inverse, and none negative where that would
 /// be impossible?
 pub fn mass_is_valid(mass: &MassProperties) -> bool {

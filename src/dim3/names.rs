@@ -5,3 +5,5 @@ pub use parry::shape::{
     HeightFieldRadialTriangles, RoundCone, RoundConvexPolyhedron, RoundCylinder, Tetrahedron,
     TetrahedronPointLocation,
 };
+// Height fields take their heights in it.
+pub use parry::utils::Array2;

@@ -1,12 +1,17 @@
 //! What the shapes are made of that only three dimensions have, and how their mass is spread.
 
-use super::mass::{no_mass, principal_axes};
+use super::mass::{mass_from_moments, no_mass, principal_axes, second_moment};
 use super::math::{Matrix, Real, Rotation, Vector};
 use crate::base::measure::Measure;
 use parry::mass_properties::MassProperties;
 use parry::shape::{ConvexPolyhedron, Cylinder, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
+
+/// A volume below this fraction of the products of edges that it is the sum of is rounding: a flat surface.
+const ROUNDING: Real = 4.0 * Real::EPSILON;
+/// The centre of a polyhedron may lie this far outside the plane of a face, as a fraction of its size.
+const INVERSION_TOLERANCE: Real = 1.0e-3;
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
 /// for the others.
@@ -38,6 +43,65 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     };
     inner.push(Margin("border_radius", border));
     inner
+}
+
+/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+///
+/// Two faces back to back are a plate, which collides on both sides.
+pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {
+    let solid = match shape {
+        TypedShape::ConvexPolyhedron(solid) => solid,
+        TypedShape::RoundConvexPolyhedron(round) => &round.inner_shape,
+        _ => return None,
+    };
+    let points = solid.points();
+    let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
+    let tolerance = INVERSION_TOLERANCE * farthest_point(points, center);
+    let is_inverted = solid.faces().iter().any(|face| {
+        let corner = solid.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
+        face.normal.dot(center - points[corner as usize]) > tolerance
+    });
+    if solid.faces().len() < 2 {
+        Some(("convex polyhedron", "its corners lie on a line, or its faces have no area"))
+    } else if is_inverted {
+        Some(("convex polyhedron", "a face points toward the inside"))
+    } else {
+        None
+    }
+}
+
+/// The surface of this dimension's shapes without volume, as elements with the given corners.
+pub fn for_each_element(shape: TypedShape<'_>, mut visit: impl FnMut(&[Vector])) {
+    let mut triangle = |corners: [Vector; 3]| visit(&corners);
+    match shape {
+        TypedShape::HeightField(field) => {
+            field.triangles().for_each(|t| triangle([t.a, t.b, t.c]));
+        }
+        TypedShape::TriMesh(mesh) => mesh.triangles().for_each(|t| triangle([t.a, t.b, t.c])),
+        TypedShape::Triangle(t) => triangle([t.a, t.b, t.c]),
+        TypedShape::RoundTriangle(t) => {
+            let t = &t.inner_shape;
+            triangle([t.a, t.b, t.c]);
+        }
+        TypedShape::ConvexPolyhedron(solid) => for_each_triangle_of_plate(solid, triangle),
+        TypedShape::RoundConvexPolyhedron(round) => {
+            for_each_triangle_of_plate(&round.inner_shape, triangle);
+        }
+        _ => {}
+    }
+}
+
+/// The triangles of one side of a hull without volume.
+fn for_each_triangle_of_plate(plate: &ConvexPolyhedron, mut visit: impl FnMut([Vector; 3])) {
+    let Some(first) = plate.faces().first() else { return };
+    for face in plate.faces().iter().filter(|face| face.normal.dot(first.normal) > 0.0) {
+        let start = face.first_vertex_or_edge as usize;
+        let corners = start..start + face.num_vertices_or_edges as usize;
+        let corners = &plate.vertices_adj_to_face()[corners];
+        for pair in corners[1..].windows(2) {
+            visit([corners[0], pair[0], pair[1]].map(|i| plate.points()[i as usize]));
+        }
+    }
 }
 
 /// Largest distance from `center` to any point of the shape, exactly, for those of this dimension's
@@ -104,28 +168,24 @@ pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassPrope
 fn mass_inside(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
     let Some(&tip) = vertices.first() else { return no_mass() };
     let (mut volume, mut moment, mut second) = (0.0, Vector::ZERO, Matrix::ZERO);
-    let outer = |v: Vector| Matrix::from_cols(v * v.x, v * v.y, v * v.z);
+    let mut magnitude = 0.0;
     for triangle in triangles {
         let [a, b, c] = triangle.map(|i| vertices[i as usize] - tip);
         let sum = a + b + c;
         let part = a.dot(b.cross(c)) / 6.0;
         volume += part;
+        magnitude += a.length() * b.length() * c.length();
         moment += sum * (part / 4.0);
-        second += (outer(a) + outer(b) + outer(c) + outer(sum)) * (part / 20.0);
+        second += [a, b, c, sum].map(second_moment).into_iter().sum::<Matrix>() * (part / 20.0);
     }
     let mass = volume.abs() * density;
-    if mass <= 0.0 {
+    if mass <= 0.0 || volume.abs() <= ROUNDING * magnitude {
         return no_mass();
     }
     let com = moment / volume;
     // About the centre of mass (parallel axes), and positive for either winding.
-    let second = (second - outer(com) * volume) * (density * volume.signum());
-    let trace = second.x_axis.x + second.y_axis.y + second.z_axis.z;
-    let inertia = Matrix::from_diagonal(Vector::splat(trace)) - second;
-    let (moments, axes) = principal_axes(inertia);
-    let frame = Rotation::from_mat3(&axes).normalize();
-    let moments = moments.max(Vector::ZERO);
-    MassProperties::with_principal_inertia_frame(tip + com, mass, moments, frame)
+    let second = (second - second_moment(com) * volume) * (density * volume.signum());
+    mass_from_moments(tip + com, mass, second)
 }
 
 /// The surface of what triangles cover, as parry's convex decomposition wants it: in 3D they are it.
@@ -136,8 +196,7 @@ pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
 /// A rotation to the directions in which some points, not none, are spread out most and least.
 pub fn spread_directions(points: &[Vector]) -> Rotation {
     let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
-    let outer = |v: Vector| Matrix::from_cols(v * v.x, v * v.y, v * v.z);
-    let spread = points.iter().fold(Matrix::ZERO, |sum, p| sum + outer(*p - center));
+    let spread = points.iter().fold(Matrix::ZERO, |sum, p| sum + second_moment(*p - center));
     Rotation::from_mat3(&principal_axes(spread).1).normalize()
 }
 

@@ -55,9 +55,12 @@ impl<'a> QueryView<'a> {
 
     /// The first collider that a shape meets on its way at constant velocity, without turning.
     ///
-    /// A shape of no velocity meets nothing: [`Self::intersect_shape`] says what it touches. Times are in units of `shape_vel`; `options` says how long the way is, at which distance the shape stops, and
-    /// what a shape does that begins inside of a collider. In the hit, the first point and normal are in the frame of the
-    /// shape, the second in that of the collider.
+    /// A shape without velocity hits nothing: [`Self::intersect_shape`] returns what it touches. Times are in units of
+    /// `shape_vel`. `options` holds the largest time, the distance at which the shape stops, and whether a shape that begins
+    /// inside a collider hits it.
+    ///
+    /// Side 1 of the hit is the collider, in world space: `witness1` is the point on it, `normal1` its outward normal. Side 2
+    /// is the cast shape, in its own frame.
     pub fn cast_shape(
         &self,
         shape_pos: &Pose,
@@ -86,14 +89,15 @@ impl<'a> QueryView<'a> {
             }
             let cast = || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
             let hit = guarded(cast)?.ok()??;
-            Some((hit.time_of_impact, hit))
+            Some((hit.time_of_impact, collider_first(hit, collider)))
         })
     }
 
-    /// The first collider that a shape meets between two times of a motion that turns.
+    /// The first collider that a shape meets between two times of a motion with rotation.
     ///
-    /// With `stop_at_penetration`, a shape that begins inside of a collider meets it at once; without, only if it
-    /// goes deeper.
+    /// With `stop_at_penetration`, a shape that begins inside a collider hits it at once; without, only if it
+    /// goes deeper. The sides of the hit are those of [`Self::cast_shape`]; side 2 is in the frame that the shape has at the
+    /// time of impact.
     pub fn cast_shape_nonlinear(
         &self,
         shape_motion: &NonlinearRigidMotion,
@@ -117,9 +121,14 @@ impl<'a> QueryView<'a> {
                 )
             };
             let hit = guarded(cast)?.ok()??;
-            Some((hit.time_of_impact, hit))
+            Some((hit.time_of_impact, collider_first(hit, collider)))
         })
     }
+}
+
+/// The hit of a cast shape (side 1) on a collider (side 2, in its frame) with the collider as side 1, in world space.
+fn collider_first(hit: ShapeCastHit, collider: &Collider) -> ShapeCastHit {
+    hit.swapped().transform1_by(collider.position())
 }
 
 /// A box that the shape stays within between the two times; `None` if that makes no sense.

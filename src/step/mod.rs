@@ -101,7 +101,7 @@ fn step_with(
     scratch.notes.events.splice(..0, parted);
     let dt = if moved.is_some() { parts.params.dt } else { 0.0 };
     panic.join(moved.unwrap_or_default());
-    report(&parts, scratch, dt, &mut panic);
+    report(&mut parts, scratch, dt, &mut panic);
     parts.islands.stamp = stamp;
     parts.counters.step_time.pause();
     panic.release();
@@ -187,7 +187,7 @@ pub(crate) fn detect_collisions(
         parts.islands.forget_motion();
         parts.narrow_phase.forget_step_impulses();
     }
-    report(&parts, scratch, 0.0, &mut panic);
+    report(&mut parts, scratch, 0.0, &mut panic);
     parts.islands.stamp = stamp;
     parts.counters.step_time.pause();
     panic.release();
@@ -327,7 +327,7 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
 }
 
 /// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
-fn report(parts: &StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mut HeldPanic) {
+fn report(parts: &mut StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mut HeldPanic) {
     scratch.notes.order_events();
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
     events::report((bodies, colliders, narrow_phase), &scratch.notes, dt, *events, panic);

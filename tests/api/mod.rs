@@ -13,5 +13,6 @@ mod filters;
 mod forces;
 mod hooks;
 mod late;
+mod names;
 mod sensors;
 mod worlds;

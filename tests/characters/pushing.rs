@@ -76,8 +76,9 @@ fn collisions_are_reported() {
     let left = collision.translation_remaining.x + collision.translation_applied.x;
     assert!((left - wish.x).abs() < 1.0e-3, "{collision:?}");
     assert!((collision.point().x - (movement.translation.x + CAPSULE.1)).abs() < OFFSET);
-    let on_wall = walker.world.colliders[wall].position() * collision.hit.witness2;
+    let on_wall = collision.hit.witness1;
     assert!((on_wall.x - 1.0).abs() < OFFSET, "{on_wall}");
+    assert_eq!(collision.hit.normal1, collision.normal());
 }
 
 #[test]

@@ -223,3 +223,52 @@ pub fn huge_shapes() -> Vec<ColliderBuilder> {
         ColliderBuilder::ball(1.0e7).translation(vector![0.0, -1.0e7]),
     ]
 }
+
+/// A shape without area: its name, the shape, and its length.
+pub type Weightless = (&'static str, ColliderBuilder, Real);
+
+/// Shapes to which a density gives no mass, about as large as `size` and turned by `angle`.
+pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
+    let turn = Rotation::new(angle);
+    let place = |x: Real, y: Real| turn * (vector![x, y] * size);
+    let corner = vec![place(-1.0, 0.0), place(0.0, 1.0), place(1.0, 0.0)];
+    let diagonal = Real::sqrt(2.0) * size;
+    vec![
+        ("segment", ColliderBuilder::segment(corner[0], corner[2]), 2.0 * size),
+        ("polyline", ColliderBuilder::polyline(corner.clone(), None), 2.0 * diagonal),
+        (
+            "closed polyline",
+            ColliderBuilder::polyline(corner.clone(), Some(vec![[0, 1], [1, 2], [2, 0]])),
+            2.0 * diagonal + 2.0 * size,
+        ),
+        (
+            "compound of segments",
+            ColliderBuilder::compound(vec![
+                (Pose::IDENTITY, SharedShape::segment(corner[0], corner[1])),
+                (Pose::IDENTITY, SharedShape::segment(corner[1], corner[2])),
+            ]),
+            2.0 * diagonal,
+        ),
+    ]
+}
+
+/// Shapes from parry's constructors that cannot collide, and a word that says why.
+pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)> {
+    let square = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(Vector::from_array);
+    let line: Vec<Vector> = (0..4).map(|i| Vector::ONE * i as Real).collect();
+    vec![
+        (
+            "clockwise polygon",
+            "clockwise",
+            SharedShape::convex_polyline_unmodified(square.to_vec()),
+        ),
+        ("polygon on a line", "line", SharedShape::convex_polyline_unmodified(line.clone())),
+        (
+            "round polygon on a line",
+            "line",
+            ConvexPolygon::from_convex_polyline_unmodified(line).map(|polygon| {
+                SharedShape::new(RoundShape { inner_shape: polygon, border_radius: 0.1 })
+            }),
+        ),
+    ]
+}

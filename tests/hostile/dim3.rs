@@ -265,3 +265,53 @@ pub fn huge_shapes() -> Vec<ColliderBuilder> {
         ColliderBuilder::ball(1.0e7).translation(vector![0.0, -1.0e7, 0.0]),
     ]
 }
+
+/// A shape without volume: its name, the shape, and its area or length.
+pub type Weightless = (&'static str, ColliderBuilder, Real);
+
+/// Shapes to which a density gives no mass, about as large as `size` and turned by `angle`.
+pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
+    let turn = Rotation::from_scaled_axis(vector![angle, 0.3 * angle, -angle]);
+    let place = |x: Real, z: Real| turn * (vector![x, 0.0, z] * size);
+    let square = vec![place(-1.0, -1.0), place(-1.0, 1.0), place(1.0, 1.0), place(1.0, -1.0)];
+    let triangles = vec![[0, 1, 2], [0, 2, 3]];
+    let area = 4.0 * size * size;
+    let mesh = SharedShape::trimesh(square.clone(), triangles).expect("a square");
+    let hull = |count: usize| SharedShape::convex_hull(&square[..count]).expect("a flat hull");
+    let rim: Vec<Vector> = (0..12_u8)
+        .map(|i| {
+            let (sin, cos) = (Real::from(i) / 6.0 * 3.141_592_7).sin_cos();
+            place(cos, sin)
+        })
+        .collect();
+    let disc = SharedShape::convex_hull(&rim).expect("a flat hull");
+    let heights = parry::utils::Array2::new(2, 2, vec![0.0; 4]);
+    let parts = vec![(Pose::translation(0.0, 0.0, 0.0), hull(4))];
+    vec![
+        ("segment", ColliderBuilder::segment(square[0], square[1]), 2.0 * size),
+        ("polyline", ColliderBuilder::polyline(square.clone(), None), 6.0 * size),
+        ("triangle", ColliderBuilder::triangle(square[0], square[1], square[2]), 0.5 * area),
+        ("open mesh", ColliderBuilder::new(mesh), area),
+        ("flat hull of 3 points", ColliderBuilder::new(hull(3)), 0.5 * area),
+        ("flat hull of 4 points", ColliderBuilder::new(hull(4)), area),
+        ("flat hull of 12 points", ColliderBuilder::new(disc), 3.0 * size * size),
+        ("compound of flat hulls", ColliderBuilder::compound(parts), area),
+        (
+            "height field",
+            ColliderBuilder::heightfield(heights, vector![2.0, 1.0, 2.0] * size),
+            area,
+        ),
+    ]
+}
+
+/// Shapes from parry's constructors that cannot collide, and a word that says why.
+pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)> {
+    let inside_out: Vec<[u32; 3]> = TETRAHEDRON.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+    let mesh = |triangles: &[[u32; 3]]| ConvexPolyhedron::from_convex_mesh(corners(1.0), triangles);
+    let round = mesh(&inside_out)
+        .map(|solid| SharedShape::new(RoundShape { inner_shape: solid, border_radius: 0.1 }));
+    vec![
+        ("inside-out polyhedron", "inside", mesh(&inside_out).map(SharedShape::new)),
+        ("round inside-out polyhedron", "inside", round),
+    ]
+}

@@ -32,3 +32,4 @@ mod parameters;
 mod quarantine;
 mod replaced;
 mod shapes;
+mod weightless;

@@ -4,4 +4,5 @@ mod brute;
 mod journal;
 mod nonsense;
 mod plain;
+mod sides;
 mod turning;

@@ -50,7 +50,7 @@ fn a_bar_that_tumbles_lands_when_its_lowest_point_does() {
             assert!((hit.time_of_impact - expected).abs() < 1.0e-3, "{hit:?}, not {expected}");
             assert_eq!(hit.status, ShapeCastStatus::Converged);
             let landed = fall.position_at_time(hit.time_of_impact);
-            let (point, normal) = (landed * hit.witness1, landed.rotation * hit.normal1);
+            let (point, normal) = (landed * hit.witness2, landed.rotation * hit.normal2);
             assert!(point.y.abs() < 1.0e-2, "it touches the floor at {point}");
             assert!((normal + Vector::Y).length() < 1.0e-2, "it touches the floor along {normal}");
         }
@@ -121,8 +121,8 @@ fn the_part_that_is_touched_is_named() {
     for (x, expected) in [(-3.0, 0), (3.0, 1)] {
         let hit = cast(parts.clone(), &cuboid(0.3, 0.3), &fall(x), [0.0, 9.0], true);
         let hit = hit.expect("a part is below");
-        assert_eq!(hit.subshape2, expected);
-        assert!((hit.witness2.y - 0.5).abs() < 1.0e-2, "on its upper side: {hit:?}");
+        assert_eq!(hit.subshape1, expected);
+        assert!((hit.witness1.y - 0.5).abs() < 1.0e-2, "on its upper side: {hit:?}");
     }
     assert!(cast(parts, &cuboid(0.3, 0.3), &fall(0.0), [0.0, 9.0], true).is_none());
 }

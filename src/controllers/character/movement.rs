@@ -105,19 +105,19 @@ pub struct CharacterCollision {
     pub translation_applied: Vector,
     /// What was left of its wish, in world space.
     pub translation_remaining: Vector,
-    /// Where the two met: the first point and normal in the frame of the character's shape, the second in that of the
-    /// collider. Its time is 0: the character is there.
+    /// Where the two met. Side 1 is the collider, in world space; side 2 is the character, in the frame of its shape. The
+    /// time of impact is 0: the character is there.
     pub hit: ShapeCastHit,
 }
 
 impl CharacterCollision {
     /// The unit normal in world space, from what was met to the character.
     pub fn normal(&self) -> Vector {
-        self.character_pos.rotation * -self.hit.normal1
+        self.hit.normal1
     }
 
     /// Where the character's surface met the other one, in world space.
     pub fn point(&self) -> Vector {
-        self.character_pos * self.hit.witness1
+        self.character_pos * self.hit.witness2
     }
 }

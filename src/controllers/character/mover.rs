@@ -196,8 +196,8 @@ impl<'a> Mover<'a> {
         let is_same = |&(handle, normal): &(_, Vector)| {
             handle == plane.collider && normal.dot(plane.normal) > SAME_NORMAL
         };
-        let Some(collider) = self.obstacles.queries.colliders.get(plane.collider) else { return };
-        if self.met.iter().any(is_same) {
+        let is_gone = self.obstacles.queries.colliders.get(plane.collider).is_none();
+        if is_gone || self.met.iter().any(is_same) {
             return;
         }
         self.met.push((plane.collider, plane.normal));
@@ -207,7 +207,7 @@ impl<'a> Mover<'a> {
             character_pos,
             translation_applied: self.moved,
             translation_remaining: left,
-            hit: plane.hit(&character_pos, collider.position()),
+            hit: plane.hit(&character_pos),
         });
     }
 }

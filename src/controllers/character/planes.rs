@@ -110,19 +110,19 @@ impl Plane {
         self.points.iter().all(|point| (*point - other.points[0]).dot(other.normal) <= tolerance)
     }
 
-    /// The plane as the hit of a shape at `pose` on a collider at `other`.
-    pub fn hit(&self, pose: &Pose, other: &Pose) -> ShapeCastHit {
+    /// The plane as the hit of a shape at `pose`: side 1 is the collider, in world space.
+    pub fn hit(&self, pose: &Pose) -> ShapeCastHit {
         // Where two faces meet, a push in their middle turns nothing.
         let middle = self.points.iter().sum::<Vector>() / self.points.len() as Real;
         ShapeCastHit {
             time_of_impact: 0.0,
-            witness1: pose.inverse() * (middle + self.normal * self.gap),
-            witness2: other.inverse() * middle,
-            normal1: pose.rotation.inverse() * -self.normal,
-            normal2: other.rotation.inverse() * self.normal,
+            witness1: middle,
+            witness2: pose.inverse() * (middle + self.normal * self.gap),
+            normal1: self.normal,
+            normal2: pose.rotation.inverse() * -self.normal,
             status: ShapeCastStatus::Converged,
-            subshape1: self.subshapes[1],
-            subshape2: self.subshapes[0],
+            subshape1: self.subshapes[0],
+            subshape2: self.subshapes[1],
         }
     }
 }

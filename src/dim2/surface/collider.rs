@@ -2,7 +2,8 @@
 
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};
-use crate::model::collider::{ColliderBuilder, check_points};
+use crate::model::collider::check::check_points;
+use crate::model::collider::{ColliderBuilder, InvalidCollider};
 use parry::shape::{ConvexPolygon, Cuboid, HeightField, PolylineFlags, RoundShape, SharedShape};
 
 impl ColliderBuilder {
@@ -23,13 +24,21 @@ impl ColliderBuilder {
     ///
     /// `None` if a coordinate is not finite, or if the polygon is not convex or has no area.
     pub fn convex_polyline(points: Vec<Vector>) -> Option<Self> {
+        Self::try_convex_polyline(points).ok()
+    }
+
+    /// A convex polygon as [`Self::convex_polyline`], or the reason why there is none.
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, or if the polygon is not convex or has no area.
+    pub fn try_convex_polyline(points: Vec<Vector>) -> Result<Self, InvalidCollider> {
         convex_outline(points).map(|polygon| Self::new(SharedShape::new(polygon)))
     }
 
     /// A convex polygon as [`Self::convex_polyline`], enlarged and rounded by `border_radius` on all
     /// sides. `None` also if the border is negative or not finite.
     pub fn round_convex_polyline(points: Vec<Vector>, border_radius: Real) -> Option<Self> {
-        Self::round(convex_outline(points), border_radius)
+        Self::round(convex_outline(points).ok(), border_radius)
     }
 
     /// A chain of segments that is solid on one side: on the left of each segment, seen along its
@@ -47,9 +56,12 @@ impl ColliderBuilder {
     }
 }
 
-fn convex_outline(points: Vec<Vector>) -> Option<ConvexPolygon> {
-    check_points("points", &points).ok()?;
-    hull::convex_outline(points)
+fn convex_outline(points: Vec<Vector>) -> Result<ConvexPolygon, InvalidCollider> {
+    check_points("points", &points)?;
+    hull::convex_outline(points).ok_or(InvalidCollider::Degenerate {
+        shape: "convex polygon",
+        reason: "its corners are not those of a convex outline with an area",
+    })
 }
 
 #[cfg(test)]

@@ -102,7 +102,7 @@ impl RigidBody {
     /// The angular velocity (rad/s) that the body will have after turning freely for `dt` seconds under
     /// gyroscopic forces, whether or not they are enabled.
     pub fn angvel_with_gyroscopic_forces(&self, dt: Real) -> AngVector {
-        let after = angvel_after(&self.mprops.local, self.pose.rotation, self.angvel, dt);
+        let after = angvel_after(&self.mprops.local_mprops, self.pose.rotation, self.angvel, dt);
         if ang_is_finite(after) { after } else { self.angvel }
     }
 }

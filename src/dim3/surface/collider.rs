@@ -2,7 +2,8 @@
 
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};
-use crate::model::collider::{ColliderBuilder, check_points};
+use crate::model::collider::check::{check_elements, check_points};
+use crate::model::collider::{ColliderBuilder, InvalidCollider};
 use parry::shape::{
     Cone, ConvexPolyhedron, Cuboid, Cylinder, HeightField, HeightFieldFlags, RoundShape,
     SharedShape,
@@ -57,6 +58,17 @@ impl ColliderBuilder {
     /// `None` if a coordinate is not finite, an index out of range, or if the triangles do not enclose
     /// a volume.
     pub fn convex_mesh(points: Vec<Vector>, indices: &[[u32; 3]]) -> Option<Self> {
+        Self::try_convex_mesh(points, indices).ok()
+    }
+
+    /// A convex polyhedron as [`Self::convex_mesh`], or the reason why there is none.
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, an index out of range, or if the triangles do not enclose a volume.
+    pub fn try_convex_mesh(
+        points: Vec<Vector>,
+        indices: &[[u32; 3]],
+    ) -> Result<Self, InvalidCollider> {
         convex_mesh(points, indices).map(|solid| Self::new(SharedShape::new(solid)))
     }
 
@@ -67,7 +79,7 @@ impl ColliderBuilder {
         indices: &[[u32; 3]],
         border_radius: Real,
     ) -> Option<Self> {
-        Self::round(convex_mesh(points, indices), border_radius)
+        Self::round(convex_mesh(points, indices).ok(), border_radius)
     }
 
     /// A surface over a rectangle of the x-z plane, from its heights on a regular grid, rows along z
@@ -88,9 +100,16 @@ impl ColliderBuilder {
     }
 }
 
-fn convex_mesh(points: Vec<Vector>, indices: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
-    check_points("points", &points).ok()?;
-    hull::convex_mesh(points, indices)
+fn convex_mesh(
+    points: Vec<Vector>,
+    indices: &[[u32; 3]],
+) -> Result<ConvexPolyhedron, InvalidCollider> {
+    check_points("points", &points)?;
+    check_elements("indices", indices, points.len())?;
+    hull::convex_mesh(points, indices).ok_or(InvalidCollider::Degenerate {
+        shape: "convex mesh",
+        reason: "its triangles do not enclose a volume, or their windings differ",
+    })
 }
 
 #[cfg(test)]

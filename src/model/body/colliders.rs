@@ -4,7 +4,9 @@ use super::{RigidBody, RigidBodyChanges};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::{Pose, Real};
 use crate::model::check::refuse;
-use crate::model::collider::{Collider, ColliderEnabled, ColliderHandle, ColliderSet, thickness};
+use crate::model::collider::{
+    Collider, ColliderEnabled, ColliderHandle, ColliderSet, MassSpread, thickness,
+};
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
 
@@ -49,8 +51,10 @@ impl RigidBody {
     pub(crate) fn add_collider_mass(&mut self, collider: &Collider) {
         let part = mass_in_body(collider);
         if part.inv_mass == 0.0 && part == no_mass() {
-            return self.update_extent([collider].into_iter());
+            self.spread_over(core::iter::once(collider));
+            return self.update_extent(core::iter::once(collider));
         }
+        self.mprops.spread = None;
         let total = match self.mprops.from_colliders {
             nothing if nothing == no_mass() => part,
             sum => total_mass(&[sum, part]),
@@ -70,9 +74,42 @@ impl RigidBody {
             self.colliders.iter().filter_map(|handle| colliders.get(*handle)).collect();
         let parts: SmallVec<[MassProperties; 4]> =
             attached.iter().map(|c| mass_in_body(c)).filter(|part| *part != no_mass()).collect();
+        self.mprops.spread = None;
         self.set_collider_mass(total_mass(&parts));
+        self.spread_over(attached.iter().copied());
+        self.warn_without_mass(&attached);
         (self.extent, self.thickness) = (0.0, Real::INFINITY);
         self.update_extent(attached.into_iter());
+    }
+
+    /// Adds colliders without mass to those over which a mass is spread. Only dynamic bodies whose colliders all have no mass
+    /// need that: a surface of many triangles takes long to measure.
+    fn spread_over<'a>(&mut self, colliders: impl Iterator<Item = &'a Collider>) {
+        if !self.is_dynamic() || self.mprops.from_colliders != no_mass() {
+            return;
+        }
+        let enabled = colliders.filter(|c| c.flags.enabled != ColliderEnabled::Disabled);
+        let known = self.mprops.spread.take().map(|spread| *spread);
+        let spread = known.into_iter().chain(enabled.filter_map(MassSpread::over_collider));
+        self.mprops.spread = spread.reduce(MassSpread::and).map(Box::new);
+        if self.mprops.spread.is_some() {
+            self.update_mass();
+        }
+    }
+
+    /// Warns if contacts cannot move the body although it has solid colliders: their densities are zero.
+    fn warn_without_mass(&self, attached: &[&Collider]) {
+        let is_solid = |c: &&Collider| c.is_enabled() && !c.is_sensor();
+        if self.is_dynamic()
+            && self.mprops.local_mprops.inv_mass == 0.0
+            && attached.iter().any(is_solid)
+        {
+            log::warn!(
+                "a dynamic body has {} colliders and no mass: contacts cannot stop its fall; a density, a mass or \
+                 additional_mass is needed",
+                attached.len()
+            );
+        }
     }
 
     fn set_collider_mass(&mut self, total: MassProperties) {

@@ -112,7 +112,7 @@ impl RigidBody {
 
     /// The energy of motion, `½ m v² + ½ ω·I ω` (mass·length²/s²).
     pub fn kinetic_energy(&self) -> Real {
-        let momentum = angular_momentum(&self.mprops.local, self.pose.rotation, self.angvel);
+        let momentum = angular_momentum(&self.mprops.local_mprops, self.pose.rotation, self.angvel);
         let linear = self.mass() * self.linvel.length_squared();
         0.5 * (linear + ang_dot(self.angvel, momentum))
     }

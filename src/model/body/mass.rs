@@ -8,6 +8,7 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::ANG_AXES;
 use crate::model::check::refuse;
+use crate::model::collider::MassSpread;
 use parry::mass_properties::MassProperties;
 
 /// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too, and its
@@ -22,8 +23,9 @@ pub(super) fn mass_is_usable(mass: Real) -> bool {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyAdditionalMassProps {
     /// This much mass more, spread like the mass of the colliders: the centre of mass stays and the
-    /// angular inertia grows in proportion. Without colliders it sits in the body's origin and
-    /// nothing can turn it.
+    /// angular inertia grows in proportion. If the colliders have no mass, it is spread evenly over their volume, else over
+    /// their surface, else over their length. Without colliders it is a point mass at the body's origin and has no
+    /// angular inertia.
     Mass(Real),
     /// Mass, centre of mass and principal inertia of one more part, in the body's frame.
     MassProps(MassProperties),
@@ -44,11 +46,13 @@ pub struct RigidBodyMassProps {
     /// World-space inverse inertia about the centre of mass; zero where locked, and unless dynamic.
     pub(crate) inv_inertia: AngularInertia,
     /// Colliders and additional mass together, in the body's frame.
-    pub(crate) local: MassProperties,
+    pub local_mprops: MassProperties,
     /// What the body is kept from doing.
     pub(crate) locked_axes: LockedAxes,
-    /// The colliders' part of [`Self::local`].
+    /// The colliders' part of [`Self::local_mprops`].
     pub(crate) from_colliders: MassProperties,
+    /// How colliders without mass spread a mass. `None` if [`Self::from_colliders`] has one. Boxed because few bodies have it.
+    pub(crate) spread: Option<Box<MassSpread>>,
     /// Boxed because few bodies have it.
     pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
 }
@@ -59,9 +63,10 @@ impl Default for RigidBodyMassProps {
             world_com: Vector::ZERO,
             inv_mass: Vector::ZERO,
             inv_inertia: zero_inertia(),
-            local: no_mass(),
+            local_mprops: no_mass(),
             locked_axes: LockedAxes::empty(),
             from_colliders: no_mass(),
+            spread: None,
             additional: None,
         }
     }
@@ -86,7 +91,7 @@ impl RigidBodyMassProps {
 
     /// Mass, centre of mass and principal inertia of the body with all its colliders, in its frame.
     pub fn local_mprops(&self) -> &MassProperties {
-        &self.local
+        &self.local_mprops
     }
 
     /// The mass that was given to the body itself, if any.
@@ -106,7 +111,7 @@ impl RigidBodyMassProps {
 
     /// The mass of the colliders and the additional mass together, whether or not the body is fixed.
     pub fn mass(&self) -> Real {
-        self.local.mass()
+        self.local_mprops.mass()
     }
 
     /// The centre of mass in world space.
@@ -134,32 +139,41 @@ impl RigidBodyMassProps {
 
     /// Puts colliders and additional mass together. [`Self::update_world`] must follow.
     pub(crate) fn update_local(&mut self) {
+        let from_colliders = self.mass_of_colliders();
         let total = match self.additional.as_deref() {
-            None => self.from_colliders,
-            Some(RigidBodyAdditionalMassProps::Mass(mass)) => {
-                let mut total = self.from_colliders;
-                // Without inertia of its own there is nothing to scale, and none comes of it.
-                total.set_mass(total.mass() + mass, true);
-                total
-            }
-            Some(RigidBodyAdditionalMassProps::MassProps(part)) => match self.from_colliders {
+            None => from_colliders,
+            Some(RigidBodyAdditionalMassProps::Mass(mass)) => match self.spread.as_deref() {
+                Some(spread) => spread.scaled_to(from_colliders.mass() + mass),
+                None => {
+                    let mut total = from_colliders;
+                    total.set_mass(total.mass() + mass, true);
+                    total
+                }
+            },
+            Some(RigidBodyAdditionalMassProps::MassProps(part)) => match from_colliders {
                 none if none == no_mass() => *part,
                 colliders => total_mass(&[colliders, *part]),
             },
         };
         if mass_is_valid(&total) {
-            self.local = total;
+            self.local_mprops = total;
         } else {
             refuse("the mass properties of a rigid body", total);
         }
     }
 
+    /// The mass of the colliders' volumes, or if these have none, of their surfaces or lengths.
+    fn mass_of_colliders(&self) -> MassProperties {
+        let from_density = self.spread.as_deref().and_then(MassSpread::from_density);
+        from_density.unwrap_or(self.from_colliders)
+    }
+
     /// Carries the body's own mass properties to world space.
     pub(crate) fn update_world(&mut self, pose: &Pose, body_type: RigidBodyType) {
-        self.world_com = pose * self.local.local_com;
+        self.world_com = pose * self.local_mprops.local_com;
         if body_type.is_dynamic() {
-            let inv_inertia = self.local.world_inv_inertia(&pose.rotation);
-            self.inv_mass = inv_mass_per_axis(self.locked_axes, self.local.inv_mass);
+            let inv_inertia = self.local_mprops.world_inv_inertia(&pose.rotation);
+            self.inv_mass = inv_mass_per_axis(self.locked_axes, self.local_mprops.inv_mass);
             self.inv_inertia = lock_rotations(self.locked_axes, inv_inertia);
         } else {
             self.inv_mass = Vector::ZERO;

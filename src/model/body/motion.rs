@@ -24,7 +24,8 @@ impl RigidBody {
         if !self.gyroscopic_forces_enabled || !self.mprops.turns_freely() {
             return self.angvel;
         }
-        let angvel = angvel_at(&self.mprops.local, (self.pose.rotation, there), self.angvel, h);
+        let angvel =
+            angvel_at(&self.mprops.local_mprops, (self.pose.rotation, there), self.angvel, h);
         if ang_is_finite(angvel) { angvel } else { self.angvel }
     }
 
@@ -111,7 +112,7 @@ impl RigidBody {
             // Exactly at rest: the difference of two equal rotations has rounding in it.
             return RigidBodyVelocity::zero();
         }
-        let next_com = next_pose * self.mprops.local.local_com;
+        let next_com = next_pose * self.mprops.local_mprops.local_com;
         let turn = next_pose.rotation * self.pose.rotation.inverse();
         RigidBodyVelocity {
             linvel: (next_com - self.mprops.world_com) * inv_dt,
@@ -199,7 +200,7 @@ impl RigidBody {
     }
 
     fn predict(&self, vels: &RigidBodyVelocity, dt: Real) -> Pose {
-        let pose = vels.integrate(dt, &self.pose, self.mprops.local.local_com);
+        let pose = vels.integrate(dt, &self.pose, self.mprops.local_mprops.local_com);
         checked_pose(pose).unwrap_or(self.pose)
     }
 

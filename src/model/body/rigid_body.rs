@@ -167,10 +167,12 @@ impl RigidBody {
     pub fn copy_from(&mut self, other: &RigidBody) {
         let colliders = core::mem::take(&mut self.colliders);
         let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
+        let spread = self.mprops.spread.take();
         let thickness = self.thickness;
         let (link, changes, edit) = (self.link, self.changes, self.edit);
         *self = Self { colliders, link, extent, thickness, edit, ..other.clone() };
         self.mprops.from_colliders = from_colliders;
+        self.mprops.spread = spread;
         self.changes = changes | RigidBodyChanges::everything();
         self.update_mass();
     }
@@ -181,6 +183,7 @@ impl RigidBody {
         let colliders = core::mem::take(&mut self.colliders);
         if !colliders.is_empty() {
             self.mprops.from_colliders = no_mass();
+            self.mprops.spread = None;
             (self.extent, self.thickness) = (0.0, Real::INFINITY);
             self.update_mass();
         }
@@ -202,7 +205,8 @@ impl RigidBody {
         if body_type.is_fixed() {
             self.halt();
         }
-        self.changes.insert(RigidBodyChanges::TYPE);
+        // Colliders without mass are measured only where that mass matters.
+        self.changes.insert(RigidBodyChanges::TYPE | RigidBodyChanges::LOCAL_MASS_PROPERTIES);
         self.update_world_mass_properties();
         self.wake_if(wake_up);
     }
@@ -314,7 +318,7 @@ impl RigidBody {
 
     /// The centre of mass in the body's frame.
     pub fn local_center_of_mass(&self) -> Vector {
-        self.mprops.local.local_com
+        self.mprops.local_mprops.local_com
     }
 
     /// Sets the mass beyond that of the colliders (at least 0), in place of any additional mass or

@@ -139,10 +139,7 @@ impl ColliderBuilder {
     /// range or nothing in it; if the position is not finite; if friction, restitution, contact skin,
     /// density, mass or the force threshold is negative or not finite (the threshold may be infinite).
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
-        if let Some(reason) = &self.impossible {
-            return Err(reason.clone());
-        }
-        check_shape(&*self.shape)?;
+        self.try_shape()?;
         check_pose(&self.position)?;
         check_margin("friction", self.friction)?;
         check_margin("restitution", self.restitution)?;
@@ -157,6 +154,22 @@ impl ColliderBuilder {
             });
         }
         Ok(self.to_collider())
+    }
+
+    /// The shape, checked as by [`Self::try_build`]: for compounds and for queries.
+    ///
+    /// The constructors of [`SharedShape`] belong to parry. Some of them panic on sizes that are not positive, on indices out
+    /// of range and on empty lists: `ColliderBuilder::cylinder(h, r).try_shape()` is `SharedShape::cylinder(h, r)` without the
+    /// panic.
+    ///
+    /// # Errors
+    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or nothing in it.
+    pub fn try_shape(&self) -> Result<SharedShape, InvalidCollider> {
+        if let Some(reason) = &self.impossible {
+            return Err(reason.clone());
+        }
+        check_shape(&*self.shape)?;
+        Ok(self.shape.clone())
     }
 
     fn check_mass(&self) -> Result<(), InvalidCollider> {

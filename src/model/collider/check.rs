@@ -44,7 +44,10 @@ pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
         TypedShape::Voxels(v) => check_voxels(v),
         TypedShape::Compound(c) => check_parts(c.shapes()),
         TypedShape::Custom(custom) => check_box(custom),
-        _ => Ok(()),
+        other => match shapes::convex_defect(other) {
+            Some((shape, reason)) => degenerate(shape, reason),
+            None => Ok(()),
+        },
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where a collider's mass comes from.
 
+use super::spread::MassSpread;
 use crate::base::measure::is_margin;
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::Real;
@@ -43,30 +44,31 @@ impl ColliderMassProps {
 
     /// Mass, centre of mass and angular inertia in the frame of the shape.
     ///
-    /// Shapes without a volume (segments, polylines, open height fields, half-spaces) have no mass from
-    /// a density, and no angular inertia from a mass.
+    /// A density gives no mass to shapes without volume: segments, polylines, height fields, flat hulls, half-spaces, and
+    /// triangles in 3D. (It does give mass to a body that has no other colliders.) A mass is spread evenly over their
+    /// surface or length; half-spaces have neither, and get no angular inertia from it.
     pub fn mass_properties(&self, shape: &dyn Shape) -> MassProperties {
         match self {
             Self::Density(density) if *density == 0.0 => no_mass(),
-            Self::Density(density) => of_shape(shape, *density),
+            Self::Density(density) => volume_properties(shape, *density),
             Self::Mass(mass) if *mass == 0.0 => no_mass(),
-            Self::Mass(mass) => {
-                let mut properties = of_shape(shape, 1.0);
-                properties.set_mass(*mass, true);
-                finite_or_zero(properties)
-            }
+            Self::Mass(mass) => finite_or_zero(match MassSpread::over(shape) {
+                Some(spread) => spread.scaled_to(*mass),
+                None => MassProperties { inv_mass: 1.0 / mass, ..no_mass() },
+            }),
             Self::MassProperties(properties) => **properties,
         }
     }
 }
 
-/// Mass properties of a shape of the given density.
-fn of_shape(shape: &dyn Shape, density: Real) -> MassProperties {
+/// Mass properties of the volume of a shape; those of no mass if it has none.
+pub(super) fn volume_properties(shape: &dyn Shape, density: Real) -> MassProperties {
     let typed = shape.as_typed_shape();
     if let TypedShape::Compound(compound) = typed {
         let parts = compound.shapes().iter();
-        let parts: Vec<_> =
-            parts.map(|(pose, part)| of_shape(&**part, density).transform_by(pose)).collect();
+        let parts: Vec<_> = parts
+            .map(|(pose, part)| volume_properties(&**part, density).transform_by(pose))
+            .collect();
         return finite_or_zero(total_mass(&parts));
     }
     if let TypedShape::Voxels(voxels) = typed {

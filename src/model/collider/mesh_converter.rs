@@ -48,13 +48,7 @@ impl MeshConverter {
             Self::TriMesh | Self::TriMeshWithFlags(_) => mesh,
             Self::Obb => return box_around(&vertices, shapes::spread_directions(&vertices)),
             Self::Aabb => return box_around(&vertices, Rotation::IDENTITY),
-            Self::ConvexHull => {
-                let hull = hull_of(&vertices).ok_or(InvalidCollider::Degenerate {
-                    shape: "convex hull",
-                    reason: "the vertices span no volume",
-                })?;
-                SharedShape::new(hull)
-            }
+            Self::ConvexHull => SharedShape::new(hull_of(&vertices)?),
             Self::ConvexDecomposition => {
                 return Self::ConvexDecompositionWithParams(VHACDParameters::default())
                     .convert(vertices, indices);

@@ -9,7 +9,7 @@ mod interact;
 mod journal;
 mod active;
 mod builder;
-mod check;
+pub(crate) mod check;
 mod decomposition;
 mod error;
 mod extent;
@@ -27,10 +27,10 @@ mod saved;
 mod set;
 mod setters;
 mod shapes;
+mod spread;
 
 pub use active::{ActiveCollisionTypes, ActiveEvents, ActiveHooks};
 pub use builder::ColliderBuilder;
-pub(crate) use check::check_points;
 pub use error::InvalidCollider;
 pub(crate) use extent::thickness;
 pub(crate) use form::ShapeForm;
@@ -44,6 +44,7 @@ pub use mesh_converter::MeshConverter;
 pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
 pub use record::Collider;
 pub use set::ColliderSet;
+pub(crate) use spread::MassSpread;
 
 #[cfg(test)]
 mod tests;

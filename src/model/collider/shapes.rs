@@ -158,7 +158,15 @@ impl ColliderBuilder {
     ///
     /// `None` if a coordinate is not finite, or if the points span no volume (no area in 2D).
     pub fn convex_hull(points: &[Vector]) -> Option<Self> {
-        hull_of(points).map(|shape| Self::new(SharedShape::new(shape)))
+        Self::try_convex_hull(points).ok()
+    }
+
+    /// The smallest convex shape around some points, or the reason why there is none.
+    ///
+    /// # Errors
+    /// If a coordinate is not finite, or if the points span no volume (no area in 2D).
+    pub fn try_convex_hull(points: &[Vector]) -> Result<Self, InvalidCollider> {
+        Ok(Self::new(SharedShape::new(hull_of(points)?)))
     }
 
     /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all
@@ -167,7 +175,21 @@ impl ColliderBuilder {
     /// `None` if a number is not finite, the border negative, or if the points span no volume (no area
     /// in 2D).
     pub fn round_convex_hull(points: &[Vector], border_radius: Real) -> Option<Self> {
-        Self::round(hull_of(points), border_radius)
+        Self::try_round_convex_hull(points, border_radius).ok()
+    }
+
+    /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all sides, or the reason
+    /// why there is none.
+    ///
+    /// # Errors
+    /// If a number is not finite, the border negative, or if the points span no volume (no area in 2D).
+    pub fn try_round_convex_hull(
+        points: &[Vector],
+        border_radius: Real,
+    ) -> Result<Self, InvalidCollider> {
+        check_margin("border_radius", border_radius)?;
+        let round = RoundShape { inner_shape: hull_of(points)?, border_radius };
+        Ok(Self::new(SharedShape::new(round)))
     }
 
     /// A convex shape with a round border.
@@ -178,9 +200,15 @@ impl ColliderBuilder {
     }
 }
 
-pub(super) fn hull_of(points: &[Vector]) -> Option<hull::ConvexShape> {
-    check_points("points", points).ok()?;
-    hull::convex_hull(points)
+/// The convex hull of some points.
+pub(super) fn hull_of(points: &[Vector]) -> Result<hull::ConvexShape, InvalidCollider> {
+    check_points("points", points)?;
+    if points.len() <= DIM {
+        let count = points.len();
+        return Err(InvalidCollider::TooFew { parameter: "points", count, least: DIM + 1 });
+    }
+    let degenerate = InvalidCollider::Degenerate { shape: "convex hull", reason: hull::FLAT };
+    hull::convex_hull(points).ok_or(degenerate)
 }
 
 /// Shapes made of equal boxes.

@@ -129,8 +129,8 @@ pub struct ContactManifoldData {
     pub(crate) warmstart_friction: Vector,
     /// Twist-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_twist: Real,
-    /// The points, all within the prediction distance.
-    pub(crate) points: ContactPoints,
+    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading only.
+    pub points: ContactPoints,
 }
 
 impl Default for ContactManifoldData {
@@ -161,6 +161,11 @@ impl ContactManifoldData {
 
     /// The points.
     pub fn contacts(&self) -> &[Contact] {
+        &self.points
+    }
+
+    /// The points that the solver handles: all of them.
+    pub fn solver_contacts(&self) -> &[Contact] {
         &self.points
     }
 
@@ -201,6 +206,15 @@ pub struct ContactManifold {
     pub data: ContactManifoldData,
     /// Where the constraint graph has it; `None` while the solver does not handle it.
     pub(crate) slot: Option<ColorSlot>,
+}
+
+/// A manifold reads like its data: `manifold.points` are its points, `manifold.normal` its normal.
+impl core::ops::Deref for ContactManifold {
+    type Target = ContactManifoldData;
+
+    fn deref(&self) -> &ContactManifoldData {
+        &self.data
+    }
 }
 
 impl ContactManifold {

@@ -61,6 +61,11 @@ impl ContactPair {
         }
     }
 
+    /// Returns whether any contact is close enough that the solver handled it in the last step: the field of the same name.
+    pub fn has_any_active_contact(&self) -> bool {
+        self.has_any_active_contact
+    }
+
     /// Do the two touch (within the prediction distance)?
     pub(crate) fn is_touching(&self) -> bool {
         !self.manifolds.is_empty()

@@ -134,6 +134,8 @@ pub(crate) struct PairStore<P> {
     of_collider: Vec<Partners>,
     awake: IdSet,
     reporting: IdSet,
+    /// Pairs whose force exceeded the threshold in their last step awake.
+    strong: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     renewed: IdSet,
 }
@@ -148,6 +150,7 @@ impl<P> Default for PairStore<P> {
             of_collider: Vec::new(),
             awake: IdSet::default(),
             reporting: IdSet::default(),
+            strong: IdSet::default(),
             renewed: IdSet::default(),
         }
     }
@@ -257,6 +260,7 @@ impl<P: Pair> PairStore<P> {
     /// Takes a pair out. Returns the two if somebody has heard that they began to touch, and not yet that they do not any more.
     pub fn remove(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.sleep(id);
+        self.strong.remove(id);
         let heard = self[id].began().then(|| self[id].colliders());
         // Where it is: a pair is some hundred bytes.
         *self.pairs[id as usize].get_mut() = None;
@@ -294,12 +298,18 @@ impl<P: Pair> PairStore<P> {
         self.reporting.remove(id);
     }
 
+    /// The pairs whose force exceeded the threshold in their last step awake.
+    pub fn strong_mut(&mut self) -> &mut IdSet {
+        &mut self.strong
+    }
+
     /// Notes whether somebody wants to hear of strong forces of an awake pair.
     pub fn set_reporting(&mut self, id: PairId, wants: bool) {
         if wants {
             self.reporting.insert(id);
         } else {
             self.reporting.remove(id);
+            self.strong.remove(id);
         }
     }
 

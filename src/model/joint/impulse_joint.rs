@@ -30,15 +30,27 @@ impl ImpulseJointHandle {
     }
 }
 
+/// The two bodies that a joint holds.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct BodyPair {
+    /// The first body.
+    pub body1: RigidBodyHandle,
+    /// The second body.
+    pub body2: RigidBodyHandle,
+}
+
 /// A joint between two bodies, held by impulses.
+///
+/// `joint.body1` and `joint.body2` can be read, and not assigned: [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet)
+/// also updates the lists of both bodies.
 //
 // The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct ImpulseJoint {
-    pub(super) body1: RigidBodyHandle,
-    pub(super) body2: RigidBodyHandle,
+    pub(super) bodies: BodyPair,
     /// Impulses on the locked axes in the last substep, on the second body. The next step starts with
     /// them.
     pub impulses: SpatialVector,
@@ -51,6 +63,14 @@ pub struct ImpulseJoint {
     pub data: GenericJoint,
 }
 
+impl core::ops::Deref for ImpulseJoint {
+    type Target = BodyPair;
+
+    fn deref(&self) -> &BodyPair {
+        &self.bodies
+    }
+}
+
 impl ImpulseJoint {
     /// Bytes at the front of a joint that are all that the step needs of one without limits and motors.
     pub(crate) const FRONT: usize =
@@ -58,7 +78,13 @@ impl ImpulseJoint {
 
     pub(super) fn new(body1: RigidBodyHandle, body2: RigidBodyHandle, data: GenericJoint) -> Self {
         let (force, torque) = (Vector::ZERO, ANG_ZERO);
-        Self { body1, body2, data, impulses: [0.0; SPATIAL_DIM], force, torque, angles: None }
+        let bodies = BodyPair { body1, body2 };
+        Self { bodies, data, impulses: [0.0; SPATIAL_DIM], force, torque, angles: None }
+    }
+
+    /// Both bodies.
+    pub fn bodies(&self) -> BodyPair {
+        self.bodies
     }
 
     /// The first body.

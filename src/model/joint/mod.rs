@@ -25,7 +25,7 @@ pub use error::InvalidJoint;
 pub use fixed::{FixedJoint, FixedJointBuilder};
 pub use generic::{GenericJoint, JointEnabled};
 pub(crate) use generic::{mask_of, relative_rotation};
-pub use impulse_joint::{ImpulseJoint, ImpulseJointHandle};
+pub use impulse_joint::{BodyPair, ImpulseJoint, ImpulseJointHandle};
 pub use limits::JointLimits;
 pub(crate) use limits::nearest_turn;
 pub(crate) use links::{JointForm, JointLink, JointLinks};

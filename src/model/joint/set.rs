@@ -1,7 +1,8 @@
 //! All impulse joints of a simulation, and the notes that the user's changes leave for the next step.
 
 use super::{
-    GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled, JointLinks,
+    BodyPair, GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled,
+    JointLinks,
 };
 use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
@@ -191,7 +192,7 @@ impl ImpulseJointSet {
             return log::warn!("{}; the old bodies stay", InvalidJoint::SameBody { body: body1 });
         }
         if let Some(joint) = self.get_mut(handle) {
-            (joint.body1, joint.body2) = (body1, body2);
+            joint.bodies = BodyPair { body1, body2 };
             joint.forget_past();
             self.refile(handle);
         }

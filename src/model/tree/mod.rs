@@ -27,6 +27,9 @@ use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::stamp::WorldStamp;
 use parry::bounding_volume::Aabb;
 
+/// The broad phase that a world uses. There is one.
+pub type DefaultBroadPhase = BroadPhaseBvh;
+
 /// The enlarged boxes of all colliders.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]

@@ -1,7 +1,7 @@
 //! # Events — tell the user
 //!
 //! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
-//! Writes:  what pairs are told of the step, and what the user's handler does
+//! Writes:  which pairs exceed their force threshold, and what the user's handler does
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes the world
 
@@ -15,7 +15,7 @@ use crate::step::notes::StepNotes;
 
 /// Sends all events of a step. A handler that panics is called for the rest of them, too: none is lost.
 pub(crate) fn report(
-    (bodies, colliders, narrow_phase): (&RigidBodySet, &ColliderSet, &NarrowPhase),
+    (bodies, colliders, narrow_phase): (&RigidBodySet, &ColliderSet, &mut NarrowPhase),
     notes: &StepNotes,
     dt: Real,
     handler: &dyn EventHandler,
@@ -34,15 +34,20 @@ pub(crate) fn report(
     if dt <= 0.0 {
         return;
     }
+    let mut strong = core::mem::take(narrow_phase.contacts.strong_mut());
     for id in narrow_phase.contacts.reporting() {
         let pair = narrow_phase.settled(id);
         let Some(threshold) = force_threshold(pair, colliders) else { continue };
         let total = pair.total_impulse_magnitude() / dt;
         if total > 0.0 && total >= threshold {
-            let event = ContactForceEvent::from_contact_pair(dt, pair, total);
+            let mut event = ContactForceEvent::from_contact_pair(dt, pair, total);
+            event.started = strong.insert(id);
             panic.hold(|| handler.handle_contact_force_event(dt, &event, bodies, colliders));
+        } else {
+            strong.remove(id);
         }
     }
+    *narrow_phase.contacts.strong_mut() = strong;
 }
 
 /// From which force on the pair is to be reported: the lower of the thresholds of those colliders that

@@ -157,7 +157,7 @@ impl Culprits<'_> {
     fn strain_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
         let dt = self.conditions.params.dt;
         let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
-        let by_motors = self.pull_of_motors(handle) * body.mprops.local.inv_mass;
+        let by_motors = self.pull_of_motors(handle) * body.mprops.local_mprops.inv_mass;
         let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
         let speeds = [body.linvel.length(), length(body.angvel)];
         let pulls = [(fall + push).length(), length(twist), by_motors];
@@ -213,6 +213,6 @@ impl Pull {
 
 /// Can a body be calculated with that moves at this velocity for `dt` seconds?
 fn leads_somewhere(body: &RigidBody, velocity: RigidBodyVelocity, dt: Real) -> bool {
-    let pose = velocity.integrate(dt, &body.pose, body.mprops.local.local_com);
+    let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
     velocity.is_usable() && checked_pose(pose).is_some()
 }

@@ -183,7 +183,7 @@ impl Conditions<'_> {
         let Self { gravity, params } = self;
         let (force, torque) = body.forces();
         let to_target = body.velocity_to_next_position(params.inv_dt());
-        let inv_mass = body.mprops.local.inv_mass;
+        let inv_mass = body.mprops.local_mprops.inv_mass;
         let acceleration = gravity * body.gravity_scale + force * inv_mass;
         let twist = mul_inertia(&body.mprops.inv_inertia, torque);
         self.is_gentle(body.linvel)

@@ -279,7 +279,7 @@ impl Groups {
             for (handle, frame) in ends {
                 let Some(body) = bodies.get(handle) else { continue };
                 if let Some(need) = self.needs.get_mut(body.link.island as usize) {
-                    let lever = frame.translation - body.mprops.local.local_com;
+                    let lever = frame.translation - body.mprops.local_mprops.local_com;
                     need.include_joined(body, lever.length());
                 }
             }

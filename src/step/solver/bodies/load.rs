@@ -163,7 +163,7 @@ fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     if !body.is_dynamic() || !mprops.turns_freely() {
         return None;
     }
-    inv_inertia_on_the_way(&mprops.local, body.pose.rotation, body.angvel * dt)
+    inv_inertia_on_the_way(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
 }
 
 /// The places of all bodies, to be filled by several threads.

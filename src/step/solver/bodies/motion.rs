@@ -22,7 +22,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
     let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
     if body.gyroscopic_forces_enabled && mprops.turns_freely() {
-        motion.with_gyroscope(&mprops.local, body.angvel, substep)
+        motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {
         motion
     }

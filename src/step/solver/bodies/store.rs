@@ -79,7 +79,7 @@ pub(super) fn outcome(
     let rotation = motion.rotation();
     let rotation = if motion.tumbles() { rotation.normalize() } else { turned(rotation, turn) };
     let center = body.mprops.world_com;
-    let local_center = body.mprops.local.local_com;
+    let local_center = body.mprops.local_mprops.local_com;
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);
     let velocity = RigidBodyVelocity::new(linvel, angvel);
     // Neither an infinite turn nor one whose square is infinite leaves a rotation of unit length.

@@ -211,7 +211,7 @@ impl End {
         Self {
             index,
             center: mprops.world_com,
-            lever: pose.rotation * (frame.translation - mprops.local.local_com),
+            lever: pose.rotation * (frame.translation - mprops.local_mprops.local_com),
             frame: pose.rotation * frame.rotation,
             inv_mass: if movable { mprops.inv_mass } else { Vector::ZERO },
             inv_inertia: if movable { mprops.inv_inertia } else { zero_inertia() },

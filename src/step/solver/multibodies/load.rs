@@ -149,7 +149,7 @@ impl Moving {
             let none = LinkForce { wrench: [0.0; _], damping: [0.0; 2] };
             self.motion.forces.push(body.map_or(none, |body| {
                 let (force, torque) = body.forces();
-                let weight = gravity * (body.gravity_scale * body.mprops.local.mass());
+                let weight = gravity * (body.gravity_scale * body.mprops.local_mprops.mass());
                 let damping = [body.linear_damping, body.angular_damping];
                 LinkForce { wrench: join(force + weight, torque), damping }
             }));

@@ -174,7 +174,7 @@ impl Moving {
             islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
             let (shift, turn) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);
-            let acceleration = force * body.mprops.local.inv_mass;
+            let acceleration = force * body.mprops.local_mprops.inv_mass;
             let motion = FastMotion {
                 body: link.body,
                 start,

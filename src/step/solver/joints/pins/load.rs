@@ -46,7 +46,7 @@ fn load_end(
         block.inv_mass[side].set_lane(lane, mprops.inv_mass);
         block.inertias.set_lane(side, lane, &mprops.inv_inertia, tumbles(body, substep));
     }
-    let lever = body.position().rotation * (frame.translation - mprops.local.local_com);
+    let lever = body.position().rotation * (frame.translation - mprops.local_mprops.local_com);
     block.levers[side].set_lane(lane, lever);
     lever
 }

@@ -1,0 +1,73 @@
+//! The sides of a cast's hit: side 1 is the collider in world space, side 2 the cast shape in its own frame.
+
+use super::plain::{ALL, alone};
+use crate::dim::{about_z, assortment, vec};
+use crate::suite::physics::stage::Dice;
+use rapier::parry::query::{NonlinearRigidMotion, ShapeCastHit};
+use rapier::prelude::*;
+
+/// Casts of each pair of shapes.
+const CASTS: usize = 12;
+
+/// A pose at this place, turned by a random angle about the axis that points out of the picture.
+fn posed(dice: &mut Dice, at: Vector) -> Pose {
+    let body = RigidBodyBuilder::fixed().translation(at);
+    *body.rotation(about_z(dice.within(-3.0, 3.0))).build().position()
+}
+
+/// Panics unless the hit lies on both surfaces, with opposite normals: that of the collider points against the motion.
+#[track_caller]
+fn check(hit: &ShapeCastHit, collider: &Collider, shape: &dyn Shape, landed: &Pose, way: Vector) {
+    let tolerance = 5.0e-3;
+    let off = |projection: PointProjection, point: Vector| projection.point.distance(point);
+    let on_collider = collider.shape().project_point(collider.position(), hit.witness1, false);
+    let on_shape = shape.project_local_point(hit.witness2, false);
+    assert!(off(on_collider, hit.witness1) < tolerance, "witness1 is off the collider: {hit:?}");
+    assert!(off(on_shape, hit.witness2) < tolerance, "witness2 is off the shape: {hit:?}");
+    let met = landed * hit.witness2;
+    assert!(met.distance(hit.witness1) < tolerance, "{met} is not {}: {hit:?}", hit.witness1);
+    let normal = landed.rotation * hit.normal2;
+    assert!((normal + hit.normal1).length() < 1.0e-2, "{normal} is not -{}", hit.normal1);
+    assert!(hit.normal1.dot(way) < 1.0e-2 * way.length(), "{} along {way}", hit.normal1);
+}
+
+#[test]
+fn the_collider_is_side_1_in_world_space() {
+    let mut dice = Dice(7);
+    let mut hits = 0;
+    for collider in assortment() {
+        for shape in assortment() {
+            let shape = shape.build();
+            for _ in 0..CASTS {
+                let pose = posed(&mut dice, vec(2.0, 1.0));
+                let (colliders, handle, queries) = alone(collider.clone().position(pose));
+                let start = vec(dice.within(-9.0, 12.0), 8.0);
+                let from = posed(&mut dice, start);
+                let aside = dice.within(-0.3, 0.3);
+                let way = vec(2.0 - start.x + aside, -7.0) * 0.5;
+                let hit =
+                    queries.cast_shape(&colliders, &from, &way, shape.shape(), 5.0, true, ALL);
+                let Some((_, hit)) = hit else { continue };
+                hits += 1;
+                let mut landed = from;
+                landed.translation += way * hit.time_of_impact;
+                check(&hit, &colliders[handle], shape.shape(), &landed, way);
+                let motion = NonlinearRigidMotion::new(from, Vector::ZERO, way, about_z(0.0));
+                let nonlinear = queries.cast_shape_nonlinear(
+                    &colliders,
+                    &motion,
+                    shape.shape(),
+                    0.0,
+                    5.0,
+                    true,
+                    ALL,
+                );
+                let Some((_, hit)) = nonlinear else { continue };
+                let landed = motion.position_at_time(hit.time_of_impact);
+                check(&hit, &colliders[handle], shape.shape(), &landed, way);
+            }
+        }
+    }
+    println!("{hits} casts hit");
+    assert!(hits > 200, "{hits}");
+}
