@@ -1,4 +1,6 @@
-//! 2D rigid-body physics: fast, deterministic, and hard to break.
+//! 2D rigid-body physics: fast, deterministic and robust.
+//!
+//! This is not the crate of the same name on the registry: the page "Coming from Rapier" of the guide lists the differences.
 //!
 //! ```
 //! use rapier2d::prelude::*;
@@ -15,12 +17,13 @@
 //! ```
 //!
 //! * A [`RigidBody`](dynamics::RigidBody) moves; [`Collider`](geometry::Collider)s give it shape, mass, friction and
-//!   bounce. Both are made by builders, live in sets and are found by handles.
-//! * A [`PhysicsWorld`](pipeline::PhysicsWorld) holds everything together. Who wants to hold the parts
-//!   hands them to [`PhysicsPipeline::step`](pipeline::PhysicsPipeline::step).
-//! * [`IntegrationParameters`](dynamics::IntegrationParameters) say how long and how accurate a step is.
-//! * [`EventHandler`](pipeline::EventHandler) hears what touches, [`PhysicsHooks`](pipeline::PhysicsHooks) decide what may.
-//! * Units are yours, as long as they agree: metres, kilograms and seconds, say. Angles are in
+//!   restitution. Builders describe both, sets own them, handles identify them.
+//! * A [`PhysicsWorld`](pipeline::PhysicsWorld) owns all parts. A program that owns the parts itself
+//!   passes them to [`PhysicsPipeline::step`](pipeline::PhysicsPipeline::step).
+//! * [`IntegrationParameters`](dynamics::IntegrationParameters) set the length and the accuracy of a step.
+//! * An [`EventHandler`](pipeline::EventHandler) receives events, [`PhysicsHooks`](pipeline::PhysicsHooks) filter and modify
+//!   contacts.
+//! * Any consistent units work: metres, kilograms and seconds, for example. Angles are in
 //!   radians. Worlds whose bodies are not about 1 unit in size set
 //!   [`length_unit`](dynamics::IntegrationParameters::length_unit).
 //!
@@ -28,16 +31,17 @@
 //!
 //! * The same world and the same calls give the same bits, whatever the number of threads and the width of
 //!   the processor's registers.
-//! * No value makes a function panic or spoils other bodies: what cannot be simulated is refused with an
-//!   error, or ignored with a warning through the `log` crate. Only indexing a set with a handle it does not
-//!   hold panics.
+//! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with an
+//!   error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle panics.
+//!   The re-exported constructors of the geometry library panic on some values;
+//!   [`ColliderBuilder::try_shape`](geometry::ColliderBuilder::try_shape) is the checked way.
 //!
 //! # Features
 //!
 //! `f64` computes in double precision, `parallel` on several threads, `serde-serialize` makes data
-//! types serialisable, `debug-render` draws a world in lines. `enhanced-determinism` takes sines and
-//! cosines from a portable library. `dim2`, `f32`, `std` and `simd-stable` are accepted: what they stand
-//! for is always on.
+//! types serialisable, `debug-render` draws debug lines. `enhanced-determinism` takes sines and
+//! cosines from a portable library. `dim2`, `f32`, `std` and `simd-stable` are accepted for compatibility
+//! and have no effect.
 
 // No value panics: whoever knows better says why (docs/panics.md).
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]

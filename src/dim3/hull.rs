@@ -146,7 +146,7 @@ fn is_closed(triangles: &[[u32; 3]]) -> bool {
 }
 
 /// The volume that triangles enclose: positive if they are wound counter-clockwise seen from outside.
-fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
+pub fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
     let tetrahedra = triangles.iter().map(|t| {
         let [a, b, c] = t.map(|i| points[i as usize]);
         a.dot(b.cross(c))

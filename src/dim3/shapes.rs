@@ -1,5 +1,6 @@
 //! What the shapes are made of that only three dimensions have, and how their mass is spread.
 
+use super::hull::signed_volume;
 use super::mass::{mass_from_moments, no_mass, principal_axes, second_moment};
 use super::math::{Matrix, Real, Rotation, Vector};
 use crate::base::measure::Measure;
@@ -10,8 +11,8 @@ use smallvec::{SmallVec, smallvec};
 
 /// A volume below this fraction of the products of edges that it is the sum of is rounding: a flat surface.
 const ROUNDING: Real = 4.0 * Real::EPSILON;
-/// The centre of a polyhedron may lie this far outside the plane of a face, as a fraction of its size.
-const INVERSION_TOLERANCE: Real = 1.0e-3;
+/// The volume from which a polyhedron counts as inside out, as a fraction of its size cubed.
+const INVERSION_MIN: Real = 64.0 * Real::EPSILON;
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
 /// for the others.
@@ -54,20 +55,16 @@ pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static st
         TypedShape::RoundConvexPolyhedron(round) => &round.inner_shape,
         _ => return None,
     };
-    let points = solid.points();
-    let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
-    let tolerance = INVERSION_TOLERANCE * farthest_point(points, center);
-    let is_inverted = solid.faces().iter().any(|face| {
-        let corner = solid.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
-        face.normal.dot(center - points[corner as usize]) > tolerance
-    });
     if solid.faces().len() < 2 {
-        Some(("convex polyhedron", "its corners lie on a line, or its faces have no area"))
-    } else if is_inverted {
-        Some(("convex polyhedron", "a face points toward the inside"))
-    } else {
-        None
+        return Some(("convex polyhedron", "its corners lie on a line, or its faces have no area"));
     }
+    let (mut corners, triangles) = solid.to_trimesh();
+    let origin = *corners.first()?;
+    corners.iter_mut().for_each(|corner| *corner -= origin);
+    let size = farthest_point(&corners, Vector::ZERO);
+    // The faces of a plate enclose nothing but rounding.
+    let is_inverted = signed_volume(&corners, &triangles) < -INVERSION_MIN * size.powi(3);
+    is_inverted.then_some(("convex polyhedron", "its faces point toward the inside"))
 }
 
 /// The surface of this dimension's shapes without volume, as elements with the given corners.

@@ -8,7 +8,7 @@ use core::fmt::Debug;
 /// Tells the user's log that a value was refused.
 #[cold]
 pub(crate) fn refuse(what: &str, value: impl Debug) {
-    log::warn!("{what} cannot be {value:?}; the old value stays");
+    log::warn!("{value:?} is not valid as {what}; the old value stays");
 }
 
 /// Is the value finite and not negative?

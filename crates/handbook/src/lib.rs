@@ -19,6 +19,7 @@ pages! {
     readme_of_rapier2d_f64: "../../rapier2d-f64/README.md",
     readme_of_rapier3d_f64: "../../rapier3d-f64/README.md",
     getting_started: "../../../docs/guide/getting-started.md",
+    coming_from: "../../../docs/guide/coming-from.md",
     bodies: "../../../docs/guide/bodies.md",
     fast_bodies: "../../../docs/guide/fast-bodies.md",
     colliders: "../../../docs/guide/colliders.md",

@@ -31,7 +31,8 @@ pub fn build() -> Scene {
         let turn = axis * dice.between(0.0, 2.0 * HALF_TURN);
         add_ragdoll(&mut world, Pose::new(place, turn), axis * 4.0);
     }
-    Scene::new(world, View::orbit(25.0, 30.0))
+    // Steep enough to look over the 4 m wall in front into all of the 10 m pit.
+    Scene::new(world, View::orbit(25.0, 62.0))
 }
 
 /// Adds a person whose pelvis is here, and who spins.

@@ -36,7 +36,7 @@ enum Helpers {
 
 /// Threads that the system does not give.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{count} threads cannot be had: {reason}")]
+#[error("{count} threads cannot be created: {reason}")]
 pub struct ThreadsError {
     /// How many were asked for.
     pub count: usize,

@@ -54,7 +54,9 @@ impl KinematicCharacterController {
     ) {
         let is_positive = |value: Real| value > 0.0 && value.is_finite();
         if !is_positive(dt) || !is_positive(character_mass) {
-            log::warn!("a character of mass {character_mass} pushes nothing within {dt} s");
+            log::warn!(
+                "the character mass {character_mass} or the time step {dt} is not a positive number: no impulse is applied"
+            );
             return;
         }
         for collision in collisions {

@@ -129,17 +129,21 @@ impl KinematicCharacterController {
     /// Checks everything; `None`, with a warning, if there can be no move.
     fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, wish: Vector) -> Option<Trip> {
         if !(dt > 0.0 && dt.is_finite()) {
-            log::warn!("a character cannot move within {dt} s: it stays");
+            log::warn!(
+                "the time step {dt} of a character is not a positive number: the character does not move"
+            );
             return None;
         }
         let Some(start) = checked_pose(*pose).filter(|_| is_point(wish)) else {
-            log::warn!("a character at {pose:?} cannot move by {wish:?}: it stays");
+            log::warn!(
+                "the pose {pose:?} or the translation {wish:?} of a character is not finite: the character does not move"
+            );
             return None;
         };
         let gait = Gait::of(self, shape, &start);
         if gait.is_none() {
             log::warn!(
-                "a character cannot move with the settings {self:?}, or has no size: it stays"
+                "the settings {self:?} or the size of a character are invalid: the character does not move"
             );
         }
         Some(Trip { gait: gait?, start })

@@ -150,7 +150,9 @@ pub(super) fn sound(vels: RigidBodyVelocity) -> RigidBodyVelocity {
     let linvel = if vels.linvel.is_finite() { vels.linvel } else { Vector::ZERO };
     let angvel = if ang_is_finite(vels.angvel) { vels.angvel } else { ANG_ZERO };
     if linvel != vels.linvel || angvel != vels.angvel {
-        log::warn!("a controller's change of velocity {vels:?} is not finite: nothing changes");
+        log::warn!(
+            "PdController: the velocity change {vels:?} is not finite and is replaced by zero"
+        );
     }
     RigidBodyVelocity { linvel, angvel }
 }

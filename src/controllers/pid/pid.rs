@@ -135,7 +135,9 @@ impl PidController {
         if is_sound {
             (self.lin_integral, self.ang_integral) = (lin_integral, ang_integral);
         } else {
-            log::warn!("errors {pose_errors:?} during {dt} s cannot be remembered");
+            log::warn!(
+                "PidController: the errors {pose_errors:?} in {dt} s are not finite and are not integrated"
+            );
         }
         let pd = self.pd.correction(pose_errors, vel_errors);
         sound(RigidBodyVelocity {

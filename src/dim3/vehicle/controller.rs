@@ -169,7 +169,7 @@ impl DynamicRayCastVehicleController {
         if let Some(problem) = &problem
             && !self.is_reported
         {
-            log::warn!("a vehicle stands still: {problem}");
+            log::warn!("a vehicle is not updated: {problem}");
         }
         self.is_reported = problem.is_some();
         chassis.filter(|_| problem.is_none())

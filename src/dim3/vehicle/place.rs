@@ -33,7 +33,7 @@ impl Wheel {
             }
             Err(problem) => {
                 if !self.is_reported {
-                    log::warn!("a wheel hangs idle: it cannot have a {problem}");
+                    log::warn!("a wheel is inactive: it has an invalid {problem}");
                     self.is_reported = true;
                 }
                 self.raycast_info.is_in_contact = false;

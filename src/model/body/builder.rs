@@ -14,7 +14,7 @@ use parry::mass_properties::MassProperties;
 
 /// Why a [`RigidBodyBuilder`] makes no body: one of its values would not survive the simulation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the {field} of a rigid body cannot be {value}")]
+#[error("the {field} of a rigid body is {value}, which is invalid")]
 pub struct InvalidRigidBody {
     /// The builder's field.
     pub field: &'static str,
@@ -283,7 +283,7 @@ impl RigidBodyBuilder {
     pub fn build(&self) -> RigidBody {
         let mut mended = self.clone();
         for error in mended.mend() {
-            log::warn!("{error}; it gets the default");
+            log::warn!("{error}; the default is used");
         }
         mended.build_valid()
     }

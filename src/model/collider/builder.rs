@@ -117,7 +117,7 @@ impl ColliderBuilder {
     /// user data. Enabling it makes it a ball.
     pub fn build(&self) -> Collider {
         self.try_build().unwrap_or_else(|reason| {
-            log::warn!("an impossible collider was built as a disabled one: {reason}");
+            log::warn!("an invalid collider is built as a disabled ball: {reason}");
             let mut collider = self.to_collider();
             collider.shape = stand_in_shape();
             collider.mass_props = ColliderMassProps::Density(0.0);

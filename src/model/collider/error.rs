@@ -38,7 +38,9 @@ pub enum InvalidCollider {
         value: Vector,
     },
     /// A pose is not finite, or its rotation not of unit length.
-    #[error("the pose {value:?} is not a finite translation and a rotation of unit length")]
+    #[error(
+        "the pose is {value:?}, but must be a finite translation and a rotation of unit length"
+    )]
     Pose {
         /// The pose.
         value: Pose,
@@ -54,7 +56,7 @@ pub enum InvalidCollider {
         least: usize,
     },
     /// More cells are asked for than can be stored.
-    #[error("{parameter} asks for {cells} cells, but at most {most} are possible")]
+    #[error("{parameter} results in {cells} cells, but at most {most} are possible")]
     TooFine {
         /// The parameter.
         parameter: &'static str,
@@ -64,7 +66,9 @@ pub enum InvalidCollider {
         most: Real,
     },
     /// An element names a vertex that does not exist.
-    #[error("element {position} of {parameter} names vertex {index}, but there are only {count}")]
+    #[error(
+        "element {position} of {parameter} has the index {index}, but there are only {count} vertices"
+    )]
     IndexOutOfRange {
         /// The list of elements.
         parameter: &'static str,
@@ -84,7 +88,7 @@ pub enum InvalidCollider {
         reason: &'static str,
     },
     /// A part of a compound is itself made of parts.
-    #[error("part {part} of the compound is itself made of parts, which is not supported")]
+    #[error("part {part} of the compound is a composite shape, which is not supported")]
     NestedCompound {
         /// Which part, from 0.
         part: usize,

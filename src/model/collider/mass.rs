@@ -91,6 +91,8 @@ fn finite_or_zero(properties: MassProperties) -> MassProperties {
     if mass_is_valid(&properties) {
         return properties;
     }
-    log::warn!("a collider's mass properties {properties:?} are not usable: it counts as massless");
+    log::warn!(
+        "the mass properties {properties:?} of a collider exceed the number type: the collider has no mass"
+    );
     no_mass()
 }

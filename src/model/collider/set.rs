@@ -116,7 +116,7 @@ impl ColliderSet {
         collider.leave_body();
         let Some(body) = bodies.get_for_attachment(parent_handle) else {
             log::warn!(
-                "a collider was inserted without a body and disabled: {parent_handle:?} finds none"
+                "{parent_handle:?} is not the handle of a body: the collider is inserted without a body and disabled"
             );
             collider.set_enabled(false);
             return self.insert_new(collider);
@@ -161,11 +161,13 @@ impl ColliderSet {
         let count = self.colliders.len();
         self.mend(handle, bodies);
         let Some(collider) = self.colliders.get_mut(handle.0) else {
-            log::warn!("ColliderSet::set_parent ignored: {handle:?} finds no collider");
+            log::warn!(
+                "ColliderSet::set_parent ignored: {handle:?} is not the handle of a collider"
+            );
             return;
         };
         if let Some(stale) = new_parent_handle.filter(|parent| !bodies.contains(*parent)) {
-            log::warn!("ColliderSet::set_parent ignored: {stale:?} finds no body");
+            log::warn!("ColliderSet::set_parent ignored: {stale:?} is not the handle of a body");
             return;
         }
         if collider.parent() == new_parent_handle {

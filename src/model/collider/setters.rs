@@ -162,7 +162,7 @@ impl Collider {
             self.contact_force_event_threshold = threshold;
         } else {
             log::warn!(
-                "Collider::set_contact_force_event_threshold ignored: {threshold} is no force"
+                "Collider::set_contact_force_event_threshold ignored: {threshold} is not a number of at least 0"
             );
         }
     }
@@ -239,7 +239,7 @@ impl Collider {
         self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
         if let Err(reason) = check_shape(&*self.shape) {
             log::warn!(
-                "a collider's shape was made unusable, so the collider is disabled: {reason}"
+                "the shape of a collider became invalid, and the collider is disabled: {reason}"
             );
             self.shape = super::builder::stand_in_shape();
             self.set_enabled(false);
@@ -265,7 +265,9 @@ impl Collider {
         if mass_is_valid(&properties) {
             self.set_mass_props(properties.into());
         } else {
-            log::warn!("Collider::set_mass_properties ignored: {properties:?} is not a mass");
+            log::warn!(
+                "Collider::set_mass_properties ignored: {properties:?} are not valid mass properties"
+            );
         }
     }
 

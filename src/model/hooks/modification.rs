@@ -100,7 +100,9 @@ impl ContactModificationContext<'_> {
         if velocity.is_finite() {
             self.manifold.data.tangent_velocity = velocity;
         } else {
-            log::warn!("tangent velocity {velocity:?} of a contact is not finite: ignored");
+            log::warn!(
+                "the tangent velocity {velocity:?} of a contact is not finite and is ignored"
+            );
         }
     }
 
@@ -140,7 +142,7 @@ impl ContactModificationContext<'_> {
         let length = allowed_local_n1.length();
         if !(length.is_finite() && length > 0.0 && allowed_angle.is_finite()) {
             log::warn!(
-                "one-way platform of normal {allowed_local_n1:?}, angle {allowed_angle}: ignored"
+                "the normal {allowed_local_n1:?} or the angle {allowed_angle} of a one-way platform is invalid and is ignored"
             );
             return;
         }
@@ -162,7 +164,9 @@ impl ContactModificationContext<'_> {
 fn is_coefficient(what: &str, value: Real) -> bool {
     let valid = value.is_finite() && value >= 0.0;
     if !valid {
-        log::warn!("{what} {value} of a contact is not a finite number of 0 or more: ignored");
+        log::warn!(
+            "the {what} {value} of a contact is not a finite number of at least 0 and is ignored"
+        );
     }
     valid
 }

@@ -9,19 +9,21 @@ use crate::model::body::RigidBodyHandle;
 #[non_exhaustive]
 pub enum InvalidJoint {
     /// An anchor has a coordinate that is not finite, or too large to calculate with.
-    #[error("the anchor {anchor} is not a point with finite coordinates of at most 1e15")]
+    #[error("the anchor is {anchor}, but its coordinates must be finite and at most 1e15")]
     Anchor {
         /// The anchor.
         anchor: Vector,
     },
     /// An axis has no direction: it is zero, not finite, or too long or short to calculate with.
-    #[error("the axis {axis} has no direction")]
+    #[error("the axis is {axis}, but must have a finite length above 0")]
     Axis {
         /// The axis.
         axis: Vector,
     },
     /// A frame is not a finite translation and a rotation of unit length.
-    #[error("the frame {frame:?} is not a finite translation and a rotation of unit length")]
+    #[error(
+        "the frame is {frame:?}, but must be a finite translation and a rotation of unit length"
+    )]
     Frame {
         /// The frame.
         frame: Pose,
@@ -77,7 +79,7 @@ pub enum InvalidJoint {
         body: RigidBodyHandle,
     },
     /// A handle finds no body.
-    #[error("{body:?} finds no rigid body")]
+    #[error("{body:?} is not the handle of a rigid body")]
     MissingBody {
         /// The handle.
         body: RigidBodyHandle,
@@ -91,7 +93,7 @@ pub enum InvalidJoint {
         body2: RigidBodyHandle,
     },
     /// The body of a multibody joint has a parent already.
-    #[error("{body:?} has a parent already")]
+    #[error("{body:?} already has a parent")]
     SecondParent {
         /// The body that was to become a child.
         body: RigidBodyHandle,

@@ -75,7 +75,9 @@ impl BroadPhaseBvh {
         let (slot, _) = handle.into_raw_parts();
         let Some(needed) = margin.needed(tight) else {
             if !proxy.is_refused {
-                log::warn!("collider {slot} is left out of the world: its box is {tight:?}");
+                log::warn!(
+                    "collider {slot} has the invalid bounding box {tight:?} and does not collide"
+                );
             }
             proxy.is_refused = true;
             return self.remove(slot, proxy);
