@@ -75,13 +75,15 @@ impl Default for RigidBodyMassProps {
 impl RigidBodyMassProps {
     /// Returns whether all numbers can be computed with.
     pub(super) fn is_valid(&self) -> bool {
-        let parts = [&self.local, &self.from_colliders];
+        let parts = [&self.local_mprops, &self.from_colliders];
+        let spread = self.spread.as_deref().is_none_or(MassSpread::is_valid);
         let additional = match self.additional.as_deref() {
             None => true,
             Some(RigidBodyAdditionalMassProps::Mass(mass)) => mass_is_usable(*mass),
             Some(RigidBodyAdditionalMassProps::MassProps(part)) => mass_is_valid(part),
         };
         additional
+            && spread
             && parts.into_iter().all(mass_is_valid)
             && self.world_com.is_finite()
             && self.inv_mass.is_finite()

@@ -92,6 +92,11 @@ impl MassSpread {
         properties
     }
 
+    /// Returns whether all numbers can be computed with.
+    pub fn is_valid(&self) -> bool {
+        mass_is_valid(&self.properties)
+    }
+
     /// The mass that the densities give; `None` if all are zero.
     pub fn from_density(&self) -> Option<MassProperties> {
         self.has_density.then_some(self.properties)

@@ -457,8 +457,8 @@ impl<P: Pair> PairStore<P> {
     pub fn check_views(&self) -> Result<(), Fault> {
         let is_gone =
             |id: PairId| self.pairs.get(id as usize).is_none_or(|pair| pair.get().is_none());
-        let gone = self.awake.iter().find(|&id| is_gone(id));
-        ensure!(gone.is_none(), "pair {gone:?} is awake and gone");
+        let gone = self.awake.iter().chain(self.strong.iter()).find(|&id| is_gone(id));
+        ensure!(gone.is_none(), "pair {gone:?} is awake or strong, and gone");
         let asleep = self.reporting.iter().find(|&id| !self.is_awake(id));
         ensure!(asleep.is_none(), "pair {asleep:?} reports and sleeps");
         ensure!(self.iter().count() == self.len(), "{} pairs are counted", self.len());
