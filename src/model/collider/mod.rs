@@ -27,12 +27,12 @@ mod saved;
 mod set;
 mod setters;
 mod shapes;
+mod widths;
 
 pub use active::{ActiveCollisionTypes, ActiveEvents, ActiveHooks};
 pub use builder::ColliderBuilder;
 pub(crate) use check::check_points;
 pub use error::InvalidCollider;
-pub(crate) use extent::thickness;
 pub(crate) use form::ShapeForm;
 pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
@@ -44,6 +44,7 @@ pub use mesh_converter::MeshConverter;
 pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent};
 pub use record::Collider;
 pub use set::ColliderSet;
+pub(crate) use widths::{Widths, thickness};
 
 #[cfg(test)]
 mod tests;
