@@ -4,6 +4,8 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim2.rs"]
 pub mod grounds;
+#[path = "continuous/dim2.rs"]
+pub mod thin;
 #[path = "characters/dim2.rs"]
 pub mod floors;
 #[path = "hostile/dim2.rs"]

@@ -4,6 +4,8 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim3.rs"]
 pub mod grounds;
+#[path = "continuous/dim3.rs"]
+pub mod thin;
 #[path = "characters/dim3.rs"]
 pub mod floors;
 #[path = "characters/space.rs"]

@@ -41,6 +41,6 @@ pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, seams_among};
 pub(crate) use seams::SAME_NORMAL;
 pub(crate) use sweep::{
-    Leg, Overlap, PRESSED_DEPTH, Sweep, SweepGoal, Touch, ends_deep, find_touches, first_impact,
-    passes, turned,
+    Leg, Overlap, PRESSED_DEPTH, Solid, Sweep, SweepGoal, Touch, ends_deep, find_touches,
+    first_impact, passes, turned,
 };

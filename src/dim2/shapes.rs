@@ -159,6 +159,7 @@ pub fn exact_hull(
 pub mod tests {
     use crate::dim::math::{Real, Rotation, Vector};
     use parry::mass_properties::MassProperties;
+    use parry::shape::SharedShape;
 
     /// A closed surface around the box of half extents 1, of the elements that surfaces consist of.
     pub fn unit_box_surface() -> (Vec<Vector>, Vec<[u32; 2]>) {
@@ -169,6 +170,11 @@ pub mod tests {
     pub fn unit_box_mesh() -> (Vec<Vector>, Vec<[u32; 3]>) {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(Vector::from_array);
         (corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+    }
+
+    /// Solid convex shapes that only this dimension has.
+    pub fn solids() -> Vec<SharedShape> {
+        Vec::new()
     }
 
     /// The components of the inertia tensor about the centre of mass, which has one.

@@ -22,6 +22,7 @@ pub mod vehicle;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;
 pub mod surface;
+pub mod width;
 
 pub(crate) mod contact;
 pub(crate) mod joint;

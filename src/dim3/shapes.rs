@@ -212,6 +212,7 @@ pub fn exact_hull(
 pub mod tests {
     use crate::dim::math::{Real, Rotation, Vector};
     use parry::mass_properties::MassProperties;
+    use parry::shape::SharedShape;
     use parry::shape::Cuboid;
 
     /// A closed surface around the box of half extents 1, of the elements that surfaces consist of.
@@ -222,6 +223,20 @@ pub mod tests {
     /// Triangles that make up the box of half extents 1.
     pub fn unit_box_mesh() -> (Vec<Vector>, Vec<[u32; 3]>) {
         unit_box_surface()
+    }
+
+    /// Solid convex shapes that only this dimension has.
+    pub fn solids() -> Vec<SharedShape> {
+        let sizes = [[0.5, 0.02], [0.02, 0.5], [0.3, 0.3]];
+        let of = |[half_height, radius]: [Real; 2]| {
+            [
+                SharedShape::cylinder(half_height, radius),
+                SharedShape::cone(half_height, radius),
+                SharedShape::round_cylinder(half_height, radius, 0.05),
+                SharedShape::round_cone(half_height, radius, 0.05),
+            ]
+        };
+        sizes.into_iter().flat_map(of).collect()
     }
 
     /// The components of the inertia tensor about the centre of mass.

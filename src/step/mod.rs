@@ -242,6 +242,9 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
     continuous::watch(parts.bodies, &notes.pressed, parts.params);
+    let params = parts.params;
+    let (mut structure, trees) = parts.structure();
+    continuous::find_approaches(&mut structure, trees, params, &mut notes.approaches);
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -286,7 +289,8 @@ fn follow_bodies(
     parts.counters.ccd.toi_computation_time.pause();
     let StepNotes { fast, courses, events, sleepy, .. } = &mut scratch.notes;
     let (stops, told) = (&scratch.continuous, (events, &mut parts.counters.ccd));
-    continuous::stop(parts.bodies, multibodies, (fast, courses), parts.params.dt, stops, told);
+    let moved = (&mut *parts.bodies, &mut *parts.islands);
+    continuous::stop(moved, multibodies, (fast, courses), parts.params.dt, stops, told);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -304,6 +308,7 @@ fn find_impacts(
     scratch: &mut StepScratch,
 ) {
     let StepScratch { notes, continuous, .. } = scratch;
+    let StepNotes { fast, courses, approaches, .. } = notes;
     let around = continuous::Surroundings {
         bodies: parts.bodies,
         colliders: parts.colliders,
@@ -313,10 +318,11 @@ fn find_impacts(
         narrow_phase: parts.narrow_phase,
         params: parts.params,
         hooks: parts.hooks,
-        fast: &notes.fast,
-        courses: &notes.courses,
+        fast: &[],
+        courses,
     };
-    continuous::find_impacts(tasks, around, continuous);
+    continuous::add_approached(around, approaches, fast);
+    continuous::find_impacts(tasks, continuous::Surroundings { fast, ..around }, continuous);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {

@@ -59,6 +59,13 @@ impl FastMotion {
     }
 }
 
+/// A kinematic body moves towards a dynamic one.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Approach {
+    pub body: RigidBodyHandle,
+    pub kinematic: RigidBodyHandle,
+}
+
 /// A body that came out of the solver with numbers with which nobody can calculate.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Lost {
@@ -82,6 +89,8 @@ pub(crate) struct StepNotes {
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
     pub fast: Vec<FastMotion>,
+    /// Dynamic bodies near the ways of kinematic ones, in the order of their handles.
+    pub approaches: Vec<Approach>,
     /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
     pub courses: Vec<Course>,
     /// In the order of the awake bodies: has each been still for long enough to sleep? Empty until all of them have moved.
@@ -108,6 +117,7 @@ impl StepNotes {
         self.pressed.clear();
         self.intersections.clear();
         self.fast.clear();
+        self.approaches.clear();
         self.sleepy.clear();
         self.courses.clear();
         self.lost.clear();

@@ -5,12 +5,14 @@
 
 mod bullets;
 mod chains;
+mod drives;
 mod links;
 mod paths;
 mod presses;
 mod sensors;
 mod settings;
 mod surfaces;
+mod throws;
 mod turns;
 
 use crate::dim::grounds::GROUNDS;

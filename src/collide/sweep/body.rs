@@ -2,7 +2,8 @@
 
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{Flat, as_flat};
-use crate::dim::math::{DIM, Pose, Real, Vector};
+use crate::dim::math::{DIM, Pose, Real, Rotation, Vector};
+use crate::model::collider::Widths;
 use parry::bounding_volume::Aabb;
 use parry::shape::{Shape, SupportMap, TypedShape};
 
@@ -23,21 +24,33 @@ enum Sharp<'a> {
     Plane(Vector),
 }
 
-/// A convex shape, drawn together along its axes towards a point inside.
+/// A convex shape, scaled along orthogonal axes about a point inside. With `M = R diag(scale) Rᵀ`, `R` the axes, the support point
+/// of `c + M (K - c)` along `d` is `c + M (p - c)`, `p` that of `K` along `M d` (`M` is symmetric).
 #[derive(Copy, Clone)]
 struct Shrunk<'a> {
     shape: &'a dyn SupportMap,
     center: Vector,
+    /// From the frame of the axes to the shape's.
+    axes: Rotation,
     scale: Vector,
+}
+
+impl Shrunk<'_> {
+    fn scaled(&self, v: Vector) -> Vector {
+        if self.axes == Rotation::IDENTITY {
+            return v * self.scale;
+        }
+        self.axes * ((self.axes.inverse() * v) * self.scale)
+    }
 }
 
 impl SupportMap for Shrunk<'_> {
     fn local_support_point(&self, direction: Vector) -> Vector {
-        let scaled = direction * self.scale;
-        // Drawn together to nothing along that direction: all points are as good, but none lies that way.
+        let scaled = self.scaled(direction);
+        // A scale of zero along that direction: all points are support points.
         let ahead = if scaled == Vector::ZERO { direction } else { scaled };
         let point = self.shape.local_support_point(ahead);
-        self.center + (point - self.center) * self.scale
+        self.center + self.scaled(point - self.center)
     }
 }
 
@@ -45,7 +58,8 @@ impl<'a> Body<'a> {
     /// A part as it is; `None` if nothing is known of where it ends.
     pub fn whole(part: &'a dyn Shape) -> Option<Self> {
         let center = Vector::ZERO;
-        let sharp = |shape, scale| Sharp::Convex(Shrunk { shape, center, scale });
+        let axes = Rotation::IDENTITY;
+        let sharp = |shape, scale| Sharp::Convex(Shrunk { shape, center, axes, scale });
         let (sharp, radius) = match part.as_typed_shape() {
             TypedShape::HalfSpace(plane) => (Sharp::Plane(plane.normal), 0.0),
             TypedShape::Ball(ball) => (sharp(ball, Vector::ZERO), ball.radius),
@@ -88,39 +102,51 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The same, drawn together to this share of its size.
+    /// The same, scaled by this about its centre.
     pub fn shrunk(self, share: Real) -> Self {
-        let Sharp::Convex(Shrunk { shape, center, scale }) = self.sharp else { return self };
+        let Sharp::Convex(shrunk) = self.sharp else { return self };
         if share == 1.0 {
             return self;
         }
-        let is_whole = scale == Vector::ONE;
-        let center = if is_whole { middle(shape) } else { center };
-        let sharp = Sharp::Convex(Shrunk { shape, center, scale: scale * share });
+        let sharp = Sharp::Convex(Shrunk { scale: shrunk.scale * share, ..shrunk });
         Self { sharp, whole: None, flat: None, ..self }
     }
 
-    /// A part without its outer layer of this depth.
-    pub fn core(shape: &'a dyn Shape, depth: Real) -> Option<Self> {
+    /// A part without its outer layer: on the way from the part (`depth` 0) to its skeleton (1).
+    pub fn core(shape: &'a dyn Shape, widths: &Widths, depth: Real) -> Option<Self> {
         let Self { sharp, radius, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
-        if depth <= radius {
-            return Some(Self { sharp, radius: radius - depth, whole: None, flat: None });
+        let Widths { center, axes, skeleton, .. } = *widths;
+        if radius > 0.0 {
+            let sharp = Sharp::Convex(Shrunk { center, ..shrunk });
+            return Some(Self { sharp, radius: radius * (1.0 - depth), whole: None, flat: None });
         }
-        let half_extents = shape.compute_local_aabb().half_extents();
-        let scale = (half_extents - Vector::splat(depth)).max(Vector::ZERO) / half_extents;
-        // Along an axis in which the shape has no thickness there is nothing to take off.
-        let scale = Vector::select(half_extents.cmpgt(Vector::ZERO), scale, Vector::ONE);
-        let sharp = Sharp::Convex(Shrunk { center: middle(shrunk.shape), scale, ..shrunk });
+        let scale = Vector::splat(1.0 - depth) + skeleton * depth;
+        let sharp = Sharp::Convex(Shrunk { center, axes, scale, ..shrunk });
         Some(Self { sharp, radius: 0.0, whole: None, flat: None })
     }
 
-    /// A part without thickness, drawn together to this share of its size.
-    pub fn middle(shape: &'a dyn Shape, share: Real) -> Option<Self> {
+    /// A box around it at a pose.
+    pub fn aabb(&self, pose: &Pose) -> Aabb {
+        let Sharp::Convex(shape) = &self.sharp else { return Aabb::new_invalid() };
+        let reach = |direction: Vector| {
+            let point = *pose * shape.local_support_point(pose.rotation.inverse() * direction);
+            point + direction * self.radius
+        };
+        let ends = directions().map(|direction| (direction, reach(direction)));
+        let (mut mins, mut maxs) = (Vector::ZERO, Vector::ZERO);
+        for (k, pair) in ends.chunks(2).enumerate() {
+            (maxs[k], mins[k]) = (pair[0].1[k], pair[1].1[k]);
+        }
+        Aabb::new(mins, maxs)
+    }
+
+    /// A part without thickness, scaled by this about its centre.
+    pub fn middle(shape: &'a dyn Shape, widths: &Widths, share: Real) -> Option<Self> {
         let Self { sharp, radius, flat, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
-        let center = inner_point(shape).unwrap_or_else(|| middle(shrunk.shape));
-        let sharp = Sharp::Convex(Shrunk { center, scale: Vector::splat(share), ..shrunk });
+        let (center, scale) = (widths.center, Vector::splat(share));
+        let sharp = Sharp::Convex(Shrunk { center, scale, ..shrunk });
         Some(Self { sharp, radius, whole: None, flat })
     }
 
@@ -222,25 +248,4 @@ fn directions() -> [Vector; 2 * DIM] {
         direction[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
         direction
     })
-}
-
-/// A point inside a convex shape, in the middle of what has one: the mean of its farthest points along all diagonals.
-/// (Along the axes the farthest points of a box are whole faces, and it may say any of their corners.)
-fn middle(shape: &dyn SupportMap) -> Vector {
-    let corners = 1 << DIM;
-    let diagonal = |corner: usize| {
-        let mut direction = Vector::ONE;
-        (0..DIM).filter(|k| corner >> k & 1 == 1).for_each(|k| direction[k] = -1.0);
-        shape.local_support_point(direction)
-    };
-    (0..corners).map(diagonal).sum::<Vector>() / corners as Real
-}
-
-/// The mean of the corners of what has no inside.
-fn inner_point(shape: &dyn Shape) -> Option<Vector> {
-    match shape.as_typed_shape() {
-        TypedShape::Triangle(triangle) => Some((triangle.a + triangle.b + triangle.c) / 3.0),
-        TypedShape::Segment(segment) => Some((segment.a + segment.b) * 0.5),
-        _ => None,
-    }
 }

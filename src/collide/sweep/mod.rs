@@ -18,16 +18,15 @@
 //! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it; and what
 //! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
 //! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
-//! first: the shape without an outer layer as deep as one can get ([`CORE_DEPTH`]). Where the core would hit, the body is
+//! first: the shape without an outer layer nearly as deep as its thickness, half its minimum width ([`CORE_DEPTH`], [`Widths`]). Where the core would hit, the body is
 //! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
 //! a quarter deep ([`PRESSED_DEPTH`]): what something heavy presses into a wall stays on the side from which contacts push it out.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
 //! that is in, the centre.
 //!
-//! What has no inside, a triangle or a segment, has no core. It is stopped where it touches what it was not near to when the step
-//! began. If it was near, one of its corners say, its middle half is searched with; if that was near, too, there are contacts all
-//! over it, and these must do.
+//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch when the step began. If one of its
+//! corners did, its middle half is searched with, and then its centre.
 //!
 //! ## Sensors
 //! Nothing is stopped by a sensor, but who passes through wants to be known: [`passes`] says whether two shapes are apart when the motion
@@ -42,12 +41,12 @@ pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
 use super::parts::{Line, Near, Part, Parts};
-use crate::dim::math::{Real, Vector};
-use crate::model::collider::thickness;
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::{Collider, Widths};
 use body::Body;
 use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
-use parry::shape::{Shape, TypedShape};
+use parry::shape::Shape;
 
 /// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
 /// capsule its axis, of a board a thin one.
@@ -65,8 +64,6 @@ const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
 /// and the core would be inside.
 const NEAREST: Real = 0.6;
-/// The size of the middle of what has no inside.
-const MIDDLE: Real = 0.5;
 /// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
 /// hundreds of times the thickness. Each leg allows one more.
 const MAX_JUMPS: usize = 256;
@@ -76,10 +73,27 @@ const MAX_JUMPS: usize = 256;
 pub(crate) struct SweepGoal {
     /// The gap at which shapes touch (length units).
     pub gap: Real,
-    /// The gap from which on they have contacts (length units), which stop what has no inside.
-    pub near: Real,
     /// What becomes of what is in contact from the beginning?
     pub overlap: Overlap,
+}
+
+/// A shape, and the widths of its parts where these are kept.
+#[derive(Copy, Clone)]
+pub(crate) struct Solid<'a> {
+    pub shape: &'a dyn Shape,
+    pub widths: Option<&'a [Widths]>,
+}
+
+impl<'a> Solid<'a> {
+    /// The shape of a collider.
+    pub fn of(collider: &'a Collider) -> Self {
+        Self { shape: collider.shape(), widths: collider.widths.as_deref() }
+    }
+
+    fn widths_of(&self, part: &Part<'_>) -> Widths {
+        let known = self.widths.and_then(|widths| widths.get(part.id as usize));
+        known.copied().unwrap_or_else(|| Widths::of(part.shape))
+    }
 }
 
 /// When a core gets in of which the surface has touched from the beginning.
@@ -96,15 +110,16 @@ pub(crate) enum Overlap {
 
 /// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
 pub(crate) fn first_impact(
-    shapes: [&dyn Shape; 2],
+    (solid, other): (Solid<'_>, &dyn Shape),
     sweeps: [&Sweep<'_>; 2],
     goal: SweepGoal,
     until: Real,
 ) -> Option<Real> {
     let mut first = None;
-    for_each_pair(shapes, sweeps, &mut |parts| {
+    for_each_pair([solid.shape, other], sweeps, &mut |parts| {
         let until = first.unwrap_or(until);
-        first = impact_of_parts(parts, goal, until).or(first);
+        let widths = solid.widths_of(parts[0].0);
+        first = impact_of_parts(parts, &widths, goal, until).or(first);
     });
     first
 }
@@ -157,17 +172,18 @@ pub(crate) fn passes(
 }
 
 /// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
-pub(crate) fn ends_deep(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> bool {
+pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
     let mut deep = false;
+    let shapes = [solid.shape, other];
     for_each_pair(shapes, [&ends[0], &ends[1]], &mut |[(part1, sweep1), (part2, sweep2)]| {
-        let thickness = thickness(part1.shape);
+        let widths = solid.widths_of(part1);
+        let thickness = widths.thickness;
         if deep || thickness == 0.0 || thickness == Real::INFINITY {
             return;
         }
         let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
-        let Some((own, other)) = Body::core(part1.shape, PRESSED_DEPTH * thickness).zip(other)
-        else {
+        let Some((own, other)) = Body::core(part1.shape, &widths, PRESSED_DEPTH).zip(other) else {
             return;
         };
         let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
@@ -231,29 +247,31 @@ fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
 /// When the first part is stopped by the second.
 fn impact_of_parts(
     [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
+    widths: &Widths,
     goal: SweepGoal,
     until: Real,
 ) -> Option<Real> {
     let sweeps = [sweep1, sweep2];
-    let thickness = thickness(part1.shape);
+    let thickness = widths.thickness;
     if thickness == Real::INFINITY {
         return None;
     }
     let whole = Body::whole(part1.shape)?;
-    let other = other_of((part1, sweep1), (part2, sweep2), goal.near)?;
+    let other = other_of((part1, sweep1), (part2, sweep2), goal.gap)?;
     let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, false);
     if thickness == 0.0 {
-        let poses = sweeps.map(|sweep| sweep.at(0.0));
-        let is_near =
-            |own: &Body<'_>| own.distance(&other, &poses, goal.near, Vector::ZERO).is_some();
-        let bodies = [Some(whole), Body::middle(part1.shape, MIDDLE)];
-        let far = bodies.into_iter().flatten().find(|own| !is_near(own))?;
-        return advance([&far, &other], sweeps, goal_of_whole, until).share();
+        return CORES.iter().find_map(|&share| {
+            let own = Body::middle(part1.shape, widths, share)?;
+            match advance([&own, &other], sweeps, goal_of_whole, until) {
+                Meeting::FromTheBeginning => None,
+                meeting => Some(meeting.share()),
+            }
+        })?;
     }
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
     let latest = CORES.iter().find_map(|&share| {
-        let core = Body::core(part1.shape, CORE_DEPTH * thickness)?.shrunk(share);
+        let core = Body::core(part1.shape, widths, CORE_DEPTH)?.shrunk(share);
         match advance([&core, &other], sweeps, core_goal, until) {
             Meeting::FromTheBeginning => None,
             meeting => Some(meeting.share()),
@@ -266,7 +284,7 @@ fn impact_of_parts(
             Overlap::Passes => None,
             Overlap::StopsMiddle => Some(latest),
             Overlap::StopsEarly => {
-                let shallow = Body::core(part1.shape, PRESSED_DEPTH * thickness)?;
+                let shallow = Body::core(part1.shape, widths, PRESSED_DEPTH)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
                     Meeting::At(share) => share,
@@ -389,17 +407,12 @@ fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     of(0) + of(1)
 }
 
-/// How much smaller a box around a shape's core is at least on all sides, with what the search tolerates.
-fn layer_of(shape: &dyn Shape) -> Real {
-    let thickness = thickness(shape);
-    if thickness == Real::INFINITY {
-        return 0.0;
-    }
-    let share = match shape.as_typed_shape() {
-        TypedShape::Ball(_) | TypedShape::Capsule(_) | TypedShape::Cuboid(_) => CORE_DEPTH,
-        TypedShape::HalfSpace(_) => 0.0,
-        // Drawn together towards the middle, which need not be that of its box.
-        _ => 0.5 * CORE_DEPTH,
-    };
-    ((share - CORE_TOLERANCE) * thickness).max(0.0)
+/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several parts.
+fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
+    let whole = || solid.shape.compute_aabb(pose);
+    let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };
+    let widths = solid.widths_of(&Part::whole(shape));
+    let core = Body::core(shape, &widths, CORE_DEPTH);
+    core.filter(|_| widths.thickness > 0.0)
+        .map_or_else(whole, |core| core.aabb(pose).loosened(CORE_TOLERANCE * widths.thickness))
 }

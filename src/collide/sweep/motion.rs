@@ -1,6 +1,6 @@
 //! Motions of shapes through a step.
 
-use super::layer_of;
+use super::{Solid, box_of_core};
 use crate::dim::math::{
     ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
 };
@@ -146,6 +146,11 @@ impl<'a> Sweep<'a> {
         Self { rotation: self.rotation * place.rotation, local_center, ..*self }
     }
 
+    /// Returns whether it moves at all.
+    pub fn moves(&self) -> bool {
+        self.travel() != [0.0; 2]
+    }
+
     /// How far the centre goes, and by what angle (rad) the shape turns.
     pub(super) fn travel(&self) -> [Real; 2] {
         let lasts = |leg: &Leg| leg.until - leg.from;
@@ -159,26 +164,28 @@ impl<'a> Sweep<'a> {
         self.legs()[0].center
     }
 
-    /// A box around everything that a shape's core passes, and no larger than the shape's own: what lies on a floor does not
-    /// find it.
-    pub fn region_of_core(&self, shape: &dyn Shape) -> Aabb {
-        let region = self.region(shape);
-        let less = Vector::splat(layer_of(shape)).min(region.half_extents());
-        Aabb::new(region.mins + less, region.maxs - less)
+    /// A box around everything that a shape's core passes: a floor that the shape lies on is outside.
+    pub fn region_of_core(&self, solid: Solid<'_>) -> Aabb {
+        self.region_of(solid.shape, &|pose| box_of_core(solid, pose))
     }
 
     /// A box around everything that a shape passes.
     pub fn region(&self, shape: &dyn Shape) -> Aabb {
+        self.region_of(shape, &|pose| shape.compute_aabb(pose))
+    }
+
+    /// A box around everything that a shape passes, or a part of it with a box `box_at` a pose.
+    fn region_of(&self, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
         let regions = self.legs().iter().filter(|leg| leg.from <= self.stop);
-        let regions = regions.map(|leg| self.region_of_leg(leg, shape));
+        let regions = regions.map(|leg| self.region_of_leg(leg, shape, box_at));
         regions.reduce(|all, region| all.merged(&region)).unwrap_or_else(Aabb::new_invalid)
     }
 
-    fn region_of_leg(&self, leg: &Leg, shape: &dyn Shape) -> Aabb {
+    fn region_of_leg(&self, leg: &Leg, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
         let end = leg.until.min(self.stop);
         let angle = leg.angle() * (leg.until - leg.from);
         if angle * angle < LITTLE_TURN {
-            let boxes = [leg.from, end].map(|share| shape.compute_aabb(&self.at(share)));
+            let boxes = [leg.from, end].map(|share| box_at(&self.at(share)));
             return boxes[0].merged(&boxes[1]);
         }
         let end = leg.center_at(end);

@@ -16,6 +16,7 @@ use super::{
 use crate::base::bvh::SlabProbe;
 use crate::collide::parts::Part;
 use crate::dim::math::{Pose, Real, Vector};
+use crate::model::collider::Widths;
 use parry::shape::Shape;
 
 /// What makes a turn of one about something as long as itself come near to within a hundred thousandth, where it grazes with a tenth
@@ -80,8 +81,8 @@ fn touch_of_parts(
         Meeting::Never => None,
         Meeting::FromTheBeginning if at_once || from > 0.0 => Some(from),
         Meeting::FromTheBeginning => {
-            let goal = SweepGoal { gap: tolerance, near: tolerance, overlap: Overlap::StopsMiddle };
-            impact_of_parts(pair, goal, until)
+            let goal = SweepGoal { gap: tolerance, overlap: Overlap::StopsMiddle };
+            impact_of_parts(pair, &Widths::of(part1.shape), goal, until)
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::{Pose, Real};
 use crate::model::check::refuse;
 use crate::model::collider::{
-    Collider, ColliderEnabled, ColliderHandle, ColliderSet, MassSpread, thickness,
+    Collider, ColliderEnabled, ColliderHandle, ColliderSet, MassSpread,
 };
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
@@ -128,7 +128,7 @@ impl RigidBody {
             let reach = collider.bounding_radius_about(place.inverse_transform_point(center));
             // Half-spaces reach to infinity, but infinity times an angular velocity of zero is no number.
             self.extent = self.extent.max(reach).min(Real::MAX);
-            self.thickness = self.thickness.min(thickness(collider.shape()));
+            self.thickness = self.thickness.min(collider.thickness());
         }
     }
 }

@@ -191,6 +191,7 @@ impl ColliderBuilder {
         Collider {
             shape: self.shape.clone(),
             form: ShapeForm::UNKNOWN,
+            widths: None,
             pose: normalized(self.position),
             parent: None,
             parent_type: None,

@@ -1,6 +1,6 @@
 //! How far a shape reaches.
 
-use crate::dim::math::{DIM, Real, Vector};
+use crate::dim::math::{Real, Vector};
 use crate::dim::shapes;
 use parry::shape::{Shape, TypedShape};
 
@@ -37,27 +37,4 @@ fn of_points(points: impl IntoIterator<Item = Vector>, center: Vector) -> Real {
 fn of_box(shape: &dyn Shape, center: Vector) -> Real {
     let aabb = shape.compute_local_aabb();
     (center - aabb.mins).abs().max((aabb.maxs - center).abs()).length()
-}
-
-/// How deep one can get into a shape at most, or not much less: 0 for surfaces, which have no inside, infinite for what does not
-/// end.
-pub(crate) fn thickness(shape: &dyn Shape) -> Real {
-    match shape.as_typed_shape() {
-        TypedShape::Compound(compound) => {
-            let parts = compound.shapes().iter().map(|(_, part)| thickness(&**part));
-            parts.fold(Real::INFINITY, Real::min)
-        }
-        TypedShape::HalfSpace(_) => Real::INFINITY,
-        TypedShape::TriMesh(_) | TypedShape::Polyline(_) | TypedShape::HeightField(_) => 0.0,
-        _ => match shape.ccd_thickness() {
-            known if known > 0.0 => known,
-            // Of triangles parry says that they have none, also in 2D, where they have an area.
-            _ => {
-                let radius = shape.compute_local_bounding_sphere().radius;
-                let thickness =
-                    shape.mass_properties(1.0).mass() / (4.0 * radius.powi(DIM as i32 - 1));
-                if thickness > 0.0 { thickness } else { 0.0 }
-            }
-        },
-    }
 }

@@ -28,11 +28,11 @@ mod set;
 mod setters;
 mod shapes;
 mod spread;
+mod widths;
 
 pub use active::{ActiveCollisionTypes, ActiveEvents, ActiveHooks};
 pub use builder::ColliderBuilder;
 pub use error::InvalidCollider;
-pub(crate) use extent::thickness;
 pub(crate) use form::ShapeForm;
 pub use groups::{Group, InteractionGroups, InteractionTestMode};
 pub use handle::ColliderHandle;
@@ -45,6 +45,7 @@ pub use parts::{ColliderChanges, ColliderEnabled, ColliderFlags, ColliderParent}
 pub use record::Collider;
 pub use set::ColliderSet;
 pub(crate) use spread::MassSpread;
+pub(crate) use widths::{Widths, thickness};
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use super::form::ShapeForm;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, ColliderChanges,
     ColliderEnabled, ColliderFlags, ColliderMassProps, ColliderMaterial, ColliderParent,
-    InteractionGroups,
+    InteractionGroups, Widths, thickness,
 };
 use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
@@ -16,6 +16,7 @@ use crate::model::tree::ColliderProxy;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, SharedShape};
+use std::sync::Arc;
 
 /// A shape that collides, attached to a rigid body or alone in the world.
 ///
@@ -53,6 +54,9 @@ pub struct Collider {
     /// Of the note of an edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
+    /// The widths of the shape's parts, if looking them up is cheaper than computing them; nothing is lost without them.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) widths: Option<Arc<[Widths]>>,
     /// Whatever the user wants to keep here. The engine does not look at it.
     pub user_data: u128,
 }
@@ -234,6 +238,11 @@ impl Collider {
     /// shape; infinite for half-spaces.
     pub(crate) fn bounding_radius_about(&self, center: Vector) -> Real {
         super::extent::farthest(&*self.shape, center)
+    }
+
+    /// Half the minimum width of the shape's thinnest part (length units): see [`Widths`].
+    pub(crate) fn thickness(&self) -> Real {
+        thickness(&*self.shape, self.widths.as_deref())
     }
 }
 

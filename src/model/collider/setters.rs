@@ -212,7 +212,7 @@ impl Collider {
     /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
     pub fn set_shape(&mut self, shape: SharedShape) {
         if accepts("set_shape", check_shape(&*shape)) {
-            (self.shape, self.form) = (shape, ShapeForm::UNKNOWN);
+            (self.shape, self.form, self.widths) = (shape, ShapeForm::UNKNOWN, None);
             self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
             self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
         }
@@ -226,7 +226,7 @@ impl Collider {
         self.changes |= ColliderChanges::SHAPE
             | ColliderChanges::UNCHECKED_SHAPE
             | ColliderChanges::LOCAL_MASS_PROPERTIES;
-        self.form = ShapeForm::UNKNOWN;
+        (self.form, self.widths) = (ShapeForm::UNKNOWN, None);
         self.shape.make_mut()
     }
 

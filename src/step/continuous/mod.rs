@@ -25,9 +25,11 @@
 //! The alternative that lost is to find such contacts in advance, by boxes as long as the path (*speculative contacts*):
 //! they stop bodies that would have flown past, and a fast body finds half of the world near it.
 
+mod approach;
 mod bullets;
 mod groups;
 mod path;
+mod ride;
 mod sensors;
 mod ways;
 
@@ -39,15 +41,19 @@ use crate::model::contact::NarrowPhase;
 use crate::model::counters::CCDCounters;
 use crate::model::event::CollisionEvent;
 use crate::model::hooks::PhysicsHooks;
-use crate::model::island::IslandManager;
+use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::multibody::{Course, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::FastMotion;
+pub(crate) use approach::{add_approached, find_approaches};
+
+use approach::Movers;
 use bullets::Bullets;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use groups::Groups;
 use path::{Path, sweep_of};
+use ride::{Ride, Stop};
 use sensors::Passage;
 use ways::Ways;
 
@@ -57,8 +63,13 @@ const BODIES_PER_TASK: usize = 2;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct ContinuousScratch {
+    movers: Movers,
+    /// By fast body: what stops it that is not dynamic.
+    first: Vec<Stop>,
     /// By fast body: what share of its motion happens.
     stops: Vec<Real>,
+    /// By fast body: how it goes on on what stopped it.
+    rides: Vec<Option<Ride>>,
     ways: Ways,
     groups: Groups,
     bullets: Bullets,
@@ -90,6 +101,7 @@ pub(crate) struct Surroundings<'a> {
 #[derive(Copy, Clone)]
 struct Search<'a> {
     world: Surroundings<'a>,
+    movers: &'a Movers,
     ways: &'a Ways,
     groups: &'a Groups,
     searched: &'a AtomicUsize,
@@ -102,28 +114,47 @@ pub(crate) fn find_impacts(
     world: Surroundings<'_>,
     scratch: &mut ContinuousScratch,
 ) {
-    let ContinuousScratch { stops, ways, groups, bullets, pressed, passages, searched } = scratch;
+    let ContinuousScratch { movers, first, stops, rides, ways, groups, bullets, pressed, .. } =
+        scratch;
+    let (passages, searched) = (&mut scratch.passages, &mut scratch.searched);
+    first.clear();
     stops.clear();
+    rides.clear();
     pressed.clear();
     passages.clear();
     *searched.get_mut() = 0;
     if world.fast.is_empty() {
         return;
     }
+    movers.find(world);
     ways.find(world);
     groups.find(world);
     // Whose path could not be searched because a hook panicked is not moved.
-    stops.resize(world.fast.len(), 0.0);
-    let search = Search { world, ways, groups, searched };
-    tasks.par_fill(stops, BODIES_PER_TASK, |position| {
+    let count = world.fast.len();
+    first.resize(count, Stop::AT_ONCE);
+    let search = Search { world, movers, ways, groups, searched };
+    tasks.par_fill(first, BODIES_PER_TASK, |position| {
         let path = Path::of(search, position, 1.0);
-        path.map_or(1.0, |path| path.first_stop(search))
+        path.map_or(Stop::NONE, |path| path.first_stop(search, None))
     });
+    stops.extend(first.iter().map(|stop| stop.share));
     groups.stop_together(stops);
     bullets.find(search, stops);
-    pressed.resize(world.fast.len(), true);
+    rides.resize(count, None);
+    tasks.par_fill(rides, BODIES_PER_TASK, |position| {
+        let (share, mut group) = (stops[position], groups.members(groups.first(position)));
+        let by = group.find_map(|member| {
+            let stop = first[member as usize];
+            stop.by.filter(|_| stop.share == share)
+        });
+        by.and_then(|by| Ride::of(search, position, share, by))
+    });
+    pressed.resize(count, true);
     tasks.par_fill(pressed, BODIES_PER_TASK, |position| {
-        let path = Path::of(search, position, stops[position]);
+        let path = match &rides[position] {
+            Some(ride) => ride.path(search, position),
+            None => Path::of(search, position, stops[position]),
+        };
         path.is_some_and(|path| path.ends_deep(search))
     });
     if world.trees.has_sensors() {
@@ -150,7 +181,7 @@ pub(crate) fn watch(
 
 /// Puts the bodies where they were stopped, and notes the sensors that were passed.
 pub(crate) fn stop(
-    bodies: &mut RigidBodySet,
+    (bodies, islands): (&mut RigidBodySet, &mut IslandManager),
     multibodies: &mut MultibodyJointSet,
     (fast, courses): (&[FastMotion], &[Course]),
     dt: Real,
@@ -169,7 +200,20 @@ pub(crate) fn stop(
             body.pose = there;
             body.linvel = motion.velocity_before(1.0 - share, body.linvel);
             body.update_world_mass_properties();
+            if !body.ccd_active {
+                // Of a fast body a bound of the whole motion is noted already.
+                let way = body.mprops.world_com - motion.center;
+                let way = BodyMotion::of(way, motion.turn * share, body.extent);
+                islands.set_motion(motion.body.into_raw_parts().0, way);
+            }
         }
+    }
+    for (motion, ride) in fast.iter().zip(&scratch.rides) {
+        let body = bodies.get_unnoted_mut(motion.body);
+        let Some((body, ride)) = body.zip(ride.as_ref()) else { continue };
+        body.pose = ride.pose;
+        body.update_world_mass_properties();
+        islands.set_motion(motion.body.into_raw_parts().0, ride.motion);
     }
     for (motion, &pressed) in fast.iter().zip(&scratch.pressed) {
         let body = bodies.get_unnoted_mut(motion.body);

@@ -1,7 +1,8 @@
 //! The path of one fast body, and what stops it.
 
+use super::ride::Stop;
 use super::{Search, Surroundings};
-use crate::collide::{Overlap, Sweep, SweepGoal, ends_deep, first_impact};
+use crate::collide::{Leg, Overlap, Solid, Sweep, SweepGoal, ends_deep, first_impact};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
@@ -44,7 +45,10 @@ impl Search<'_> {
         for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
             trees.for_each_overlapping(kind, region, |slot| slots.push(slot));
         }
+        // The trees have kinematic colliders where they were.
+        self.movers.for_each_in(region, |slot| slots.push(slot));
         slots.sort_unstable();
+        slots.dedup();
         for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
             if !collider.is_sensor() {
                 Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
@@ -66,20 +70,42 @@ impl<'a> Path<'a> {
         let motion = &search.world.fast[position];
         let body = search.world.bodies.get(motion.body)?;
         let legs = motion.link.map_or(&[] as &[_], |link| search.ways.of(link));
-        let sweep = |collider: &Collider| match (&collider.parent, legs) {
-            (_, []) | (None, _) => sweep_of(motion, collider.pose, stop),
-            (Some(parent), legs) => {
-                let center = body.local_center_of_mass();
-                Sweep::along(legs, &parent.pos_wrt_parent, center).until(stop)
-            }
-        };
+        if !legs.is_empty() {
+            return Some(Self::of_legs(search, body, (legs, stop)));
+        }
+        let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
         Some(Self { body, movers: movers(search, body, sweep) })
+    }
+
+    /// The path of the solid colliders of the fast body at a position that goes by these legs, as far as a share of the step.
+    pub fn along(search: Search<'a>, position: usize, way: (&'a [Leg], Real)) -> Option<Self> {
+        let body = search.world.bodies.get(search.world.fast[position].body)?;
+        let mut path = Self::of_legs(search, body, way);
+        path.movers.retain(|mover| !mover.collider.is_sensor());
+        Some(path)
+    }
+
+    fn of_legs(search: Search<'a>, body: &'a RigidBody, (legs, stop): (&'a [Leg], Real)) -> Self {
+        let center = body.local_center_of_mass();
+        let sweep = |collider: &Collider| match &collider.parent {
+            Some(parent) => Sweep::along(legs, &parent.pos_wrt_parent, center).until(stop),
+            None => Sweep::at_rest(collider.pose),
+        };
+        Self { body, movers: movers(search, body, sweep) }
+    }
+
+    /// The pose of the body after a share of the step.
+    pub fn pose_at(&self, share: Real) -> Option<Pose> {
+        let mover = self.movers.first()?;
+        let parent = mover.collider.parent.as_ref()?;
+        let pose = mover.sweep.at(share) * parent.pos_wrt_parent.inverse();
+        Some(Pose::from_parts(pose.translation, pose.rotation.normalize()))
     }
 
     /// The path of the solid colliders of a body that is not fast.
     pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
         let body = search.world.bodies.get(handle)?;
-        let sweep = |collider: &Collider| sweep_of_slow(search, body, collider);
+        let sweep = |collider: &Collider| sweep_of_slow(search.world, body, collider);
         let mut movers = movers(search, body, sweep);
         movers.retain(|mover| !mover.collider.is_sensor());
         Some(Self { body, movers })
@@ -91,13 +117,19 @@ impl<'a> Path<'a> {
         regions.fold(Aabb::new_invalid(), |all, region| all.merged(&region))
     }
 
-    /// The share of the motion after which the first fixed or kinematic collider stops it. It must be that of solid colliders.
-    pub fn first_stop(&self, search: Search<'_>) -> Real {
-        let mut first = 1.0;
+    /// Where the first fixed or kinematic collider stops it that is not on `carrier`. It must be the path of solid colliders.
+    pub fn first_stop(&self, search: Search<'_>, carrier: Option<RigidBodyHandle>) -> Stop {
+        let mut first = Stop::NONE;
         for mover in &self.movers {
-            let region = mover.sweep.region_of_core(mover.collider.shape());
+            let region = mover.sweep.region_of_core(Solid::of(mover.collider));
             search.for_each_obstacle(&region, |other| {
-                first = mover.impact(&other, search, first).unwrap_or(first);
+                let is_carrier = carrier.is_some() && other.collider.parent() == carrier;
+                if is_carrier {
+                    return;
+                }
+                if let Some(share) = mover.impact(&other, search, first.share) {
+                    first = Stop { share, by: other.sweep.moves().then_some(other.handle) };
+                }
             });
         }
         first
@@ -107,12 +139,12 @@ impl<'a> Path<'a> {
     pub fn ends_deep(&self, search: Search<'_>) -> bool {
         let mut deep = false;
         for mover in &self.movers {
-            let shape = mover.collider.shape();
-            let region = shape.compute_aabb(&mover.sweep.at(1.0));
+            let solid = Solid::of(mover.collider);
+            let region = solid.shape.compute_aabb(&mover.sweep.at(1.0));
             search.for_each_obstacle(&region, |other| {
                 deep = deep
                     || mover.is_stopped_by(&other, search)
-                        && ends_deep([shape, other.collider.shape()], [&mover.sweep, &other.sweep]);
+                        && ends_deep((solid, other.collider.shape()), [&mover.sweep, &other.sweep]);
             });
         }
         deep
@@ -142,8 +174,9 @@ impl<'a> Mover<'a> {
             return None;
         }
         let body = parent.and_then(|body| search.world.bodies.get(body));
-        let sweep = body
-            .map_or(Sweep::at_rest(collider.pose), |body| sweep_of_slow(search, body, collider));
+        let sweep = body.map_or(Sweep::at_rest(collider.pose), |body| {
+            sweep_of_slow(search.world, body, collider)
+        });
         Some(Self { handle, collider, sweep })
     }
 
@@ -157,13 +190,12 @@ impl<'a> Mover<'a> {
         let skin = self.collider.contact_skin + other.collider.contact_skin;
         let goal = SweepGoal {
             gap: params.allowed_linear_error().max(search.gap_min()) + skin,
-            near: params.prediction_distance() + skin,
             overlap: match params.ccd_on_penetration {
                 true => Overlap::StopsEarly,
                 false => Overlap::Passes,
             },
         };
-        let shapes = [self.collider.shape(), other.collider.shape()];
+        let shapes = (Solid::of(self.collider), other.collider.shape());
         first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
     }
 
@@ -230,15 +262,19 @@ pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'s
 }
 
 /// From where the collider still is to where its body is.
-fn sweep_of_slow(search: Search<'_>, body: &RigidBody, collider: &Collider) -> Sweep<'static> {
+pub(super) fn sweep_of_slow(
+    world: Surroundings<'_>,
+    body: &RigidBody,
+    collider: &Collider,
+) -> Sweep<'static> {
     let Some(parent) = &collider.parent else { return Sweep::at_rest(collider.pose) };
-    if search.world.islands.motion_of(body_slot(collider)).bound() == 0.0 {
+    if world.islands.motion_of(body_slot(collider)).bound() == 0.0 {
         return Sweep::at_rest(collider.pose);
     }
     let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());
     let center = collider.pose * local_center;
     let shift: Vector = body.mprops.world_com - center;
-    Sweep::new(collider.pose, center, shift, body.angvel * search.world.params.dt)
+    Sweep::new(collider.pose, center, shift, body.angvel * world.params.dt)
 }
 
 fn body_slot(collider: &Collider) -> u32 {

@@ -3,7 +3,7 @@
 use super::Digest;
 use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
-use crate::model::collider::{ColliderChanges, ColliderHandle, may_interact};
+use crate::model::collider::{ColliderChanges, ColliderHandle, Widths, may_interact};
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 
 impl Digest<'_> {
@@ -18,6 +18,7 @@ impl Digest<'_> {
         let changes = std::mem::take(&mut collider.changes);
         if changes.contains(ColliderChanges::SHAPE) {
             collider.form = form_of(&*collider.shape);
+            collider.widths = Widths::of_costly(&*collider.shape);
         }
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));

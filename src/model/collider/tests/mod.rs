@@ -7,6 +7,7 @@ mod mass;
 mod set;
 mod setters;
 mod shapes;
+mod widths;
 
 use crate::dim::math::Real;
 

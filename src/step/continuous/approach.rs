@@ -1,0 +1,211 @@
+//! Kinematic bodies that move, and the bodies that they approach.
+//!
+//! Motion is relative. A wall that moves a metre in a step passes a ball at rest just as a ball at that speed passes a wall. So a
+//! body is searched as a fast one if its motion and that of a kinematic body near it are together as long as a fast body's:
+//!
+//! ```text
+//! |Δx_b| + |ω_b| Δt R_b + |Δx_k| + |ω_k| Δt (|c_b - c_k| + R_b)  >  what FastMotion::is_one allows
+//! ```
+//!
+//! `c` are centres of mass, `R` the extent about them. The last term bounds how far any point within the body's extent is carried by the
+//! turn of the kinematic body: a door sweeps far at its edge and hardly at its hinge.
+//!
+//! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones among them wake. A body whose box
+//! is outside the region that a kinematic collider sweeps needs no search: a body that is not fast keeps its core inside its box.
+//! Worlds without moving kinematic bodies pay for one look at an empty list.
+
+use super::Surroundings;
+use super::path::sweep_of_slow;
+use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::collide::Sweep;
+use crate::dim::math::{AngVector, Real, Vector, ang_length_squared};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity};
+use crate::model::collider::{Collider, may_interact};
+use crate::model::island::NONE;
+use crate::model::params::IntegrationParameters;
+use crate::model::structure::Structure;
+use crate::model::tree::{BroadPhaseBvh, TreeKind};
+use crate::step::notes::{Approach, FastMotion};
+use parry::bounding_volume::{Aabb, BoundingVolume};
+
+/// How a kinematic body moves in a step.
+#[derive(Copy, Clone)]
+struct Drive {
+    center: Vector,
+    shift: Vector,
+    turn: AngVector,
+}
+
+impl Drive {
+    /// The motion that the velocity of a body leads to.
+    fn ahead(body: &RigidBody, params: &IntegrationParameters) -> Self {
+        let velocity = match body.body_type {
+            RigidBodyType::KinematicPositionBased => {
+                body.velocity_to_next_position(params.inv_dt())
+            }
+            _ => body.vels(),
+        };
+        let RigidBodyVelocity { linvel, angvel } = velocity;
+        Self { center: body.mprops.world_com, shift: linvel * params.dt, turn: angvel * params.dt }
+    }
+
+    fn is_rest(&self) -> bool {
+        self.shift == Vector::ZERO && ang_length_squared(self.turn) == 0.0
+    }
+
+    /// The motion that a body has made.
+    fn made(body: &RigidBody, shift: Vector, dt: Real) -> Self {
+        Self { center: body.mprops.world_com - shift, shift, turn: body.angvel * dt }
+    }
+
+    /// A bound of how far a point within `extent` of a place moves, if this carries it.
+    fn reach(&self, place: Vector, extent: Real) -> Real {
+        let angle = match ang_length_squared(self.turn) {
+            0.0 => return self.shift.length(),
+            square => square.sqrt(),
+        };
+        self.shift.length() + angle * (place.distance(self.center) + extent)
+    }
+}
+
+/// Lists the dynamic bodies that kinematic ones approach, and wakes those that would be passed asleep.
+pub(crate) fn find_approaches(
+    structure: &mut Structure<'_>,
+    trees: &BroadPhaseBvh,
+    params: &IntegrationParameters,
+    approaches: &mut Vec<Approach>,
+) {
+    approaches.clear();
+    if params.max_ccd_substeps == 0 || params.dt <= 0.0 {
+        return;
+    }
+    for &handle in structure.islands.awake.kinematic() {
+        let Some(body) = structure.bodies.get(handle) else { continue };
+        let drive = Drive::ahead(body, params);
+        if !drive.is_rest() {
+            list(structure, trees, params, (handle, body, drive), approaches);
+        }
+    }
+    approaches.sort_unstable_by_key(|near| [near.body, near.kinematic].map(|b| b.into_raw_parts()));
+    approaches.dedup();
+    for near in approaches.iter() {
+        let Some(body) = structure.bodies.get(near.body) else { continue };
+        let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
+        let reach = Drive::ahead(kinematic, params).reach(body.mprops.world_com, body.extent);
+        if body.link.awake == NONE && FastMotion::is_one(body, reach, params) {
+            structure.wake_body(near.body);
+        }
+    }
+}
+
+fn list(
+    structure: &Structure<'_>,
+    trees: &BroadPhaseBvh,
+    params: &IntegrationParameters,
+    (kinematic, body, drive): (RigidBodyHandle, &RigidBody, Drive),
+    approaches: &mut Vec<Approach>,
+) {
+    let Drive { center, shift, turn } = drive;
+    for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {
+        if collider.is_sensor() || !collider.is_enabled() {
+            continue;
+        }
+        let sweep = Sweep::new(collider.pose, center, shift, turn);
+        let region = region_of(collider, &sweep, params);
+        trees.for_each_overlapping(TreeKind::Dynamic, &region, |slot| {
+            let Some((_, other)) = structure.colliders.at_slot(slot) else { return };
+            let meets = !other.is_sensor() && may_interact(collider, other);
+            let body = other.parent().filter(|_| meets);
+            approaches.extend(body.map(|body| Approach { body, kinematic }));
+        });
+    }
+}
+
+/// A box around all places of a collider on its way, and around what is in contact with it there.
+fn region_of(collider: &Collider, sweep: &Sweep<'_>, params: &IntegrationParameters) -> Aabb {
+    sweep.region(collider.shape()).loosened(params.prediction_distance() + collider.contact_skin)
+}
+
+/// Adds those of the approached bodies to the fast ones that are not fast by themselves, but too fast in the eyes of a kinematic body.
+pub(crate) fn add_approached(
+    world: Surroundings<'_>,
+    approaches: &[Approach],
+    fast: &mut Vec<FastMotion>,
+) {
+    let mut last = None;
+    for near in approaches {
+        let body = world.bodies.get(near.body).filter(|body| body.is_dynamic());
+        let Some(body) = body.filter(|body| !body.ccd_active && last != Some(near.body)) else {
+            continue;
+        };
+        let Some(kinematic) = world.bodies.get(near.kinematic) else { continue };
+        let motion = |handle: RigidBodyHandle| world.islands.motion_of(handle.into_raw_parts().0);
+        let drive = Drive::made(kinematic, motion(near.kinematic).shift, world.params.dt);
+        let own = motion(near.body);
+        let relative = own.bound() + drive.reach(body.mprops.world_com - own.shift, body.extent);
+        let is_link = || world.multibodies.rigid_body_link(near.body).is_some();
+        if FastMotion::is_one(body, relative, world.params) && !is_link() {
+            fast.extend(motion_of(world, near.body, body));
+            last = Some(near.body);
+        }
+    }
+}
+
+/// How a body that is not fast has moved, from where its colliders still are.
+fn motion_of(
+    world: Surroundings<'_>,
+    handle: RigidBodyHandle,
+    body: &RigidBody,
+) -> Option<FastMotion> {
+    let colliders = body.colliders.iter().filter_map(|&handle| world.colliders.get(handle));
+    let (parent, pose) =
+        colliders.filter_map(|collider| Some((collider.parent.as_ref()?, collider.pose))).next()?;
+    let start = pose * parent.pos_wrt_parent.inverse();
+    let center = start * body.local_center_of_mass();
+    Some(FastMotion {
+        body: handle,
+        start,
+        center,
+        shift: body.mprops.world_com - center,
+        turn: body.angvel * world.params.dt,
+        acceleration: Vector::ZERO,
+        link: None,
+    })
+}
+
+/// The colliders of kinematic bodies that have moved, with boxes around their ways.
+#[derive(Default)]
+pub(super) struct Movers {
+    boxes: BoxTree,
+    /// Their slots, by the numbers of their boxes.
+    slots: Vec<u32>,
+}
+
+impl Movers {
+    /// Lists them.
+    pub fn find(&mut self, world: Surroundings<'_>) {
+        self.boxes.clear();
+        self.slots.clear();
+        for &handle in world.islands.awake.kinematic() {
+            if world.islands.motion_of(handle.into_raw_parts().0).bound() == 0.0 {
+                continue;
+            }
+            let Some(body) = world.bodies.get(handle) else { continue };
+            for &handle in &body.colliders {
+                let collider = world.colliders.get(handle).filter(|collider| collider.is_enabled());
+                let Some(collider) = collider else { continue };
+                let sweep = sweep_of_slow(world, body, collider);
+                let region = region_of(collider, &sweep, world.params);
+                self.boxes.insert(&region, self.slots.len() as u32);
+                self.slots.push(handle.into_raw_parts().0);
+            }
+        }
+    }
+
+    /// Calls `visit` with the slots of those whose ways lead through a region.
+    pub fn for_each_in(&self, region: &Aabb, mut visit: impl FnMut(u32)) {
+        if !self.slots.is_empty() {
+            self.boxes.for_each_leaf(&BoxProbe(*region), |at| visit(self.slots[at as usize]));
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Thin things of every shape, thrown aslant and tumbling on thin grounds of every kind.
+
+use crate::dim::thin::{THIN_GROUNDS, random_turn, sideways, thin_shapes};
+use crate::dim::vec;
+use crate::suite::physics::table::Table;
+use rapier::prelude::*;
+
+/// Ranges of the speeds (m/s).
+const SPEEDS: [[Real; 2]; 3] = [[0.0, 5.0], [5.0, 40.0], [40.0, 600.0]];
+/// Whatever is farther to a side may have left the ground.
+const SIDE_MAX: Real = 9.0;
+
+/// Reproducible numbers from -1 to 1 (xorshift).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> Real {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        ((self.0 >> 40) as f64 / (1_u64 << 23) as f64 - 1.0) as Real
+    }
+
+    fn take<const N: usize>(&mut self) -> [Real; N] {
+        core::array::from_fn(|_| self.next())
+    }
+}
+
+/// Is a body below the ground within some steps?
+fn passes(
+    lay: fn(&mut PhysicsWorld, Pose, Real),
+    shape: &ColliderBuilder,
+    [slow, fast]: [Real; 2],
+    seed: u64,
+) -> bool {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ ((seed + 1) * 0x1234_5677));
+    (0..20).for_each(|_| drop(random.next()));
+    let mut world = PhysicsWorld::new();
+    lay(&mut world, Pose::IDENTITY, 0.5);
+    let share = 0.5 + 0.5 * random.next();
+    let speed = slow + (fast - slow) * share;
+    let down = (vec(0.0, -1.0) + sideways(random.take()) * 0.7).normalize();
+    let spin = if random.next() > 0.4 { 0.0 } else { 12.0 };
+    let body = RigidBodyBuilder::dynamic()
+        .translation(vec(0.3 * random.next(), 1.6 + 0.4 * random.next()))
+        .rotation(random_turn(random.take().map(|angle: Real| 3.0 * angle)))
+        .linvel(down * speed)
+        .angvel(random_turn(random.take().map(|rate: Real| spin * rate)));
+    let (body, _) = world.insert(body, shape.clone());
+    for _ in 0..90 {
+        world.step();
+        let at = world.bodies[body].translation();
+        if (at - vec(0.0, at.y)).length() > SIDE_MAX {
+            return false;
+        }
+        if at.y < -0.03 {
+            return true;
+        }
+    }
+    false
+}
+
+fn count_passed(seeds: u64) {
+    let title = format!("thin things that pass a thin ground, of {seeds}");
+    let mut table =
+        Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
+    for (ground, lay) in THIN_GROUNDS {
+        for (name, shape) in thin_shapes() {
+            let counts = SPEEDS.map(|range| {
+                (0..seeds).filter(|&seed| passes(lay, &shape, range, seed)).count()
+            });
+            let [slow, middle, fast] = counts.map(|count| count.to_string());
+            table.row([ground.to_owned(), name.to_owned(), slow, middle, fast]);
+            table.require(counts == [0; 3], "they passed");
+        }
+    }
+}
+
+#[test]
+fn thin_things_do_not_pass_thin_grounds() {
+    count_passed(3);
+}
+
+/// The same with more throws: minutes.
+#[test]
+#[ignore = "takes minutes"]
+fn thin_things_do_not_pass_thin_grounds_in_many_throws() {
+    count_passed(40);
+}
