@@ -4,7 +4,7 @@ use super::contact::{Mover, Vehicle, WheelContact};
 use super::ground::{Give, Grounds};
 use super::memory::{Memory, linvel_after_forces};
 use super::place::{velocities_ahead, with_ground_alone};
-use super::rest::{Seen, is_disturbed, is_under_way};
+use super::rest::{Seen, is_disturbed, is_driven};
 use super::solve::{on_chassis, on_ground, solve};
 use super::wheel::{Wheel, WheelTuning};
 use crate::base::measure::is_margin;
@@ -191,7 +191,7 @@ impl DynamicRayCastVehicleController {
         let is_asleep = chassis.is_sleeping();
         let wants_to_wake = match is_asleep {
             true => is_disturbed(&self.wheels, &self.seen, bodies, colliders),
-            false => is_under_way(&self.wheels, chassis),
+            false => is_driven(&self.wheels),
         };
         let chassis = bodies.get_mut(self.chassis);
         if let Some(chassis) = chassis {

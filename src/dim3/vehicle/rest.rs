@@ -8,8 +8,6 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 
-/// Share of the speed below which a body may sleep, below which a vehicle may. It is to coast until it stands.
-const CALM: Real = 0.05;
 /// Share of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
 const SAME_PLACE: Real = 1.0e-3;
 
@@ -64,12 +62,7 @@ pub(super) fn is_disturbed(
     })
 }
 
-/// Is a vehicle that is awake under way, though perhaps so slowly that a body might sleep?
-pub(super) fn is_under_way(wheels: &[Wheel], chassis: &RigidBody) -> bool {
-    let activation = chassis.activation();
-    let calm = CALM * activation.normalized_linear_threshold.max(0.0);
-    let slow = CALM * activation.angular_threshold.max(0.0);
-    chassis.linvel().length_squared() > calm * calm
-        || chassis.angvel().length_squared() > slow * slow
-        || wheels.iter().any(|wheel| wheel.is_usable() && wheel.engine_force != 0.0)
+/// Returns whether an engine drives a vehicle. One that coasts is awake as long as any body that moves like it.
+pub(super) fn is_driven(wheels: &[Wheel]) -> bool {
+    wheels.iter().any(|wheel| wheel.is_usable() && wheel.engine_force != 0.0)
 }

@@ -1,6 +1,7 @@
 //! When a body may fall asleep, and whether it does.
 //!
-//! A body is a candidate for sleep while it moves slower than both thresholds. Once every body of an
+//! A body is a candidate for sleep while it does not drift: while none of its points gets farther from its
+//! position at the start of a window of time than the thresholds allow. Once every body of an
 //! island has been a candidate for long enough, the whole island sleeps and costs nothing.
 
 use crate::dim::math::Real;
@@ -9,10 +10,14 @@ use crate::dim::math::Real;
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodyActivation {
-    /// Linear speed below which the body may fall asleep, as a multiple of
+    /// Mean speed below which every point of the body must stay for the body to fall asleep, as a multiple of
     /// `IntegrationParameters::length_unit` per second. Negative: never.
+    ///
+    /// The mean is taken over [`Self::time_until_sleep`], or a second if that is longer: no point may get farther from its position at
+    /// the start of this time than the threshold times its length. A turn counts with the size of the body. A body that trembles in
+    /// its place may be faster.
     pub normalized_linear_threshold: Real,
-    /// Angular speed below which the body may fall asleep (rad/s). Negative: never.
+    /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative: never.
     pub angular_threshold: Real,
     /// How long the body must stay below both thresholds before it may sleep (seconds).
     pub time_until_sleep: Real,
@@ -29,24 +34,27 @@ impl Default for RigidBodyActivation {
 }
 
 impl RigidBodyActivation {
-    /// The default of [`Self::normalized_linear_threshold`]: 0.4 length units per second.
-    pub const fn default_normalized_linear_threshold() -> Real {
-        0.4
-    }
-
-    /// The default of [`Self::angular_threshold`]: 0.5 rad/s.
-    pub const fn default_angular_threshold() -> Real {
-        0.5
-    }
-
-    /// The default of [`Self::time_until_sleep`]: half a second.
+    /// The default of [`Self::normalized_linear_threshold`]: 0.01 length units per second, the speed of the tip of a clock's hand
+    /// that goes round once a minute.
     ///
-    /// It has to outlast whatever is slow for a moment only. A body thrown upwards is slower than
-    /// 0.4 m/s for 0.08 s around the top of its flight (with a gravity of 9.81 m/s²), a rocking box at
-    /// each turning point for about as long: half a second is several times that, and still short
-    /// enough for piles to cost nothing soon after they settled. Box2D has settled on it, too.
+    /// A user sees a body stop that drifts faster. Bodies that settle come to rest by orders of magnitude below.
+    pub const fn default_normalized_linear_threshold() -> Real {
+        0.01
+    }
+
+    /// The default of [`Self::angular_threshold`]: 0.1 rad/s. It matters for bodies with an extent below a tenth of a length
+    /// unit; larger ones reach the linear threshold first.
+    pub const fn default_angular_threshold() -> Real {
+        0.1
+    }
+
+    /// The default of [`Self::time_until_sleep`]: a second.
+    ///
+    /// It has to outlast whatever is slow for a moment only: a body at the top of its flight, a rocking box or a pendulum at its
+    /// turning point, a domino that begins to tip. From rest, a body needs an acceleration of less than 0.02 m/s² to stay
+    /// within 1 cm for a second.
     pub const fn default_time_until_sleep() -> Real {
-        0.5
+        1.0
     }
 
     /// An awake body that may fall asleep.
@@ -79,7 +87,7 @@ impl RigidBodyActivation {
         !self.sleeping
     }
 
-    /// Has the body been calm for long enough to sleep?
+    /// Returns whether the body has been below both thresholds for long enough to sleep.
     pub fn is_eligible_for_sleep(&self) -> bool {
         self.time_since_can_sleep >= self.time_until_sleep
     }

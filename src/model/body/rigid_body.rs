@@ -5,7 +5,7 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    AttachedColliders, QuarantineCause, RigidBodyActivation, RigidBodyAdditionalMassProps,
+    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation, RigidBodyAdditionalMassProps,
     RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
 };
 use crate::base::fault::{Fault, ensure};
@@ -72,6 +72,8 @@ pub struct RigidBody {
     pub(crate) colliders: AttachedColliders,
     pub(crate) mprops: RigidBodyMassProps,
     // From here on: cold.
+    /// The pose from which drift is measured, while the body rests.
+    pub(crate) rest: RestPose,
     /// Where a position-based kinematic body will be after the next step. Means nothing for others:
     /// [`RigidBody::next_position`] knows.
     pub(crate) next_pose: Pose,
@@ -151,6 +153,7 @@ impl RigidBody {
             gyroscopic_forces_enabled: true,
             pushed: false,
             mprops: RigidBodyMassProps::default(),
+            rest: RestPose::ORIGIN,
             next_pose: Pose::IDENTITY,
             soft_ccd_prediction: 0.0,
             additional_solver_iterations: 0,

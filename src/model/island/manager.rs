@@ -75,11 +75,16 @@ impl IslandManager {
         self.awake.len()
     }
 
-    /// Wakes a body, and with it (in the next step) its island. `strong` also makes it stay awake for
-    /// its full time until sleep. Nothing happens if the handle is stale.
+    /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake when this returns.
+    /// `strong` also makes them stay awake for their full time until sleep. Nothing happens if the handle is stale.
     pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {
-        if let Some(body) = bodies.get_mut(handle) {
-            body.wake_up(strong);
+        let Some(body) = bodies.get_mut(handle) else { return };
+        body.wake_up(strong);
+        let island = self.islands.get(body.link.island as usize).filter(|island| island.sleeping);
+        for &member in island.iter().flat_map(|island| &island.bodies) {
+            if let Some(body) = bodies.get_mut(member) {
+                body.wake_up(strong);
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! Bounds of how far bodies moved.
 
-use crate::dim::math::{AngVector, Real, Vector, ang_length_squared};
+use crate::dim::math::{AngVector, Real, Rotation, Vector, ang_length_squared};
 
 /// How far the points of a body moved in a step: by `shift`, and by no more than `rest` besides.
 ///
@@ -44,6 +44,17 @@ impl BodyMotion {
     pub fn against(&self, other: &Self) -> Real {
         (self.shift - other.shift).length() + self.rest + other.rest
     }
+}
+
+/// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
+/// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
+/// the square root of 3/2.
+const TURN_BOUND: Real = 1.225;
+
+/// A bound of how far two rotations take a unit vector apart.
+pub(crate) fn turn_bound(a: Rotation, b: Rotation) -> Real {
+    let apart = Vector::AXES.map(|axis| (a * axis - b * axis).length_squared());
+    TURN_BOUND * apart.into_iter().fold(0.0, Real::max).sqrt()
 }
 
 #[cfg(test)]

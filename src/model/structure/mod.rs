@@ -21,7 +21,7 @@ mod touching;
 
 pub(crate) use check::World;
 
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::body::{RestPose, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderHandle;
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
@@ -143,6 +143,7 @@ impl Structure<'_> {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         if body.link.awake == NONE {
             body.activation.sleeping = false;
+            body.rest = RestPose::of(body);
             let is_kinematic = body.link.island == NONE;
             let changed = self.islands.awake.insert(handle, is_kinematic);
             self.tell_places(changed);

@@ -5,15 +5,18 @@
 //! Runs:    parallel over awake bodies; new boxes are put into the trees one by one, in the order of the bodies
 //! Never:   changes a velocity or the structure
 
+mod sleep_timer;
+
 use crate::base::arena::SharedArena;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
-use crate::dim::math::{Real, ang_length_squared};
+use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, Carried, carry};
+use sleep_timer::update_sleep_timer;
 
 /// How many turns before it is needed memory is asked for.
 const TURNS_AHEAD: usize = 4;
@@ -46,10 +49,10 @@ pub(crate) fn advance(
     let (all_colliders, sleepy) = (colliders.share(), DisjointMut::new(sleepy));
     let follow_body = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
         let Some(body) = body else { return };
-        update_sleep_timer(body, params);
-        // SAFETY: each position is one body's.
-        unsafe { *sleepy.get_mut(position) = body.activation.is_eligible_for_sleep() };
         let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
+        let may_sleep = update_sleep_timer(body, motion, params);
+        // SAFETY: each position is one body's.
+        unsafe { *sleepy.get_mut(position) = may_sleep };
         if motion > 0.0 {
             // SAFETY: each collider has one body, and each body a place.
             unsafe { carry_colliders(body, motion, &all_colliders, params, left) };
@@ -109,28 +112,5 @@ fn follow(
     };
     if is_elsewhere {
         colliders.note_box(handle);
-    }
-}
-
-/// A body that is slower than its thresholds gets sleepier by `dt`; any other is wide awake.
-fn update_sleep_timer(body: &mut RigidBody, params: &IntegrationParameters) {
-    let activation = &mut body.activation;
-    let linear = activation.normalized_linear_threshold * params.length_unit;
-    let angular = activation.angular_threshold;
-    // A negative threshold says that the body never sleeps.
-    let still = if body.body_type.is_kinematic() {
-        linear >= 0.0
-            && body.linvel.length_squared() == 0.0
-            && ang_length_squared(body.angvel) == 0.0
-    } else {
-        linear >= 0.0
-            && angular >= 0.0
-            && body.linvel.length_squared() < linear * linear
-            && ang_length_squared(body.angvel) < angular * angular
-    };
-    if still {
-        activation.time_since_can_sleep += params.dt;
-    } else {
-        activation.time_since_can_sleep = 0.0;
     }
 }

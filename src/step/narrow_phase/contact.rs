@@ -1,7 +1,7 @@
 //! Pairs of solid colliders: where do the two touch?
 
 use super::faults;
-use super::place::{Place, turn_bound};
+use super::place::Place;
 use super::seams::{self, SeamScratch, obstacle_side};
 use super::update::{Outcome, Surroundings, Update, Worker};
 use super::view::PairView;
@@ -17,6 +17,7 @@ use crate::model::collider::{
 };
 use crate::model::contact::{ContactManifold, ContactPair, DUE, PairId, PairStore, SolverFlags};
 use crate::model::hooks::ContactModificationContext;
+use crate::model::island::turn_bound;
 use crate::step::notes::PairChange;
 use smallvec::SmallVec;
 

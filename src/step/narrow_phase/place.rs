@@ -9,17 +9,7 @@ use crate::dim::math::{Pose, Real, Rotation, Vector, ang_length_squared};
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
 use crate::model::contact::{ContactManifold, Placement};
-
-/// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
-/// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
-/// the square root of 3/2.
-const TURN_BOUND: Real = 1.225;
-
-/// A bound of how far two rotations take a unit vector apart.
-pub(super) fn turn_bound(a: Rotation, b: Rotation) -> Real {
-    let apart = Vector::AXES.map(|axis| (a * axis - b * axis).length_squared());
-    TURN_BOUND * apart.into_iter().fold(0.0, Real::max).sqrt()
-}
+use crate::model::island::turn_bound;
 
 /// What is needed to place the contacts of a pair.
 pub(super) struct Place<'a> {

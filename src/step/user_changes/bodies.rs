@@ -1,7 +1,7 @@
 //! Bodies that are new or were edited.
 
 use super::Digest;
-use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
+use crate::model::body::{RestPose, RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::{ColliderEnabled, ColliderHandle};
 use crate::model::island::NONE;
 
@@ -123,6 +123,7 @@ impl Digest<'_> {
         if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
             body.activation.sleeping = false;
             body.activation.time_since_can_sleep = body.activation.time_until_sleep;
+            body.rest = RestPose::of(body);
         }
     }
 

@@ -1,0 +1,84 @@
+//! How long each body has been at rest.
+//!
+//! A body rests while it does not drift: while no point of it gets farther than a limit from its position at the start of a window
+//! of time. Speed is the wrong measure. A slow motion goes on for as long as one likes at any speed limit, and a
+//! body that trembles in a pile is faster than most of what a user sees move, and comes to no other place.
+
+use crate::dim::math::{Real, ang_length_squared};
+use crate::model::body::{RestPose, RigidBody};
+use crate::model::params::IntegrationParameters;
+
+/// The longest window (s) over which drift is measured: the limits grow with it, and something that swings to and fro within a
+/// limit for ten seconds would else be allowed ten times the amplitude.
+const WINDOW_MAX: Real = 1.0;
+
+/// How far a body at rest may drift within a window.
+struct Limits {
+    /// Duration of the window (s).
+    window: Real,
+    /// By any point (length units).
+    distance: Real,
+    /// By any direction (rad).
+    angle: Real,
+}
+
+impl Limits {
+    /// The limits of a body; `None` if it never sleeps, which a negative threshold means.
+    fn of(body: &RigidBody, params: &IntegrationParameters) -> Option<Self> {
+        let activation = &body.activation;
+        let (linear, angular) =
+            (activation.normalized_linear_threshold, activation.angular_threshold);
+        let window = activation.time_until_sleep.min(WINDOW_MAX).max(params.dt);
+        let [distance, angle] = [linear * params.length_unit * window, angular * window];
+        (linear >= 0.0 && angular >= 0.0).then_some(Self { window, distance, angle })
+    }
+
+    /// Returns whether the body kept the limits in a step in which its points moved by no more than `motion`.
+    ///
+    /// The single step is checked first: a body that turns by whole turns from step to step would seem not to turn.
+    fn are_kept(&self, body: &RigidBody, motion: Real, dt: Real) -> bool {
+        let step_angle = ang_length_squared(body.angvel) * (dt * dt);
+        if motion > self.distance || step_angle > self.angle * self.angle {
+            return false;
+        }
+        if body.activation.time_since_can_sleep == 0.0 {
+            return true;
+        }
+        let drift = body.rest.drift(body);
+        drift.distance <= self.distance && drift.angle <= self.angle
+    }
+}
+
+/// Updates the sleep timer of a body whose points moved by no more than `motion` in this step. Returns whether the body may sleep.
+pub(super) fn update_sleep_timer(
+    body: &mut RigidBody,
+    motion: Real,
+    params: &IntegrationParameters,
+) -> bool {
+    let rests = if body.body_type.is_kinematic() {
+        body.activation.normalized_linear_threshold >= 0.0
+            && body.linvel.length_squared() == 0.0
+            && ang_length_squared(body.angvel) == 0.0
+    } else {
+        Limits::of(body, params).is_some_and(|limits| {
+            let rests = limits.are_kept(body, motion, params.dt);
+            if rests {
+                continue_window(body, limits.window, params.dt);
+            }
+            rests
+        })
+    };
+    let activation = &mut body.activation;
+    activation.time_since_can_sleep =
+        if rests { activation.time_since_can_sleep + params.dt } else { 0.0 };
+    rests && activation.is_eligible_for_sleep()
+}
+
+/// Begins a new window when the body comes to rest, and whenever one is over: a body that waits for the rest of its island may creep
+/// at less than the threshold for as long as it takes.
+fn continue_window(body: &mut RigidBody, window: Real, dt: Real) {
+    if body.activation.time_since_can_sleep == 0.0 || body.rest.age >= window {
+        body.rest = RestPose::of(body);
+    }
+    body.rest.age += dt;
+}
