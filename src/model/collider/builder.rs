@@ -1,4 +1,4 @@
-//! Describing a collider before it is made.
+//! The builder of colliders: a description that is validated when the collider is built.
 
 use super::check::{check_margin, check_pose, check_shape};
 use super::form::ShapeForm;
@@ -15,54 +15,54 @@ use crate::model::tree::ColliderProxy;
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
 
-/// Describes a collider: start with a shape's constructor, chain what differs from the defaults, and
-/// [`build`](Self::build) it, or hand the builder itself to the collider set.
+/// Describes a collider. A program starts with a shape's constructor, chains the properties that differ from the defaults, and
+/// calls [`build`](Self::build) or inserts the builder itself into the collider set.
 ///
-/// Constructors take any numbers. What cannot be simulated (a negative radius, a NaN, an empty mesh) is
-/// reported by [`Self::try_build`]; [`Self::build`] logs it and makes a collider that takes part in
-/// nothing, so that one bad value from a level file does not stop the program.
+/// Constructors accept any numbers. [`Self::try_build`] returns an error for invalid ones (a negative radius, a NaN, an empty
+/// mesh). [`Self::build`] logs the error and makes a disabled collider, so one invalid value from a level file does not stop
+/// the program.
 #[derive(Clone, Debug)]
 #[must_use = "a builder does nothing until it is built"]
 pub struct ColliderBuilder {
     /// The shape.
     pub shape: SharedShape,
-    /// Where its mass comes from. Density 1 by default.
+    /// The source of its mass. Density 1 by default.
     pub mass_properties: ColliderMassProps,
     /// Largest ratio of the tangential to the normal contact force. 0.5 by default.
     pub friction: Real,
-    /// How its friction combines with that of another collider.
+    /// The rule that combines its friction with that of another collider.
     pub friction_combine_rule: CoefficientCombineRule,
     /// Ratio of the speeds of separation and approach. 0 by default.
     pub restitution: Real,
-    /// How its restitution combines with that of another collider.
+    /// The rule that combines its restitution with that of another collider.
     pub restitution_combine_rule: CoefficientCombineRule,
     /// Collider frame → body frame if it will be attached to a body, → world otherwise.
     pub position: Pose,
-    /// Does it only report what it intersects?
+    /// Whether it is a sensor, which reports intersections and exerts no forces.
     pub is_sensor: bool,
-    /// Between which kinds of bodies it collides.
+    /// The types of bodies between which it collides.
     pub active_collision_types: ActiveCollisionTypes,
-    /// Which hooks are called for its pairs.
+    /// The hooks that are called for its pairs.
     pub active_hooks: ActiveHooks,
-    /// Which events are sent for its pairs.
+    /// The events that are sent for its pairs.
     pub active_events: ActiveEvents,
-    /// Whatever the user wants to keep with it.
+    /// A number for the user. The engine does not read it.
     pub user_data: u128,
-    /// With whom it has contacts.
+    /// The groups with which it has contacts.
     pub collision_groups: InteractionGroups,
-    /// With whom its contacts exert forces.
+    /// The groups with which its contacts exert forces.
     pub solver_groups: InteractionGroups,
-    /// Does it take part in the simulation? It does by default.
+    /// Whether it takes part in the simulation. True by default.
     pub enabled: bool,
     /// Thickness (length units) of an invisible layer around the shape. 0 by default.
     pub contact_skin: Real,
     /// Total contact force magnitude of a pair (force units) above which an event is sent. 0 by default.
     pub contact_force_event_threshold: Real,
-    /// Why the constructor could not make the shape it was asked for; `shape` is a stand-in then.
+    /// Why the constructor could not make its shape; `shape` is a placeholder then.
     impossible: Option<InvalidCollider>,
 }
 
-/// A small ball, where the shape that was asked for cannot be.
+/// A small ball in place of an invalid shape.
 pub(super) fn stand_in_shape() -> SharedShape {
     SharedShape::ball(0.5)
 }
@@ -102,7 +102,7 @@ impl ColliderBuilder {
         }
     }
 
-    /// A collider of the given shape, or one whose `try_build` says why there is none.
+    /// A collider of the given shape, or one whose `try_build` returns this error.
     pub(crate) fn of(shape: Result<SharedShape, InvalidCollider>) -> Self {
         match shape {
             Ok(shape) => Self::new(shape),
@@ -112,8 +112,8 @@ impl ColliderBuilder {
 
     /// Makes the collider.
     ///
-    /// If something about it is impossible (see [`Self::try_build`]), a warning says what, and the
-    /// result is a disabled ball without mass at the same place, where that is possible, with the same
+    /// If a value is invalid (see [`Self::try_build`]), a warning in the log names it, and the
+    /// result is a disabled ball without mass, at the same place if that is valid, with the same
     /// user data. Enabling it makes it a ball.
     pub fn build(&self) -> Collider {
         self.try_build().unwrap_or_else(|reason| {
@@ -132,11 +132,11 @@ impl ColliderBuilder {
         })
     }
 
-    /// Makes the collider, or says why there can be none.
+    /// Makes the collider, or returns the reason why it is invalid.
     ///
     /// # Errors
     /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of
-    /// range or nothing in it; if the position is not finite; if friction, restitution, contact skin,
+    /// range or no elements, or if it is a convex shape that cannot collide; if the position is not finite; if friction, restitution, contact skin,
     /// density, mass or the force threshold is negative or not finite (the threshold may be infinite).
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
         self.try_shape()?;
@@ -220,12 +220,12 @@ impl ColliderBuilder {
         }
     }
 
-    /// Friction of colliders that do not say otherwise: 0.5.
+    /// The default friction: 0.5.
     pub fn default_friction() -> Real {
         ColliderMaterial::default().friction
     }
 
-    /// Density of colliders that do not say otherwise: 1.
+    /// The default density: 1.
     pub fn default_density() -> Real {
         1.0
     }
@@ -237,45 +237,45 @@ impl From<ColliderBuilder> for Collider {
     }
 }
 
-/// What differs from the defaults.
+/// Properties that differ from the defaults.
 impl ColliderBuilder {
-    /// Sets the number that the user can keep with the collider.
+    /// Sets the user data.
     pub fn user_data(mut self, data: u128) -> Self {
         self.user_data = data;
         self
     }
 
-    /// Sets with whom it has contacts.
+    /// Sets the groups with which it has contacts.
     pub fn collision_groups(mut self, groups: InteractionGroups) -> Self {
         self.collision_groups = groups;
         self
     }
 
-    /// Sets with whom its contacts exert forces.
+    /// Sets the groups with which its contacts exert forces.
     pub fn solver_groups(mut self, groups: InteractionGroups) -> Self {
         self.solver_groups = groups;
         self
     }
 
-    /// Sets whether it is a sensor, which only reports what it intersects.
+    /// Sets whether it is a sensor, which reports intersections and exerts no forces.
     pub fn sensor(mut self, is_sensor: bool) -> Self {
         self.is_sensor = is_sensor;
         self
     }
 
-    /// Sets which hooks are called for its pairs.
+    /// Sets the hooks that are called for its pairs.
     pub fn active_hooks(mut self, hooks: ActiveHooks) -> Self {
         self.active_hooks = hooks;
         self
     }
 
-    /// Sets which events are sent for its pairs.
+    /// Sets the events that are sent for its pairs.
     pub fn active_events(mut self, events: ActiveEvents) -> Self {
         self.active_events = events;
         self
     }
 
-    /// Sets between which kinds of bodies it collides.
+    /// Sets the types of bodies between which it collides.
     pub fn active_collision_types(mut self, types: ActiveCollisionTypes) -> Self {
         self.active_collision_types = types;
         self
@@ -287,7 +287,7 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets how its friction combines with that of another collider.
+    /// Sets the rule that combines its friction with that of another collider.
     pub fn friction_combine_rule(mut self, rule: CoefficientCombineRule) -> Self {
         self.friction_combine_rule = rule;
         self
@@ -299,7 +299,7 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets how its restitution combines with that of another collider.
+    /// Sets the rule that combines its restitution with that of another collider.
     pub fn restitution_combine_rule(mut self, rule: CoefficientCombineRule) -> Self {
         self.restitution_combine_rule = rule;
         self
@@ -330,7 +330,7 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets where it is: on its body if it will be attached to one, in the world otherwise.
+    /// Sets its position: on its body if it will be attached to one, in the world otherwise.
     pub fn translation(mut self, translation: Vector) -> Self {
         self.position.translation = translation;
         self
@@ -343,7 +343,7 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets where it is and its orientation: on its body if it will be attached to one, in the world
+    /// Sets its position and orientation: on its body if it will be attached to one, in the world
     /// otherwise.
     pub fn position(mut self, position: Pose) -> Self {
         self.position = position;

@@ -1,7 +1,7 @@
-//! Is this a shape that the engine can simulate?
+//! Validation of shapes.
 //!
-//! The one place where shapes are judged, whoever made them: a constructor of the builder, the user
-//! with parry's constructors, or the user through [`Collider::shape_mut`](super::Collider::shape_mut).
+//! All shapes are validated here, whatever made them: a constructor of the builder, parry's constructors, or an edit through
+//! [`Collider::shape_mut`](super::Collider::shape_mut).
 
 use super::InvalidCollider;
 use crate::base::measure::{Measure, is_coordinate, is_length, is_margin, is_point};
@@ -16,7 +16,7 @@ const HEIGHT_MIN: Real = 1.0e-6;
 type Verdict = Result<(), InvalidCollider>;
 
 /// Refuses shapes with sizes that are not positive, coordinates that are not finite, indices out of
-/// range, and nothing in them.
+/// range, no elements, or convex faces that cannot collide.
 pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
     let shape = raw.as_typed_shape();
     for measure in measures(shape) {
@@ -51,7 +51,7 @@ pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
     }
 }
 
-/// The numbers that a shape is made of.
+/// The defining numbers of a shape.
 fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     use Measure::{Length, Lengths, Margin, Point, Points};
     match shape {
@@ -140,14 +140,14 @@ fn check_triangle(corners: [Vector; 3]) -> Verdict {
     if has_area(corners) { Ok(()) } else { degenerate("triangle", "its corners are in line") }
 }
 
-/// Is the triangle more than a line?
+/// Returns whether the triangle has an area.
 fn has_area([a, b, c]: [Vector; 3]) -> bool {
     let (along, other) = ((b - a).normalize_or_zero(), c - a);
     let height = (other - along * other.dot(along)).length();
     height > HEIGHT_MIN * other.length().max((c - b).length())
 }
 
-/// Refuses an empty list of elements and elements that name vertices which are not there.
+/// Refuses an empty list of elements, and indices out of range.
 pub(crate) fn check_elements<const N: usize>(
     parameter: &'static str,
     elements: &[[u32; N]],
@@ -189,8 +189,7 @@ pub(crate) fn check_parts(parts: &[(Pose, SharedShape)]) -> Verdict {
     Ok(())
 }
 
-/// Refuses a shape around which there is no usable box. Of a shape that the user defined, nothing else
-/// can be judged.
+/// Refuses a shape without a valid bounding box. User-defined shapes have no other check.
 fn check_box(shape: &dyn Shape) -> Verdict {
     let aabb = shape.compute_local_aabb();
     check_points("bounding box", &[aabb.mins, aabb.maxs])?;

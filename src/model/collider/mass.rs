@@ -1,4 +1,4 @@
-//! Where a collider's mass comes from.
+//! The mass of a collider: from a density, a mass, or given mass properties.
 
 use super::spread::MassSpread;
 use crate::base::measure::is_margin;
@@ -8,7 +8,7 @@ use crate::dim::shapes;
 use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, TypedShape, Voxels};
 
-/// Where a collider's mass comes from.
+/// The source of a collider's mass.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum ColliderMassProps {

@@ -1,8 +1,8 @@
 //! One constructor for each shape.
 //!
-//! Those whose parameters depend on the dimension (cuboids, for one) stand in `dim2/surface` and
-//! `dim3/surface`. Where parry's constructor panics on what it is given, it is not given that: the
-//! checks stand before the call. What a shape without parts is made of is checked when it is built.
+//! Constructors whose parameters depend on the dimension (cuboids, for example) are in `dim2/surface` and
+//! `dim3/surface`. Where parry's constructor panics on some values, they are checked before the
+//! call. The numbers of a shape without parts are checked when the collider is built.
 
 use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
 use super::{ColliderBuilder, InvalidCollider, grid};
