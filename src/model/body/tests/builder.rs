@@ -46,7 +46,7 @@ fn a_bad_value_becomes_the_default_or_an_error_that_names_it() {
     }
     assert!(good().try_build().is_ok());
     let error = good().gravity_scale(nan).try_build().expect_err("gravity_scale");
-    assert_eq!(error.to_string(), "the gravity_scale of a rigid body cannot be NaN");
+    assert_eq!(error.to_string(), "the gravity_scale of a rigid body is NaN, which is invalid");
 }
 
 /// Or a body of a high group would fall through the ground.

@@ -144,7 +144,7 @@ fn indices_out_of_range_are_refused() {
         ColliderBuilder::convex_decomposition(&[O, X, Y], &[[3; DIM]]),
     ];
     for builder in &all {
-        assert_impossible(builder, "names vertex");
+        assert_impossible(builder, "has the index");
     }
     let reason = ColliderBuilder::trimesh(vec![O, X, Y], vec![[0, 1, 2], [0, 1, 3]])
         .map(|_| ())
