@@ -10,7 +10,7 @@ use crate::model::params::IntegrationParameters;
 
 /// The longest window (s) over which drift is measured: the limits grow with it, and something that swings to and fro within a
 /// limit for ten seconds would else be allowed ten times the amplitude.
-const WINDOW_MAX: Real = 1.0;
+const WINDOW_MAX: Real = 0.25;
 
 /// How far a body at rest may drift within a window.
 struct Limits {
