@@ -40,7 +40,9 @@ impl Outline {
                 (one.inner_shape.radius, one.inner_shape.half_height, false)
             }
             TypedShape::Cone(one) => (one.radius, one.half_height, true),
-            TypedShape::RoundCone(one) => (one.inner_shape.radius, one.inner_shape.half_height, true),
+            TypedShape::RoundCone(one) => {
+                (one.inner_shape.radius, one.inner_shape.half_height, true)
+            }
             _ => return None,
         };
         Some(Self { radius, half_height, is_cone })
@@ -123,7 +125,11 @@ pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawMani
 
 impl FacingParts<'_> {
     /// The features of the two parts.
-    fn features(&self, outlines: [Option<Outline>; 2], hints: [Vector; 2]) -> [PolygonalFeature; 2] {
+    fn features(
+        &self,
+        outlines: [Option<Outline>; 2],
+        hints: [Vector; 2],
+    ) -> [PolygonalFeature; 2] {
         [0, 1].map(|side| match outlines[side] {
             Some(outline) => outline.feature(self.normals[side], hints[side]),
             None => {
@@ -170,5 +176,111 @@ fn remove_copies(raw: &mut RawManifold, distance: Real) {
         if !raw.points.iter().any(is_near) {
             raw.points.push(point);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FacingParts, feature_contacts};
+    use crate::dim::collide::RawManifold;
+    use crate::dim::math::{Pose, Real, Vector, rotation_from_angle};
+    use parry::shape::{Cone, Cuboid, Cylinder, PolygonalFeatureMap, Shape};
+
+    /// The contacts of the features that two shapes show each other along a direction of the first frame.
+    fn contacts<A, B>(
+        pos12: &Pose,
+        one: &A,
+        other: &B,
+        normal: Vector,
+        points: [Vector; 2],
+    ) -> RawManifold
+    where
+        A: Shape + PolygonalFeatureMap,
+        B: Shape + PolygonalFeatureMap,
+    {
+        let mut raw = RawManifold::new();
+        let parts = FacingParts {
+            shapes: [one, other],
+            cores: [one, other],
+            normals: [normal, pos12.rotation.inverse() * -normal],
+            points,
+        };
+        feature_contacts(pos12, &parts, &mut raw);
+        raw
+    }
+
+    /// Two cylinders that lie beside each other touch along a line, however each is turned about its axis or end for end. With
+    /// one point, wherever rounding put it, they rocked on it.
+    #[test]
+    fn cylinders_side_by_side_touch_at_both_ends() {
+        let cylinder = Cylinder::new(1.0, 0.3);
+        for end_for_end in [0.0, core::f64::consts::PI as Real] {
+            for spin in [0.0, 0.7, 2.0] {
+                let rotation = rotation_from_angle(Vector::X * end_for_end)
+                    * rotation_from_angle(Vector::Y * spin);
+                let pos12 = Pose::from_parts(Vector::X * 0.59 + Vector::Y * 0.5, rotation);
+                let raw = contacts(&pos12, &cylinder, &cylinder, Vector::X, [Vector::X * 0.3; 2]);
+                let mut ends: Vec<_> = raw.points.iter().map(|point| point.local_p1.y).collect();
+                ends.sort_by(Real::total_cmp);
+                assert_eq!(ends.len(), 2, "turned by {end_for_end} and {spin}");
+                assert!((ends[0] + 0.5).abs() < 1.0e-4 && (ends[1] - 1.0).abs() < 1.0e-4);
+                assert!(raw.points.iter().all(|point| (point.dist + 0.01).abs() < 1.0e-4));
+            }
+        }
+    }
+
+    /// The side of a cylinder on a box has one contact at each end of the overlap, and not two.
+    #[test]
+    fn a_side_on_a_face_has_two_contacts() {
+        let (cylinder, floor) = (Cylinder::new(1.0, 0.3), Cuboid::new(Vector::splat(0.6)));
+        let pos12 = Pose::from_translation(Vector::X * 0.89);
+        let raw = contacts(&pos12, &floor, &cylinder, Vector::X, [Vector::ZERO; 2]);
+        let heights: Vec<_> = raw.points.iter().map(|point| point.local_p1.y).collect();
+        assert_eq!(heights.len(), 2, "{heights:?}");
+        assert!((heights[0] + heights[1]).abs() < 1.0e-5, "{heights:?}");
+    }
+
+    /// A cap that lies flat has the same contacts wherever rounding puts the closest points.
+    #[test]
+    fn a_flat_cap_does_not_turn() {
+        let (cylinder, floor) = (Cylinder::new(0.5, 0.3), Cuboid::new(Vector::splat(2.0)));
+        let pos12 = Pose::from_translation(Vector::Y * 2.49);
+        let found = |angle: Real, tilt: Real| {
+            let hint = Vector::new(0.3 * angle.cos(), -0.5, 0.3 * angle.sin());
+            let normal = Vector::new(tilt * angle.cos(), 1.0, tilt * angle.sin()).normalize();
+            let raw = contacts(&pos12, &floor, &cylinder, normal, [Vector::Y * 2.0, hint]);
+            raw.points.iter().map(|point| point.local_p2).collect::<Vec<_>>()
+        };
+        let first = found(0.0, 0.0);
+        assert_eq!(first.len(), 4);
+        for step in 1..20 {
+            let now = found(step as Real, 1.0e-3);
+            assert_eq!(now.len(), 4);
+            for (before, now) in first.iter().zip(&now) {
+                assert!((before - now).length() < 2.0e-3, "moved from {before} to {now}");
+            }
+        }
+    }
+
+    /// Rims and apexes have no feature but themselves: the closest points are the contact.
+    #[test]
+    fn rims_and_apexes_are_points() {
+        let (cylinder, cone) = (Cylinder::new(0.5, 0.3), Cone::new(0.5, 0.3));
+        let floor = Cuboid::new(Vector::splat(2.0));
+        for slope in [0.3, 0.5, 0.8, 1.0, 1.2] as [Real; 5] {
+            let down = Vector::new(slope.sin(), -slope.cos(), 0.0);
+            let turn = rotation_from_angle(Vector::Z * -slope);
+            let pos12 = Pose::from_parts(Vector::Y * 2.5, turn);
+            let seen = pos12.rotation.inverse() * -Vector::Y;
+            if (seen - down).length() > 1.0e-3 {
+                continue;
+            }
+            let points = [Vector::Y * 2.0, down];
+            assert!(contacts(&pos12, &floor, &cylinder, Vector::Y, points).points.is_empty());
+            assert!(contacts(&pos12, &floor, &cone, Vector::Y, points).points.is_empty());
+        }
+        let upside_down = Pose::from_parts(Vector::Y * 2.5, rotation_from_angle(Vector::X * 3.1));
+        let points = [Vector::Y * 2.0, Vector::Y * 0.5];
+        assert!(contacts(&upside_down, &floor, &cone, Vector::Y, points).points.is_empty());
     }
 }

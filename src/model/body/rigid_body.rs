@@ -5,8 +5,9 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation, RigidBodyAdditionalMassProps,
-    RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
+    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation,
+    RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps,
+    RigidBodyType,
 };
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
