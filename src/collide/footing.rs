@@ -38,7 +38,7 @@ impl Footing {
         } else if let Some((polytope, radius)) = Polytope::of(shape) {
             polytope.for_each_corner_toward(down, |point, id| add(point + down * radius, id));
         } else {
-            let Core { shape, radius } = Core::of(&Part::whole(shape))?;
+            let Core { shape, radius, .. } = Core::of(&Part::whole(shape))?;
             let (lowest, mut feature) =
                 (shape.local_support_point(down), PolygonalFeature::default());
             shape.local_support_feature_toward(down, lowest, &mut feature);

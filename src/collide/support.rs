@@ -2,10 +2,10 @@
 
 use super::parts::Part;
 use crate::base::closest::{Closest, closest, extents};
-use crate::dim::collide::{RawManifold, RawPoint};
+use crate::dim::collide::{FacingParts, RawManifold, RawPoint, feature_contacts};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
-use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap};
+use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape};
 
 /// The closest points are a contact of their own only if they are deeper than those of the features
 /// by more than this share of the parts' thickness.
@@ -17,6 +17,8 @@ const BENT_DEPTH: Real = 5.0;
 /// A part without its rounding.
 #[derive(Copy, Clone)]
 pub(super) struct Core<'a> {
+    /// The part, with its rounding.
+    part: &'a dyn Shape,
     /// The sharp shape.
     pub shape: &'a dyn PolygonalFeatureMap,
     /// How thick the layer around it is (length units).
@@ -27,7 +29,7 @@ impl<'a> Core<'a> {
     /// The core of a part; `None` if it has no faces and edges to speak of.
     pub fn of(part: &Part<'a>) -> Option<Self> {
         let (shape, radius) = part.shape.as_polygonal_feature_map()?;
-        Some(Self { shape, radius })
+        Some(Self { part: part.shape, shape, radius })
     }
 }
 
@@ -57,11 +59,15 @@ pub(super) fn support_manifold(
         return;
     }
     let point2 = pos12.inverse_transform_point(point2);
-    add_features(pos12, cores, [local_n1, local_n2], [point1, point2], raw);
+    let (normals, points) = ([local_n1, local_n2], [point1, point2]);
     let is_bent = local_n1 != normal;
     if is_bent {
+        add_features(pos12, cores, normals, points, raw);
         raw.points.retain(|point| dist >= 0.0 || point.dist >= BENT_DEPTH * dist);
     } else {
+        let shapes = cores.map(|core| core.part);
+        let sharp = cores.map(|core| core.shape);
+        feature_contacts(pos12, &FacingParts { shapes, cores: sharp, normals, points }, raw);
         add_closest(pos12, cores, [point1, point2], dist, raw);
     }
     thicken(cores, [local_n1, local_n2], raw);
@@ -81,7 +87,8 @@ pub(super) fn contacts_along(
     thicken(cores, normals, raw);
 }
 
-/// Adds the contacts of the features that lie at two points, each in the frame of its part.
+/// Adds the contacts of the features that lie at two points, each in the frame of its part, along a direction that need not be that in
+/// which the parts are closest.
 fn add_features(
     pos12: &Pose,
     [core1, core2]: [Core<'_>; 2],

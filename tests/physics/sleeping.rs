@@ -1,7 +1,7 @@
 //! Who sleeps, what that saves, and what wakes them.
 
-use super::stage::{G, RATES, add_ground, run, steps, world};
-use crate::dim::{about_z, cuboid, vec};
+use super::stage::{G, RATES, add_ground, run, steps, weightless, world};
+use crate::dim::{about_z, cuboid, hinge, turned_about_z, vec};
 use rapier::prelude::*;
 
 /// Adds a cube with sides of 1 m whose bottom is at this height.
@@ -163,5 +163,117 @@ fn pushes_wake_if_asked() {
         push(&mut world.bodies[right[0]], false);
         world.step();
         assert_eq!(sleepers(&world, &right), 3, "nobody asked to wake");
+    }
+}
+
+/// A body that drifts comes as far as its speed says. At 0.3 m/s it was once frozen after half a second.
+#[test]
+fn a_drifting_body_is_not_frozen() {
+    for rate in RATES {
+        for speed in [0.06, 0.1, 0.3, 0.39] as [Real; 4] {
+            let mut world = weightless(rate);
+            let body = RigidBodyBuilder::dynamic().linvel(vec(speed, 0.0));
+            let (body, _) = world.insert(body, cuboid(0.5, 0.5));
+            run(&mut world, 5.0);
+            let x = world.bodies[body].translation().x;
+            println!("{rate} Hz, {speed} m/s: came to {x} m in 5 s");
+            assert!(!world.bodies[body].is_sleeping(), "{speed} m/s at {rate} Hz");
+            assert!((x - 5.0 * speed).abs() < 0.01 * speed, "{x} at {speed} m/s and {rate} Hz");
+        }
+    }
+}
+
+/// The size of a body counts: the tip of a beam of 20 m that turns by 0.02 rad/s moves at 0.2 m/s.
+#[test]
+fn a_beam_whose_tip_moves_is_not_frozen() {
+    for rate in RATES {
+        for spin in [0.02, 0.1, 0.3] as [Real; 3] {
+            let mut world = weightless(rate);
+            let body = RigidBodyBuilder::dynamic().angvel(about_z(spin));
+            let (body, _) = world.insert(body, cuboid(10.0, 0.1));
+            run(&mut world, 5.0);
+            let angle = turned_about_z(world.bodies[body].rotation());
+            assert!(!world.bodies[body].is_sleeping(), "{spin} rad/s at {rate} Hz");
+            assert!((angle - 5.0 * spin).abs() < 0.02 * spin, "turned by {angle} at {spin} rad/s");
+        }
+    }
+}
+
+/// What trembles comes to no other place, and may sleep: 0.5 m/s to and fro from step to step is 8 mm.
+#[test]
+fn a_body_that_trembles_sleeps() {
+    for rate in [60, 240] {
+        let mut world = weightless(rate);
+        let (body, _) = world.insert(RigidBodyBuilder::dynamic(), cuboid(0.5, 0.5));
+        let slept = (0..steps(&world, 3.0)).any(|step| {
+            let speed = if step % 2 == 0 { 0.5 } else { -0.5 };
+            world.bodies[body].set_linvel(vec(speed, 0.0), false);
+            world.step();
+            world.bodies[body].is_sleeping()
+        });
+        assert!(slept, "it is awake after 3 s of trembling at {rate} Hz");
+    }
+}
+
+/// A pendulum of 10 m is slow for long, and longest where it turns: it swings for as long as one likes.
+#[test]
+fn a_pendulum_is_not_frozen_where_it_turns() {
+    for rate in RATES {
+        let mut world = world(rate);
+        let (length, angle): (Real, Real) = (10.0, 0.05);
+        let pivot = world.insert_body(RigidBodyBuilder::fixed());
+        let at = vec(length * angle.sin(), -length * angle.cos());
+        let bob = RigidBodyBuilder::dynamic().translation(at).rotation(about_z(angle));
+        let (bob, _) = world.insert(bob, ColliderBuilder::ball(0.2));
+        world.insert_impulse_joint(pivot, bob, hinge().local_anchor2(vec(0.0, length)));
+        // T = 2π √(l / g), within a thousandth at this amplitude; the bob's own inertia adds 8·10⁻⁵.
+        let period = 6.2832 * (length / G).sqrt();
+        run(&mut world, period);
+        let x = world.bodies[bob].translation().x;
+        assert!(!world.bodies[bob].is_sleeping(), "it stands at {x} at {rate} Hz");
+        assert!((x - at.x).abs() < 0.1 * at.x, "after one swing at {x} instead of {}", at.x);
+    }
+}
+
+/// Ten dominoes, of which the first is hardly out of balance: all of them fall.
+#[test]
+fn slow_dominoes_do_not_stop_falling() {
+    for rate in RATES {
+        let mut world = world(rate);
+        add_ground(&mut world, 0.6);
+        let (half_width, half_height): (Real, Real) = (0.05, 0.5);
+        // Upright, a domino is in balance on its edge at this angle.
+        let balance = (half_width / half_height).atan();
+        let dominoes: Vec<_> = (0..10)
+            .map(|k| {
+                let lean = if k == 0 { 1.05 * balance } else { 0.0 };
+                // It has turned about its lower right edge.
+                let edge = 0.4 * k as Real + half_width;
+                let (sine, cosine) = lean.sin_cos();
+                let x = edge - half_width * cosine + half_height * sine;
+                let y = half_width * sine + half_height * cosine;
+                let body = RigidBodyBuilder::dynamic().translation(vec(x, y));
+                world.insert(body.rotation(about_z(-lean)), cuboid(half_width, half_height)).0
+            })
+            .collect();
+        run(&mut world, 12.0);
+        let turned = |body: &RigidBodyHandle| turned_about_z(world.bodies[*body].rotation());
+        let angles: Vec<_> = dominoes.iter().map(turned).collect();
+        println!("{rate} Hz: {angles:.2?}");
+        assert!(angles.iter().all(|angle| *angle < -0.5), "some stand at {rate} Hz: {angles:.2?}");
+    }
+}
+
+/// Who wakes one body of a stack finds all of it awake, before the next step.
+#[test]
+fn an_island_wakes_at_once() {
+    for strong in [false, true] {
+        let (mut world, left, right) = two_sleeping_stacks(60);
+        world.islands.wake_up(&mut world.bodies, left[1], strong);
+        assert_eq!((sleepers(&world, &left), sleepers(&world, &right)), (0, 3));
+        world.step();
+        assert_eq!((sleepers(&world, &left), sleepers(&world, &right)), (0, 3));
+        run(&mut world, 3.0);
+        assert_eq!(sleepers(&world, &left), 3, "it sleeps again");
     }
 }

@@ -34,7 +34,8 @@ fn main() {
     if let Ok(linear) = std::env::var("LINEAR") {
         let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
         for body in bodies {
-            world.bodies[body].activation_mut().normalized_linear_threshold = linear.parse().unwrap();
+            world.bodies[body].activation_mut().normalized_linear_threshold =
+                linear.parse().unwrap();
         }
     }
     watch(&mut world, steps as usize, number(4, 120) as usize, number(5, 0) as usize);
@@ -104,8 +105,7 @@ fn pit(kind: &str, count: usize, seed: u64) -> PhysicsWorld {
             0.8 + 1.1 * (k / 25) as f32,
             (k / 5 % 5) as f32 * 1.1 - 2.2 + dice.within(-0.05, 0.05)
         ];
-        let turn =
-            vector![dice.within(-2.0, 2.0), dice.within(-2.0, 2.0), dice.within(-2.0, 2.0)];
+        let turn = vector![dice.within(-2.0, 2.0), dice.within(-2.0, 2.0), dice.within(-2.0, 2.0)];
         let body = RigidBodyBuilder::dynamic().translation(at).rotation(turn);
         let shape = shape(kind, k, &mut dice);
         world.insert(body, shape);
@@ -127,7 +127,8 @@ fn wall(rows: usize) -> PhysicsWorld {
     for row in 0..rows {
         for k in 0..20 {
             let x = k as f32 + if row % 2 == 0 { 0.0 } else { 0.5 };
-            let body = RigidBodyBuilder::dynamic().translation(vector![x, 0.25 + 0.5 * row as f32, 0.0]);
+            let body =
+                RigidBodyBuilder::dynamic().translation(vector![x, 0.25 + 0.5 * row as f32, 0.0]);
             world.insert(body, ColliderBuilder::cuboid(0.5, 0.25, 0.5));
         }
     }
@@ -185,26 +186,64 @@ fn energy(world: &PhysicsWorld) -> f64 {
 fn watch(world: &mut PhysicsWorld, steps: usize, every: usize, from: usize) {
     let start: Vec<Pose> = world.bodies.iter().map(|(_, b)| *b.position()).collect();
     let mut marks = start.clone();
-    println!("{:>6} {:>6} {:>12} {:>9} {:>9} {:>9} {:>10} {:>10} {:>10} {:>6} {:>10}", "step", "awake", "energy", "fastest", "median", "v>.05", "drift/s", "median", ">1cm/s", "who", "from start");
+    println!(
+        "{:>6} {:>6} {:>12} {:>9} {:>9} {:>9} {:>10} {:>10} {:>10} {:>6} {:>10}",
+        "step",
+        "awake",
+        "energy",
+        "fastest",
+        "median",
+        "v>.05",
+        "drift/s",
+        "median",
+        ">1cm/s",
+        "who",
+        "from start"
+    );
     for step in 1..=steps {
         world.step();
         if step % every == 0 {
             let dt = every as f32 / 60.0;
-            let mut speeds: Vec<f32> = world.bodies.iter().map(|(_, b)| b.linvel().length() + b.angvel().length() * 0.4).collect();
-            let drifts: Vec<f32> = world.bodies.iter().zip(&marks).map(|((_, b), m)| {
-                let p = b.position();
-                ((p.translation - m.translation).length() + 0.4 * p.rotation.angle_between(m.rotation)) / dt
-            }).collect();
-            let far = world.bodies.iter().zip(&start).map(|((_, b), m)| (b.position().translation - m.translation).length()).fold(0.0, f32::max);
-            let who = (0..drifts.len()).max_by(|&a, &b| drifts[a].total_cmp(&drifts[b])).unwrap_or(0);
-            let fastest = (0..speeds.len()).max_by(|&a, &b| speeds[a].total_cmp(&speeds[b])).unwrap_or(0);
+            let mut speeds: Vec<f32> = world
+                .bodies
+                .iter()
+                .map(|(_, b)| b.linvel().length() + b.angvel().length() * 0.4)
+                .collect();
+            let drifts: Vec<f32> = world
+                .bodies
+                .iter()
+                .zip(&marks)
+                .map(|((_, b), m)| {
+                    let p = b.position();
+                    ((p.translation - m.translation).length()
+                        + 0.4 * p.rotation.angle_between(m.rotation))
+                        / dt
+                })
+                .collect();
+            let far = world
+                .bodies
+                .iter()
+                .zip(&start)
+                .map(|((_, b), m)| (b.position().translation - m.translation).length())
+                .fold(0.0, f32::max);
+            let who =
+                (0..drifts.len()).max_by(|&a, &b| drifts[a].total_cmp(&drifts[b])).unwrap_or(0);
+            let fastest =
+                (0..speeds.len()).max_by(|&a, &b| speeds[a].total_cmp(&speeds[b])).unwrap_or(0);
             let quick = speeds.iter().filter(|&&v| v > 0.05).count();
             let moving = drifts.iter().filter(|&&v| v > 0.01).count();
             let mut sorted = drifts.clone();
             sorted.sort_by(f32::total_cmp);
             speeds.sort_by(f32::total_cmp);
-            println!("{step:>6} {:>6} {:>12.5} {:>9.5} {:>9.5} {quick:>9} {:>10.6} {:>10.6} {moving:>10} {who:>6} {far:>10.5} {fastest}",
-                world.islands.num_active_bodies(), energy(world), speeds.last().unwrap(), speeds[speeds.len() / 2], sorted.last().unwrap(), sorted[sorted.len() / 2]);
+            println!(
+                "{step:>6} {:>6} {:>12.5} {:>9.5} {:>9.5} {quick:>9} {:>10.6} {:>10.6} {moving:>10} {who:>6} {far:>10.5} {fastest}",
+                world.islands.num_active_bodies(),
+                energy(world),
+                speeds.last().unwrap(),
+                speeds[speeds.len() / 2],
+                sorted.last().unwrap(),
+                sorted[sorted.len() / 2]
+            );
             marks = world.bodies.iter().map(|(_, b)| *b.position()).collect();
         }
         if from > 0 && step >= from {
@@ -222,20 +261,44 @@ fn detail(world: &PhysicsWorld, step: usize) {
     let who = std::env::var("WHO").ok().map(|w| w.parse::<usize>().unwrap());
     let fastest = match who {
         Some(k) => world.bodies.iter().nth(k).unwrap(),
-        None => world.bodies.iter().max_by(|(_, a), (_, b)| {
-            let v = |b: &RigidBody| b.linvel().length() + 0.4 * b.angvel().length();
-            v(a).total_cmp(&v(b))
-        }).unwrap(),
+        None => world
+            .bodies
+            .iter()
+            .max_by(|(_, a), (_, b)| {
+                let v = |b: &RigidBody| b.linvel().length() + 0.4 * b.angvel().length();
+                v(a).total_cmp(&v(b))
+            })
+            .unwrap(),
     };
     let (handle, body) = fastest;
     let collider = body.colliders()[0];
-    println!("step {step} body {:?} v {:.4?} w {:.4?} at {:.4?}", handle.into_raw_parts().0, body.linvel(), body.angvel(), body.translation());
+    println!(
+        "step {step} body {:?} v {:.4?} w {:.4?} at {:.4?}",
+        handle.into_raw_parts().0,
+        body.linvel(),
+        body.angvel(),
+        body.translation()
+    );
     for pair in world.narrow_phase.contact_pairs_with(collider) {
         for m in &pair.manifolds {
-            let name = |c: ColliderHandle| format!("{}:{:?}", c.into_raw_parts().0, world.colliders[c].shape().shape_type());
-            println!("   {} - {} n {:.3?}", name(pair.collider1), name(pair.collider2), m.data.normal);
+            let name = |c: ColliderHandle| {
+                format!("{}:{:?}", c.into_raw_parts().0, world.colliders[c].shape().shape_type())
+            };
+            println!(
+                "   {} - {} n {:.3?}",
+                name(pair.collider1),
+                name(pair.collider2),
+                m.data.normal
+            );
             for p in m.contacts() {
-                println!("      {:.4?} dist {:.5} impulse {:.5} fid {:?} {:?}", world.colliders[pair.collider1].position() * p.local_p1, p.dist, p.impulse, p.fid1, p.fid2);
+                println!(
+                    "      {:.4?} dist {:.5} impulse {:.5} fid {:?} {:?}",
+                    world.colliders[pair.collider1].position() * p.local_p1,
+                    p.dist,
+                    p.impulse,
+                    p.fid1,
+                    p.fid2
+                );
             }
         }
     }

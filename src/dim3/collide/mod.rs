@@ -12,6 +12,7 @@ mod flat;
 mod hull_nearest;
 mod polytope;
 mod reduce;
+mod revolved;
 mod rims;
 #[cfg(test)]
 pub mod samples;
@@ -30,6 +31,7 @@ pub use flat::{
 pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
+pub use revolved::{FacingParts, feature_contacts};
 pub use rims::Rims;
 
 /// Points and normal as the contact generators deliver them, in the frames of the two convex parts.

@@ -8,9 +8,9 @@ use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RestPose, RigidBody};
 use crate::model::params::IntegrationParameters;
 
-/// The longest window (s) over which drift is measured: the limits grow with it, and something that swings to and fro within a
-/// limit for ten seconds would else be allowed ten times the amplitude.
-const WINDOW_MAX: Real = 1.0;
+/// The longest window (s) over which drift is measured. The limits grow with it, and something that swings to and fro would be allowed
+/// a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with the default threshold, a point may get 12 mm far.
+const WINDOW_MAX: Real = 0.25;
 
 /// How far a body at rest may drift within a window.
 struct Limits {
