@@ -114,6 +114,7 @@ impl Loaded for RigidBody {
         let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
         ensure!(are_lengths, "extent, soft-CCD prediction and substep: {lengths:?}");
         ensure!(self.thickness >= 0.0, "a body has the thickness {}", self.thickness);
+        ensure!(self.rest.is_sound(), "a body has drifted from {:?}", self.rest);
         ensure!(self.mprops.is_valid(), "a body has the mass {:?}", self.mprops);
         Ok(())
     }
