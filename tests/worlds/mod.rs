@@ -8,6 +8,8 @@ mod scene;
 mod twins;
 // Saving is a feature.
 #[cfg(feature = "serde-serialize")]
+mod damage;
+#[cfg(feature = "serde-serialize")]
 mod damaged;
 #[cfg(feature = "serde-serialize")]
 mod saved;

@@ -148,6 +148,28 @@ fn sets_of_different_times_are_mixed() {
     }
 }
 
+/// Pairs of sleepers are in no list of a step: only the history tells that some are missing.
+#[test]
+fn sleepers_that_are_loaded_without_their_pairs_touch_each_other() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let stack = [0.5, 1.5, 2.5]
+        .map(|y| world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y * y), cube(0.5)).0);
+    (0..300).for_each(|_| step(&mut world));
+    assert!(world.bodies[stack[2]].is_sleeping());
+    let saved = save_all(&world);
+    for without in [2, 3, 4] {
+        let mut loaded = PhysicsWorld::new();
+        for set in (0..saved.len()).filter(|set| *set != without) {
+            load_into(&mut loaded, set, &saved[set]).expect("it was saved");
+        }
+        loaded.bodies[stack[1]].wake_up(true);
+        (0..120).for_each(|_| step(&mut loaded));
+        let height = loaded.bodies[stack[2]].translation().y;
+        assert!((height - 2.5).abs() < 0.05, "the top of the stack is at {height}");
+    }
+}
+
 /// A world that is loaded, edited and searched before its first step.
 #[test]
 fn a_loaded_world_can_be_edited_before_its_first_step() {

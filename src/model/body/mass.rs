@@ -1,6 +1,7 @@
 //! What a body weighs: its own record and what the solver sees of it.
 
 use super::RigidBodyType;
+use crate::base::measure::is_point;
 use crate::dim::axes::{LockedAxes, inv_mass_per_axis, lock_rotations};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::{
@@ -85,7 +86,7 @@ impl RigidBodyMassProps {
         additional
             && spread
             && parts.into_iter().all(mass_is_valid)
-            && self.world_com.is_finite()
+            && is_point(self.world_com)
             && self.inv_mass.is_finite()
             && self.inv_mass.min_element() >= 0.0
             && ANG_AXES.iter().all(|axis| ang_is_finite(mul_inertia(&self.inv_inertia, *axis)))

@@ -1,7 +1,8 @@
 //! The pose from which a body's drift is measured.
 
 use super::RigidBody;
-use crate::dim::math::{Real, Rotation, Vector};
+use crate::base::measure::is_point;
+use crate::dim::math::{Real, Rotation, Vector, rotation_is_valid};
 use crate::model::island::turn_bound;
 
 /// Where a body was when the current drift window began.
@@ -30,6 +31,11 @@ impl RestPose {
     /// The body's present pose.
     pub fn of(body: &RigidBody) -> Self {
         Self { center: body.mprops.world_com, rotation: body.pose.rotation, age: 0.0 }
+    }
+
+    /// Returns whether all numbers can be computed with.
+    pub(super) fn is_sound(&self) -> bool {
+        is_point(self.center) && rotation_is_valid(&self.rotation) && self.age >= 0.0
     }
 
     /// The drift of the body since.

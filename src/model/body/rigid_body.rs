@@ -13,9 +13,10 @@ use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite};
-use crate::model::check::{checked_pose, refuse};
+use crate::model::check::{checked_pose, is_non_negative, refuse};
 use crate::model::edit_mark::EditMark;
 use crate::model::island::BodyLink;
+use crate::model::params::ITERATIONS_MAX;
 use parry::mass_properties::MassProperties;
 
 /// A rigid body: something that moves, and the colliders that move with it.
@@ -106,11 +107,15 @@ impl Loaded for RigidBody {
             |&(force, torque): &(Vector, _)| force.is_finite() && ang_is_finite(torque);
         ensure!(pushes.iter().all(are_numbers), "a body is pushed by {pushes:?}");
         let numbers = [self.gravity_scale, self.linear_damping, self.angular_damping];
-        ensure!(numbers.iter().all(|n| n.is_finite()), "gravity scale and damping: {numbers:?}");
+        let are_right = numbers[0].is_finite() && numbers[1..].iter().all(|&n| is_non_negative(n));
+        ensure!(are_right, "gravity scale and damping of a body: {numbers:?}");
+        let iterations = self.additional_solver_iterations;
+        ensure!(iterations <= ITERATIONS_MAX, "a body has {iterations} additional iterations");
         let lengths = [self.extent, self.soft_ccd_prediction, self.substep];
         let are_lengths = lengths.iter().all(|length| length.is_finite() && *length >= 0.0);
         ensure!(are_lengths, "extent, soft-CCD prediction and substep: {lengths:?}");
         ensure!(self.thickness >= 0.0, "a body has the thickness {}", self.thickness);
+        ensure!(self.rest.is_sound(), "a body has drifted from {:?}", self.rest);
         ensure!(self.mprops.is_valid(), "a body has the mass {:?}", self.mprops);
         Ok(())
     }

@@ -30,7 +30,6 @@ pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyL
 pub struct RigidBodySet {
     bodies: Arena<RigidBody>,
     notes: Notes,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 
@@ -273,11 +272,11 @@ impl RigidBodySet {
         self.notes.removed.iter().map(|(handle, ..)| *handle)
     }
 
-    /// The bodies that the user removed, and their places in the step's lists.
-    pub(crate) fn removed_links(&self) -> Vec<(RigidBodyHandle, BodyLink)> {
+    /// What [`Self::take_removed`] will return.
+    pub(crate) fn removed_notes(&self) -> Vec<RemovedBody> {
         let mut removed = self.notes.removed.clone();
         self.correct_places(&mut removed);
-        removed.into_iter().map(|(handle, _, link)| (handle, link)).collect()
+        removed
     }
 
     /// Checks the notes of a set that was loaded: each body that says that it is noted stands in the list, and the list knows its place.

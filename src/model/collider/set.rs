@@ -30,7 +30,6 @@ pub(crate) struct RemovedCollider {
 pub struct ColliderSet {
     colliders: Arena<Collider>,
     notes: Notes,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 

@@ -20,7 +20,6 @@ pub struct NarrowPhase {
     pub(crate) intersections: PairStore<IntersectionPair>,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) lanes: ContactLanes,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 
@@ -57,10 +56,11 @@ impl serde::Serialize for NarrowPhase {
         struct Saved<'a> {
             contacts: &'a PairStore<ContactPair>,
             intersections: &'a PairStore<IntersectionPair>,
+            stamp: WorldStamp,
         }
         self.settle_all_shared();
-        let Self { contacts, intersections, .. } = self;
-        Saved { contacts, intersections }.serialize(serializer)
+        let Self { contacts, intersections, stamp, .. } = self;
+        Saved { contacts, intersections, stamp: *stamp }.serialize(serializer)
     }
 }
 

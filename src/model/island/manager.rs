@@ -55,7 +55,6 @@ pub struct IslandManager {
     pub(crate) motion: Vec<BodyMotion>,
     /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
     pub(crate) strained: bool,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 

@@ -49,7 +49,6 @@ pub struct ImpulseJointSet {
     modified: Vec<ImpulseJointHandle>,
     /// Joints that were removed since the last step, and whether their bodies wake.
     removed: Vec<(ImpulseJointHandle, bool)>,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 

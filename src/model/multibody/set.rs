@@ -54,7 +54,6 @@ pub struct MultibodyJointSet {
     modified: Vec<(MultibodyIndex, bool)>,
     /// Bodies that lost a joint since the last step, and whether they wake.
     cut: Vec<(RigidBodyHandle, bool)>,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 

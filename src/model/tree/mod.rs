@@ -49,7 +49,6 @@ pub struct BroadPhaseBvh {
     sensor_bits: Vec<u64>,
     /// All memberships and wishes that colliders of these trees ever had, together.
     groups: Option<InteractionGroups>,
-    #[cfg_attr(feature = "serde-serialize", serde(skip, default = "WorldStamp::unverified"))]
     pub(crate) stamp: WorldStamp,
 }
 

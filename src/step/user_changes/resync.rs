@@ -10,6 +10,7 @@
 
 use crate::base::fault::{Fault, ensure};
 use crate::collide::form_of;
+use crate::dim::math::Vector;
 use crate::model::collider::ColliderChanges;
 use crate::model::contact::NarrowPhase;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
@@ -58,10 +59,10 @@ impl Resync<'_> {
             parted = self.unite();
             parted.extend(self.unite_joints(joints, multibodies));
         }
-        let stamp = WorldStamp::of_new_step();
+        let stamp = self.structure.islands.stamp.after_step(&self.trace());
         self.put(stamp);
         (joints.stamp, multibodies.stamp) = (stamp, stamp);
-        self.structure.islands.stamp = WorldStamp::of_new_step();
+        self.structure.islands.stamp = WorldStamp::of_unfinished_step();
         Resynced { parted, stamp, joints_fit: true }
     }
 
@@ -76,9 +77,9 @@ impl Resync<'_> {
             Vec::new()
         };
         let joints_fit = self.structure.islands.joints.are_of(joints);
-        let stamp = self.structure.islands.stamp.after_detection();
+        let stamp = self.structure.islands.stamp.after_detection(&self.trace());
         self.put(stamp);
-        self.structure.islands.stamp = WorldStamp::of_new_step();
+        self.structure.islands.stamp = WorldStamp::of_unfinished_step();
         Resynced { parted, stamp, joints_fit }
     }
 
@@ -96,6 +97,18 @@ impl Resync<'_> {
         joints: &ImpulseJointSet,
         multibodies: Option<&MultibodyJointSet>,
     ) -> Result<(), Fault> {
+        let stamp = self.structure.islands.stamp;
+        let fit = self.stamps().iter().all(|other| other.has_same_history(stamp));
+        ensure!(fit, "the sets are of different times");
+        // A set without joints may be replaced by another one.
+        let islands = &self.structure.islands;
+        let has_none = joints.is_empty() && islands.joints.iter().next().is_none();
+        let fit = has_none || joints.stamp.has_same_steps(stamp);
+        ensure!(fit, "the joints are of another time than the bodies");
+        let has_none =
+            |set: &MultibodyJointSet| set.is_empty() && islands.groups.bodies().next().is_none();
+        let fit = multibodies.is_none_or(|set| has_none(set) || set.stamp.has_same_steps(stamp));
+        ensure!(fit, "the multibodies are of another time than the bodies");
         self.structure.check_world(World { tree: self.tree, joints, multibodies })?;
         for (handle, collider) in self.structure.colliders.iter() {
             let (known, form) = (collider.form, form_of(&*collider.shape));
@@ -172,5 +185,23 @@ impl Resync<'_> {
         self.structure.narrow_phase.stamp = stamp;
         self.structure.islands.stamp = stamp;
         self.tree.stamp = stamp;
+    }
+
+    /// What distinguishes a world from others with the same history: counts, and the place of one of the awake bodies, in each step another
+    /// one.
+    fn trace(&self) -> [u64; 6] {
+        let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
+        let awake = islands.active_bodies();
+        let turn = islands.step as usize % awake.len().max(1);
+        let body = awake.get(turn).and_then(|&handle| bodies.get(handle));
+        let place = body.map_or(Vector::ZERO, |body| body.pose.translation);
+        [
+            bodies.len() as u64,
+            colliders.len() as u64,
+            narrow_phase.contacts.len() as u64,
+            awake.len() as u64,
+            (bodies.modified().len() + colliders.modified().len()) as u64,
+            f64::from(place.element_sum()).to_bits(),
+        ]
     }
 }

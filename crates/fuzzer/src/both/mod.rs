@@ -8,6 +8,7 @@ mod bystanders;
 mod closed;
 pub mod colliders;
 mod joints;
+mod loading;
 mod multibodies;
 pub mod play;
 mod questions;
@@ -19,6 +20,10 @@ mod witness;
 // What must hold in every world: the tests of hostile users say it once for all.
 #[path = "../../../../tests/hostile/world.rs"]
 mod world;
+#[path = "../../../../tests/worlds/damage.rs"]
+mod damage;
+#[path = "../../../../tests/worlds/tree.rs"]
+mod tree;
 
 use crate::Tally;
 use crate::choices::Choices;

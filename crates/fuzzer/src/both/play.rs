@@ -6,7 +6,7 @@ use super::rapier::prelude::*;
 use super::sets::Copy;
 use super::values::{some_real, some_vector};
 use super::witness::Witness;
-use super::{bodies, colliders, joints, multibodies, questions, sets, steps, walkers};
+use super::{bodies, colliders, joints, loading, multibodies, questions, sets, steps, walkers};
 use crate::Tally;
 use crate::choices::Choices;
 
@@ -18,7 +18,7 @@ pub const JOINTS_MAX: usize = 30;
 type Act = (&'static str, fn(&mut Play<'_>));
 
 /// What can be done; what stands here often is done often.
-const ACTS: [Act; 30] = [
+const ACTS: [Act; 32] = [
     ("insert a body", bodies::insert),
     ("insert a body", bodies::insert),
     ("insert a body", bodies::insert),
@@ -47,6 +47,8 @@ const ACTS: [Act; 30] = [
     ("walk", walkers::walk),
     ("drive", dim::drive),
     ("meddle with the sets", sets::meddle),
+    ("mix with a twin", sets::mix_with_twin),
+    ("load a damaged copy", loading::load_damaged),
     ("change the rules", |play| play.change_rules()),
     ("calm down", |play| play.calm_down()),
 ];

@@ -93,3 +93,50 @@ pub fn meddle(play: &mut Play<'_>) {
         _ => play.world.wake_up(handle, play.choices.coin()),
     }
 }
+
+/// Exchanges any sets, or a record, for those of a twin: a copy in which one body is a little elsewhere, or that has gone on for a step.
+pub fn mix_with_twin(play: &mut Play<'_>) {
+    let (handle, along) = (play.body(), play.choices.below(DIM));
+    let mut twin = PhysicsWorld {
+        gravity: play.world.gravity,
+        integration_parameters: play.world.integration_parameters,
+        ..PhysicsWorld::new()
+    };
+    let mut copy = Copy::of(&play.world);
+    copy.exchange(&mut twin);
+    if let Some(body) = twin.bodies.get_mut(handle) {
+        let place = body.translation() + Vector::AXES[along] * 1.0e-3;
+        body.set_translation(place, play.choices.coin());
+    }
+    for _ in 0..play.choices.below(3) {
+        twin.step();
+    }
+    let (sets, records) = (play.choices.below(128), play.choices.coin());
+    play.choices.tell(|| format!("    sets {sets:07b}, {handle:?} along {along}, {records}"));
+    if records {
+        exchange_records(play, &mut twin, handle);
+    }
+    let mut twin = Copy::of(&twin);
+    for which in (0..7).filter(|which| sets & (1 << which) != 0) {
+        exchange_one(&mut twin, &mut play.world, which);
+    }
+    play.witness.lose_track();
+}
+
+/// Puts a body of a twin, whose colliders may be attached otherwise, in the place of the one with the same handle.
+fn exchange_records(play: &mut Play<'_>, twin: &mut PhysicsWorld, handle: RigidBodyHandle) {
+    let collider = play.collider();
+    if twin.bodies.contains(handle) {
+        twin.colliders.set_parent(collider, Some(handle), &mut twin.bodies);
+    }
+    if let (Some(own), Some(other)) =
+        (play.world.bodies.get_mut(handle), twin.bodies.get_mut(handle))
+    {
+        core::mem::swap(own, other);
+    }
+    if let (Some(own), Some(other)) =
+        (play.world.colliders.get_mut(collider), twin.colliders.get_mut(collider))
+    {
+        core::mem::swap(own, other);
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::Structure;
 use crate::base::fault::{Fault, ensure};
-use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::body::{AttachedColliders, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderChanges, ColliderHandle};
 use crate::model::island::{BodyLink, NONE};
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,8 +12,8 @@ pub(super) struct LastStep<'a> {
     bodies: &'a RigidBodySet,
     /// By slot: a body that was removed since, and its place in the lists.
     removed_places: BTreeMap<u32, (RigidBodyHandle, BodyLink)>,
-    /// Bodies that were removed since.
-    removed_bodies: BTreeSet<RigidBodyHandle>,
+    /// Bodies that were removed since, and the colliders that go with them; `None` for all that name the body.
+    removed_bodies: BTreeMap<RigidBodyHandle, Option<AttachedColliders>>,
     /// Colliders that were removed since.
     removed_colliders: BTreeSet<ColliderHandle>,
 }
@@ -34,12 +34,13 @@ impl<'a> LastStep<'a> {
         let mut then = Self {
             bodies,
             removed_places: BTreeMap::new(),
-            removed_bodies: BTreeSet::new(),
+            removed_bodies: BTreeMap::new(),
             removed_colliders: BTreeSet::new(),
         };
-        for (handle, link) in bodies.removed_links() {
+        for (handle, colliders, link) in bodies.removed_notes() {
             ensure!(!bodies.contains(handle), "{handle:?} is there and removed");
-            ensure!(then.removed_bodies.insert(handle), "{handle:?} is removed twice");
+            let other = then.removed_bodies.insert(handle, colliders);
+            ensure!(other.is_none(), "{handle:?} is removed twice");
             let slot = handle.into_raw_parts().0;
             ensure!((slot as usize) < bodies.slot_count(), "{handle:?} was in no slot");
             if is_listed(link) {
@@ -87,8 +88,10 @@ impl<'a> LastStep<'a> {
         self.link(slot).awake != NONE
     }
 
-    pub fn had_body(&self, handle: RigidBodyHandle) -> bool {
-        self.removed_bodies.contains(&handle)
+    /// Returns whether a collider will go with a body that was removed.
+    pub fn goes_with(&self, body: RigidBodyHandle, collider: ColliderHandle) -> bool {
+        let colliders = self.removed_bodies.get(&body).map(Option::as_ref);
+        colliders.is_some_and(|list| list.is_none_or(|list| list.contains(&collider)))
     }
 
     pub fn parent(&self, structure: &Structure<'_>, handle: ColliderHandle) -> Parent {

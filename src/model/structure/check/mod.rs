@@ -13,6 +13,7 @@ mod trees;
 
 use super::Structure;
 use crate::base::fault::Fault;
+use crate::base::loading::Loaded;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::tree::BroadPhaseBvh;
@@ -54,7 +55,7 @@ impl Structure<'_> {
     }
 
     fn check_lists(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
-        self.check_awake(then)?;
+        self.check_awake(then, depth)?;
         self.check_islands(then)?;
         self.check_contacts(then, depth)?;
         self.check_intersections(then)?;
@@ -66,6 +67,8 @@ impl Structure<'_> {
     /// # Errors
     /// If a reference is wrong, or a number is not finite.
     pub fn check_world(&self, world: World<'_>) -> Verdict {
+        self.narrow_phase.contacts.check_loaded()?;
+        self.narrow_phase.intersections.check_loaded()?;
         let then = LastStep::of(self)?;
         self.check_lists(&then, Depth::Full)?;
         self.islands.check_free()?;
