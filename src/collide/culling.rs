@@ -144,7 +144,10 @@ mod tests {
     fn directions_are_those_of_axes() {
         for (axis, unit) in Vector::AXES.into_iter().enumerate() {
             let lean = Vector::splat(0.1);
-            assert_eq!([unit, -unit].map(|unit| main_direction(unit + lean)), [2 * axis, 2 * axis + 1]);
+            assert_eq!(
+                [unit, -unit].map(|unit| main_direction(unit + lean)),
+                [2 * axis, 2 * axis + 1]
+            );
         }
         assert!(main_direction(Vector::splat(Real::NAN)) < 2 * DIM);
     }

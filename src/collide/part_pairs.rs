@@ -95,7 +95,8 @@ impl Search<'_> {
             });
         });
         cells.iter_mut().for_each(Cell::drop_surplus);
-        let mut chosen: Vec<_> = cells.iter().flat_map(|cell| &cell.0).map(|rank| rank.parts).collect();
+        let mut chosen: Vec<_> =
+            cells.iter().flat_map(|cell| &cell.0).map(|rank| rank.parts).collect();
         chosen.sort_unstable();
         chosen
     }

@@ -251,7 +251,10 @@ fn triangle_soups(triangles: usize) -> PhysicsWorld {
 fn compounds(parts: usize) -> PhysicsWorld {
     let mut world = with_ground();
     let part = |k: usize| {
-        (Pose::from_translation(Vector::X * (0.01 * (k % 7) as Real)), SharedShape::cuboid(0.5, 0.5, 0.5))
+        (
+            Pose::from_translation(Vector::X * (0.01 * (k % 7) as Real)),
+            SharedShape::cuboid(0.5, 0.5, 0.5),
+        )
     };
     for side in [-0.1, 0.1] {
         let body = RigidBodyBuilder::dynamic().translation(Vector::new(side, 1.0, 0.0));

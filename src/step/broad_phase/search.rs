@@ -207,9 +207,7 @@ impl<K: KnownPairs> Search<'_, K> {
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
         let borne = |&other: &u32| {
-            self.tree.bears(slot, other)
-                && self.kind_of(slot, other) == kind
-                && is_movable(other)
+            self.tree.bears(slot, other) && self.kind_of(slot, other) == kind && is_movable(other)
         };
         self.partners(slot, kind.is_sensed).iter().copied().filter(borne).count()
     }
