@@ -212,8 +212,8 @@ pub fn exact_hull(
 pub mod tests {
     use crate::dim::math::{Real, Rotation, Vector};
     use parry::mass_properties::MassProperties;
-    use parry::shape::SharedShape;
     use parry::shape::Cuboid;
+    use parry::shape::SharedShape;
 
     /// A closed surface around the box of half extents 1, of the elements that surfaces consist of.
     pub fn unit_box_surface() -> (Vec<Vector>, Vec<[u32; 3]>) {

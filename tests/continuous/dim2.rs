@@ -10,7 +10,8 @@ fn v(x: Real, y: Real) -> Vector {
 
 fn plate(half: Vector, angle: Real) -> ColliderBuilder {
     let turn = Rotation::new(angle);
-    let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| turn * (half * v(x, y)));
+    let corners =
+        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| turn * (half * v(x, y)));
     ColliderBuilder::convex_hull(&corners).unwrap()
 }
 
@@ -23,13 +24,22 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
         ("board", ColliderBuilder::cuboid(0.4, 0.01)),
         ("plate at 45°", plate(v(1.0, 0.01), quarter)),
         ("plate askew", plate(v(0.4, 0.01), 0.4)),
-        ("wedge", ColliderBuilder::convex_hull(&[v(0.5, 0.5), v(-0.5, -0.48), v(-0.48, -0.5)]).unwrap()),
+        (
+            "wedge",
+            ColliderBuilder::convex_hull(&[v(0.5, 0.5), v(-0.5, -0.48), v(-0.48, -0.5)]).unwrap(),
+        ),
         ("triangle", ColliderBuilder::triangle(v(-0.5, 0.0), v(0.5, 0.0), v(0.1, 0.03))),
         ("triangle askew", ColliderBuilder::triangle(v(-0.4, -0.4), v(0.4, 0.4), v(-0.02, 0.02))),
-        ("round triangle", ColliderBuilder::round_triangle(v(-0.4, -0.4), v(0.4, 0.4), v(0.0, 0.01), 0.005)),
+        (
+            "round triangle",
+            ColliderBuilder::round_triangle(v(-0.4, -0.4), v(0.4, 0.4), v(0.0, 0.01), 0.005),
+        ),
         ("capsule", ColliderBuilder::capsule_y(0.4, 0.01)),
         ("round board", ColliderBuilder::round_cuboid(0.4, 0.005, 0.005)),
-        ("two boards", ColliderBuilder::compound(vec![(Pose::IDENTITY, board.clone()), (upright, board)])),
+        (
+            "two boards",
+            ColliderBuilder::compound(vec![(Pose::IDENTITY, board.clone()), (upright, board)]),
+        ),
         ("segment", ColliderBuilder::segment(v(-0.4, 0.0), v(0.4, 0.1)).mass(1.0)),
     ]
 }
@@ -50,7 +60,8 @@ pub const THIN_GROUNDS: [Ground; 7] = [
     }),
     ("compound", |world, _, _| {
         let tile = SharedShape::cuboid(1.0, 0.01);
-        let tiles = (-5..5).map(|i| (Pose::from_translation(v((2 * i + 1) as Real, -0.01)), tile.clone()));
+        let tiles =
+            (-5..5).map(|i| (Pose::from_translation(v((2 * i + 1) as Real, -0.01)), tile.clone()));
         world.insert_collider(ColliderBuilder::compound(tiles.collect()), None);
     }),
     ("hull", |world, _, _| {

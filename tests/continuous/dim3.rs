@@ -38,7 +38,10 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
         ("capsule", ColliderBuilder::capsule_y(0.4, 0.01)),
         ("round disc", ColliderBuilder::round_cylinder(0.005, 0.4, 0.005)),
         ("round board", ColliderBuilder::round_cuboid(0.4, 0.005, 0.3, 0.005)),
-        ("two discs", ColliderBuilder::compound(vec![(Pose::IDENTITY, disc.clone()), (upright, disc)])),
+        (
+            "two discs",
+            ColliderBuilder::compound(vec![(Pose::IDENTITY, disc.clone()), (upright, disc)]),
+        ),
         ("sheet", ColliderBuilder::trimesh(sheet, vec![[0, 1, 2], [0, 2, 3]]).unwrap().mass(1.0)),
     ]
 }
@@ -46,10 +49,14 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
 /// Grounds as thin as can be, with their tops at y = 0, 10 m to all sides at least.
 pub const THIN_GROUNDS: [Ground; 7] = [
     ("board", |world, _, _| {
-        world.insert_collider(ColliderBuilder::cuboid(50.0, 0.01, 50.0).translation(v(0.0, -0.01, 0.0)), None);
+        world.insert_collider(
+            ColliderBuilder::cuboid(50.0, 0.01, 50.0).translation(v(0.0, -0.01, 0.0)),
+            None,
+        );
     }),
     ("two triangles", |world, _, _| {
-        let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, z]| v(30.0 * x, 0.0, 30.0 * z));
+        let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+            .map(|[x, z]| v(30.0 * x, 0.0, 30.0 * z));
         let triangles = vec![[0, 2, 1], [0, 3, 2]];
         world.insert_collider(ColliderBuilder::trimesh(corners.to_vec(), triangles).unwrap(), None);
     }),
@@ -63,7 +70,8 @@ pub const THIN_GROUNDS: [Ground; 7] = [
     ("compound", |world, _, _| {
         let tile = SharedShape::cuboid(1.0, 0.01, 1.0);
         let places = (-5..5).flat_map(|i| (-5..5).map(move |k| (2 * i + 1, 2 * k + 1)));
-        let tiles = places.map(|(i, k)| (Pose::from_translation(v(i as Real, -0.01, k as Real)), tile.clone()));
+        let tiles = places
+            .map(|(i, k)| (Pose::from_translation(v(i as Real, -0.01, k as Real)), tile.clone()));
         world.insert_collider(ColliderBuilder::compound(tiles.collect()), None);
     }),
     ("hull", |world, _, _| {

@@ -22,7 +22,13 @@ impl Meeting {
         (0..PHASES).filter(|&phase| self.passes(position_based, shape, bullet, phase)).count()
     }
 
-    fn passes(&self, position_based: bool, shape: &ColliderBuilder, bullet: bool, phase: usize) -> bool {
+    fn passes(
+        &self,
+        position_based: bool,
+        shape: &ColliderBuilder,
+        bullet: bool,
+        phase: usize,
+    ) -> bool {
         let mut world = weightless(60);
         let start = 2.0 + (self.ball + self.wall) * DT * phase as Real / PHASES as Real;
         let builder = match position_based {
@@ -113,9 +119,8 @@ fn turning_cages_hold_balls() {
     let columns = ["rad/s", "0 m/s", "5 m/s", "30 m/s", "200 m/s"];
     let mut table = Table::new("balls that leave a turning cage, of 10", &columns);
     for rate in [0.5, 1.2, 5.0, 12.0] {
-        let counts = [0.0, 5.0, 30.0, 200.0].map(|speed| {
-            (0..10).filter(|&seed| leaves_cage(rate, speed, seed as Real)).count()
-        });
+        let counts = [0.0, 5.0, 30.0, 200.0]
+            .map(|speed| (0..10).filter(|&seed| leaves_cage(rate, speed, seed as Real)).count());
         let [a, b, c, d] = counts.map(|count| count.to_string());
         table.row([rate.to_string(), a, b, c, d]);
         table.require(counts == [0; 4], "balls left the cage");
@@ -156,7 +161,8 @@ fn pistons_push_nothing_through_walls() {
             let (piston, _) = world.insert(piston.translation(vec(2.0, 0.0)), cuboid(0.1, 5.0));
             for step in 0..200 {
                 world.step();
-                let (at, end) = (world.bodies[ball].translation(), world.bodies[piston].translation());
+                let (at, end) =
+                    (world.bodies[ball].translation(), world.bodies[piston].translation());
                 if end.x < 0.1 + 0.5 * radius {
                     break;
                 }

@@ -62,13 +62,11 @@ fn passes(
 
 fn count_passed(seeds: u64) {
     let title = format!("thin things that pass a thin ground, of {seeds}");
-    let mut table =
-        Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
+    let mut table = Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
     for (ground, lay) in THIN_GROUNDS {
         for (name, shape) in thin_shapes() {
-            let counts = SPEEDS.map(|range| {
-                (0..seeds).filter(|&seed| passes(lay, &shape, range, seed)).count()
-            });
+            let counts = SPEEDS
+                .map(|range| (0..seeds).filter(|&seed| passes(lay, &shape, range, seed)).count());
             let [slow, middle, fast] = counts.map(|count| count.to_string());
             table.row([ground.to_owned(), name.to_owned(), slow, middle, fast]);
             table.require(counts == [0; 3], "they passed");

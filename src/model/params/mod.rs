@@ -88,8 +88,11 @@ pub struct IntegrationParameters {
     /// A resting contact that stays slightly inside does not begin and end all the time. With a value
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.
     pub allowed_linear_error: Real,
-    /// Are fast bodies stopped at what they hit on their way? Not if this is 0; any other number (default 1) says
-    /// yes. A step is not divided at impacts: a stopped body goes on in the next step, whatever the number.
+    /// Switches continuous collision detection off (0) or on (any other value, default 1).
+    ///
+    /// Values above 1 do the same as 1, bit for bit. A step is not divided at impacts: a stopped body stays where it hit, or rides on the
+    /// kinematic body that it hit, and goes on in the next step. So there is at most one stop per body and step, and nothing that more
+    /// substeps could divide.
     pub max_ccd_substeps: usize,
     /// Does continuous collision detection also stop a body that touches or overlaps something already, before its middle
     /// gets in (default true)? If not, contacts alone must hold it.

@@ -1,9 +1,9 @@
 //! # Continuous — nothing passes through
 //!
 //! Reads:   how fast bodies moved, colliders, enlarged boxes, who is in which sensor, joints, hooks
-//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; notes of sensors passed
+//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; bounds of motion; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
-//! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, but for those in its way
+//! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, nor in the way of one or of a moving kinematic body
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
 //! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. So its path is searched, from
@@ -15,6 +15,9 @@
 //! Contacts give way: what something heavy presses against a wall may get into it little by little, without ever being fast. So the
 //! narrow phase notes who is a quarter of its thickness deep in something that is not dynamic, and its path is searched however short it is, until
 //! it is out.
+//!
+//! Motion is relative: a body that is slow itself is searched if a kinematic body moves past it fast enough ([`approach`]). What a moving collider stops
+//! rides on it for the rest of the step ([`ride`]).
 //!
 //! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
 //! bullets included: see [`bullets`]. Sensors stop nobody, but are told: see [`sensors`].
@@ -53,7 +56,7 @@ use bullets::Bullets;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use groups::Groups;
 use path::{Path, sweep_of};
-use ride::{Ride, Stop};
+use ride::{Rides, Stop};
 use sensors::Passage;
 use ways::Ways;
 
@@ -68,8 +71,7 @@ pub(crate) struct ContinuousScratch {
     first: Vec<Stop>,
     /// By fast body: what share of its motion happens.
     stops: Vec<Real>,
-    /// By fast body: how it goes on on what stopped it.
-    rides: Vec<Option<Ride>>,
+    rides: Rides,
     ways: Ways,
     groups: Groups,
     bullets: Bullets,
@@ -79,6 +81,17 @@ pub(crate) struct ContinuousScratch {
     passages: Vec<Vec<Passage>>,
     /// Pairs of colliders whose paths were searched.
     searched: AtomicUsize,
+}
+
+impl ContinuousScratch {
+    fn clear(&mut self) {
+        self.first.clear();
+        self.stops.clear();
+        self.rides.clear();
+        self.pressed.clear();
+        self.passages.clear();
+        *self.searched.get_mut() = 0;
+    }
 }
 
 /// What paths are searched in.
@@ -114,18 +127,13 @@ pub(crate) fn find_impacts(
     world: Surroundings<'_>,
     scratch: &mut ContinuousScratch,
 ) {
-    let ContinuousScratch { movers, first, stops, rides, ways, groups, bullets, pressed, .. } =
-        scratch;
-    let (passages, searched) = (&mut scratch.passages, &mut scratch.searched);
-    first.clear();
-    stops.clear();
-    rides.clear();
-    pressed.clear();
-    passages.clear();
-    *searched.get_mut() = 0;
+    scratch.clear();
     if world.fast.is_empty() {
         return;
     }
+    let ContinuousScratch { movers, first, stops, rides, ways, groups, bullets, pressed, .. } =
+        scratch;
+    let (passages, searched) = (&mut scratch.passages, &scratch.searched);
     movers.find(world);
     ways.find(world);
     groups.find(world);
@@ -140,25 +148,17 @@ pub(crate) fn find_impacts(
     stops.extend(first.iter().map(|stop| stop.share));
     groups.stop_together(stops);
     bullets.find(search, stops);
-    rides.resize(count, None);
-    tasks.par_fill(rides, BODIES_PER_TASK, |position| {
-        let (share, mut group) = (stops[position], groups.members(groups.first(position)));
-        let by = group.find_map(|member| {
-            let stop = first[member as usize];
-            stop.by.filter(|_| stop.share == share)
-        });
-        by.and_then(|by| Ride::of(search, position, share, by))
-    });
+    rides.find(tasks, search, (first, stops));
     pressed.resize(count, true);
     tasks.par_fill(pressed, BODIES_PER_TASK, |position| {
-        let path = match &rides[position] {
+        let path = match rides.of(position) {
             Some(ride) => ride.path(search, position),
             None => Path::of(search, position, stops[position]),
         };
         path.is_some_and(|path| path.ends_deep(search))
     });
     if world.trees.has_sensors() {
-        passages.resize_with(world.fast.len(), Vec::new);
+        passages.resize_with(count, Vec::new);
         tasks.par_fill(passages, BODIES_PER_TASK, |position| {
             sensors::passages(search, position, stops[position])
         });
@@ -208,9 +208,9 @@ pub(crate) fn stop(
             }
         }
     }
-    for (motion, ride) in fast.iter().zip(&scratch.rides) {
-        let body = bodies.get_unnoted_mut(motion.body);
-        let Some((body, ride)) = body.zip(ride.as_ref()) else { continue };
+    for (position, ride) in scratch.rides.iter() {
+        let motion = &fast[position];
+        let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         body.pose = ride.pose;
         body.update_world_mass_properties();
         islands.set_motion(motion.body.into_raw_parts().0, ride.motion);

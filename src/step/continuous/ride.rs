@@ -16,8 +16,9 @@
 
 use super::Search;
 use super::path::{Mover, Path, sweep_of};
-use crate::collide::Leg;
-use crate::dim::math::{Pose, Real, ang_length_squared, rotation_to_angle};
+use crate::base::tasks::Tasks;
+use crate::collide::{Leg, Sweep};
+use crate::dim::math::{Pose, Real, Vector, ang_length_squared, rotation_to_angle};
 use crate::model::collider::ColliderHandle;
 use crate::model::island::BodyMotion;
 
@@ -50,26 +51,68 @@ pub(super) struct Ride {
     pub motion: BodyMotion,
 }
 
+/// The rides of a step.
+#[derive(Default)]
+pub(super) struct Rides {
+    /// The positions of fast bodies that a moving collider stopped, in rising order.
+    stopped: Vec<(u32, ColliderHandle)>,
+    /// How these go on; nothing if they cannot.
+    rides: Vec<Option<Ride>>,
+}
+
+impl Rides {
+    pub fn clear(&mut self) {
+        self.stopped.clear();
+        self.rides.clear();
+    }
+
+    /// Finds the rides, given what stopped each body first, and where bodies have stopped in the end: earlier if they are joined to others or
+    /// bullets.
+    pub fn find(
+        &mut self,
+        tasks: Tasks<'_>,
+        search: Search<'_>,
+        (first, stops): (&[Stop], &[Real]),
+    ) {
+        for (position, &share) in stops.iter().enumerate().filter(|(_, share)| **share < 1.0) {
+            let mut group = search.groups.members(search.groups.first(position));
+            let by = group.find_map(|member| {
+                let stop = first[member as usize];
+                stop.by.filter(|_| stop.share == share)
+            });
+            self.stopped.extend(by.map(|by| (position as u32, by)));
+        }
+        let Self { stopped, rides } = self;
+        rides.resize(stopped.len(), None);
+        tasks.par_fill(rides, 1, |at| {
+            let (position, by) = stopped[at];
+            Ride::of(search, position as usize, stops[position as usize], by)
+        });
+    }
+
+    /// The ride of the fast body at a position.
+    pub fn of(&self, position: usize) -> Option<&Ride> {
+        let at = self.stopped.binary_search_by_key(&(position as u32), |stopped| stopped.0).ok()?;
+        self.rides[at].as_ref()
+    }
+
+    /// All rides, with the positions of the bodies.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, &Ride)> {
+        let rides = self.stopped.iter().zip(&self.rides);
+        rides.filter_map(|(stopped, ride)| Some((stopped.0 as usize, ride.as_ref()?)))
+    }
+}
+
 impl Ride {
     /// The ride of the fast body at a position on the collider that stopped it after a share of the step.
-    pub fn of(
-        search: Search<'_>,
-        position: usize,
-        share: Real,
-        on: ColliderHandle,
-    ) -> Option<Self> {
+    fn of(search: Search<'_>, position: usize, share: Real, on: ColliderHandle) -> Option<Self> {
         let motion = &search.world.fast[position];
         let body = search.world.bodies.get(motion.body).filter(|_| motion.link.is_none())?;
         let collider = search.world.colliders.get(on)?;
-        let carrier = Mover::not_fast(search, on, collider)?;
-        let there = sweep_of(motion, motion.start, share).at(share);
-        let relative = carrier.sweep.at(share).inv_mul(&there);
-        let rotation = (carrier.sweep.at(1.0).rotation * relative.rotation).normalize();
-        let translation = carrier.sweep.at(1.0) * relative.translation;
-        let end = Pose::from_parts(translation, rotation);
+        let carrier = Mover::not_fast(search, on, collider)?.sweep;
+        let start = sweep_of(motion, motion.start, share).at(share);
+        let end = carried(&carrier, share, &start);
         let local_center = body.local_center_of_mass();
-        let center = there * local_center;
-        let pace = 1.0 / (1.0 - share);
         let first = Leg {
             from: 0.0,
             until: share,
@@ -78,46 +121,43 @@ impl Ride {
             shift: motion.shift,
             turn: motion.turn,
         };
-        let second = Leg {
-            from: share,
-            until: 1.0,
-            rotation: there.rotation,
-            center,
-            shift: (end * local_center - center) * pace,
-            turn: rotation_to_angle(&(end.rotation * there.rotation.inverse())) * pace,
-        };
-        let is_finite = second.shift.is_finite() && ang_length_squared(second.turn).is_finite();
+        let second = straight_leg(share, [&start, &end], local_center)?;
         let mut ride =
             Self { legs: [first, second], end: 1.0, pose: end, motion: BodyMotion::NONE };
-        if !is_finite {
-            return None;
-        }
-        ride.end = ride.first_stop(search, position, collider.parent());
-        if ride.end <= share {
-            return None;
-        }
-        let stopped = ride.path(search, position)?.pose_at(ride.end);
-        ride.pose = if ride.end < 1.0 { stopped? } else { end };
-        let way = first.shift * share + second.shift * (ride.end - share);
-        let angle = first.angle() * share + second.angle() * (ride.end - share);
+        let stop = {
+            let path = ride.path(search, position)?;
+            let stop = path.first_stop(search, collider.parent()).share;
+            if stop < 1.0 { (stop, path.pose_at(stop)?) } else { (stop, end) }
+        };
+        (ride.end, ride.pose) = stop;
+        let stop = ride.end;
+        let way = first.shift * share + second.shift * (stop - share);
+        let angle = first.angle() * share + second.angle() * (stop - share);
         let rest = if angle > 0.0 { angle * body.extent } else { 0.0 };
         ride.motion = BodyMotion::within(way.length() + rest);
-        Some(ride)
+        (stop > share).then_some(ride)
     }
 
     /// The path of the body as far as it rides.
     pub fn path<'a>(&'a self, search: Search<'a>, position: usize) -> Option<Path<'a>> {
         Path::along(search, position, (&self.legs, self.end))
     }
+}
 
-    /// When something else stops it than the body that carries it.
-    fn first_stop(
-        &self,
-        search: Search<'_>,
-        position: usize,
-        carrier: Option<crate::model::body::RigidBodyHandle>,
-    ) -> Real {
-        let path = self.path(search, position);
-        path.map_or(0.0, |path| path.first_stop(search, carrier).share)
-    }
+/// Where something is at the end of the step that is at `start` after a share of it, and moves with a carrier from then on.
+fn carried(carrier: &Sweep<'_>, share: Real, start: &Pose) -> Pose {
+    let relative = carrier.at(share).inv_mul(start);
+    let end = carrier.at(1.0) * relative;
+    Pose::from_parts(end.translation, end.rotation.normalize())
+}
+
+/// The straight leg from one pose to another in the rest of the step. `None` if it has no finite velocity.
+fn straight_leg(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<Leg> {
+    let pace = 1.0 / (1.0 - from);
+    let center = *start * local_center;
+    let shift = (*end * local_center - center) * pace;
+    let turn = rotation_to_angle(&(end.rotation * start.rotation.inverse())) * pace;
+    let is_finite = shift.is_finite() && ang_length_squared(turn).is_finite();
+    let leg = Leg { from, until: 1.0, rotation: start.rotation, center, shift, turn };
+    is_finite.then_some(leg)
 }

@@ -61,7 +61,9 @@ fn hulls(random: &mut Random) -> Vec<SharedShape> {
 
 /// All other solid parts that both dimensions have, and those of one of them.
 fn plain() -> Vec<SharedShape> {
-    let half = |k: usize| Vector::from_array(core::array::from_fn(|axis| [0.5, 0.02, 0.2][(axis + k) % 3]));
+    let half = |k: usize| {
+        Vector::from_array(core::array::from_fn(|axis| [0.5, 0.02, 0.2][(axis + k) % 3]))
+    };
     let (a, b, c) = (Vector::X, Vector::Y * 0.1 - Vector::X * 0.3, -Vector::Y * 0.2);
     let mut shapes = vec![
         SharedShape::ball(0.3),
@@ -98,7 +100,8 @@ fn thickness_is_half_the_minimum_width() {
     let mut worst = (1.0, 1.0);
     for shape in all(&mut random) {
         let support = shape.as_support_map().expect("convex");
-        let (least, found) = (least_width(support, &mut random), 2.0 * Widths::of(&*shape).thickness);
+        let (least, found) =
+            (least_width(support, &mut random), 2.0 * Widths::of(&*shape).thickness);
         let ratio = found / least;
         worst = (Real::min(worst.0, ratio), Real::max(worst.1, ratio));
         // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the search, and what the
@@ -143,7 +146,8 @@ fn widths_are_kept_where_they_are_costly() {
     assert!(Widths::of_costly(&*SharedShape::ball(1.0)).is_none());
     assert_eq!(Widths::of_costly(&*hull).map(|known| known.len()), Some(1));
     let place = crate::dim::math::Pose::IDENTITY;
-    let compound = SharedShape::compound(vec![(place, SharedShape::ball(1.0)), (place, hull.clone())]);
+    let compound =
+        SharedShape::compound(vec![(place, SharedShape::ball(1.0)), (place, hull.clone())]);
     let known = Widths::of_costly(&*compound).expect("a hull is among them");
     assert_eq!(known.len(), 2);
     let kept = super::super::thickness(&*compound, Some(&known));
