@@ -26,8 +26,7 @@ pub(crate) struct Drift {
 
 impl RestPose {
     /// The pose of a body that has none yet.
-    pub const ORIGIN: Self =
-        Self { center: Vector::ZERO, rotation: Rotation::IDENTITY, age: 0.0 };
+    pub const ORIGIN: Self = Self { center: Vector::ZERO, rotation: Rotation::IDENTITY, age: 0.0 };
 
     /// The body's present pose.
     pub fn of(body: &RigidBody) -> Self {

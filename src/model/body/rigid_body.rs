@@ -5,8 +5,9 @@
 
 use super::mass::mass_is_usable;
 use super::{
-    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation, RigidBodyAdditionalMassProps,
-    RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps, RigidBodyType,
+    AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation,
+    RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps,
+    RigidBodyType,
 };
 use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
