@@ -241,7 +241,9 @@ impl ContactManifold {
             data.warmstart_friction,
         ];
         let numbers = [data.friction, data.restitution, data.warmstart_twist];
-        vectors.iter().all(|vector| vector.is_finite())
+        let is_unit = (data.normal.length_squared() - 1.0).abs() < 1.0e-2;
+        (is_unit || data.points.is_empty())
+            && vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().all(|number| number.is_finite())
             && data.points.iter().all(Contact::is_sound)
     }
