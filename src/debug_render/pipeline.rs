@@ -162,7 +162,8 @@ impl DebugRenderPipeline {
                 (at_edges, style.edge_pseudo_normal_color),
             ] {
                 for (foot, normal) in normals {
-                    let tip = foot + normal * style.pseudo_normal_length;
+                    // The mesh keeps weighted sums of the normals of faces.
+                    let tip = foot + normal.normalize_or_zero() * style.pseudo_normal_length;
                     backend.draw_line(object, *pose * foot, *pose * tip, color);
                 }
             }

@@ -8,6 +8,7 @@ use crate::model::collider::{ColliderBuilder, ColliderSet};
 use crate::model::contact::NarrowPhase;
 use crate::model::joint::{GenericJointBuilder, ImpulseJointSet};
 use crate::model::multibody::MultibodyJointSet;
+use parry::shape::TriMeshFlags;
 
 /// Keeps what is drawn; draws nothing of sensors.
 #[derive(Default)]
@@ -100,6 +101,24 @@ fn shapes_are_drawn_where_they_are() {
     let paper = world.draw(DebugRenderMode::COLLIDER_SHAPES);
     for (a, b, _) in &paper.lines {
         assert!((*a - center).length() < 0.5001 && (*b - center).length() < 0.5001);
+    }
+}
+
+/// Meshes keep sums of the normals of faces, which are 0.7 to 2.7 long; the lines have the length of the style.
+#[test]
+fn pseudo_normals_have_the_length_of_the_style() {
+    let corners = [Vector::ZERO].into_iter().chain(Vector::AXES).collect();
+    let faces: &[[u32; 3]] =
+        if DIM == 2 { &[[0, 1, 2]] } else { &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] };
+    let mesh = ColliderBuilder::trimesh_with_flags(corners, faces.to_vec(), TriMeshFlags::ORIENTED);
+    let mut world = World::default();
+    world.insert(RigidBodyBuilder::dynamic(), mesh.expect("a tetrahedron or triangle is a mesh"));
+    let paper = world.draw(DebugRenderMode::PSEUDO_NORMALS);
+    assert_eq!(paper.lines.is_empty(), DIM == 2, "only solids have them");
+    let wanted = DebugRenderStyle::default().pseudo_normal_length;
+    for (foot, tip, _) in paper.lines {
+        let length = (tip - foot).length();
+        assert!((length - wanted).abs() < 1.0e-5, "a normal of {length} instead of {wanted}");
     }
 }
 

@@ -272,3 +272,12 @@ pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)
         ),
     ]
 }
+
+/// Ground of so many segments, `width` long, with heights from 0 to `rise`.
+pub fn rough_ground(segments: usize, width: Real, rise: Real) -> ColliderBuilder {
+    let points = (0..=segments).map(|k| {
+        let height = rise * Real::from((k * 7919 % 101) as u8) / 100.0;
+        Vector::new(width * (k as Real / segments as Real - 0.5), height)
+    });
+    ColliderBuilder::polyline(points.collect(), None)
+}

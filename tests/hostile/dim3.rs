@@ -315,3 +315,22 @@ pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)
         ("round inside-out polyhedron", "inside", round),
     ]
 }
+
+/// Ground of about so many triangles, `width` long and wide, with heights from 0 to `rise`.
+pub fn rough_ground(triangles: usize, width: Real, rise: Real) -> ColliderBuilder {
+    let side = (0..).find(|side| 2 * side * side >= triangles).unwrap_or(1) + 1;
+    let at = |k: usize| width * (k as Real / (side - 1) as Real - 0.5);
+    let points = (0..side * side).map(|k| {
+        let height = rise * Real::from((k * 7919 % 101) as u8) / 100.0;
+        Vector::new(at(k % side), height, at(k / side))
+    });
+    let corner = |column: usize, row: usize| (row * side + column) as u32;
+    let cells = (0..(side - 1) * (side - 1)).map(|k| (k % (side - 1), k / (side - 1)));
+    let halves = cells.flat_map(|(x, z)| {
+        let [a, b] = [corner(x, z), corner(x + 1, z)];
+        let [c, d] = [corner(x, z + 1), corner(x + 1, z + 1)];
+        [[a, c, b], [b, c, d]]
+    });
+    let indices = halves.collect();
+    ColliderBuilder::trimesh(points.collect(), indices).expect("the ground is a mesh")
+}

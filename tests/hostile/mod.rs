@@ -22,6 +22,7 @@ mod world;
 mod bodies;
 mod builders;
 mod colliders;
+mod bounds;
 mod crowds;
 mod edits;
 mod exchanged;

@@ -175,3 +175,36 @@ fn ball_rolls() {
         table.check("the acceleration", acceleration, formula, 3.0e-4 * formula);
     }
 }
+
+/// The friction impulse of each contact can be read, in both models: together they are `µ m g h` of a box that slides, against its
+/// motion, and none is more than `µ` times the normal impulse of its point.
+#[test]
+fn friction_impulses_of_contacts_can_be_read() {
+    for model in [FrictionModel::Standard, FrictionModel::Coulomb] {
+        let mut world = PhysicsWorld::new();
+        world.integration_parameters.friction_model = model;
+        let friction = 0.4;
+        world.insert_collider(ColliderBuilder::halfspace(Vector::Y).friction(friction), None);
+        let body = RigidBodyBuilder::dynamic().translation(crate::dim::vec(0.0, 0.5));
+        let shape = crate::dim::cuboid(1.0, 0.5).friction(friction);
+        let (body, _) = world.insert(body.linvel(Vector::X * 8.0), shape);
+        for _ in 0..20 {
+            world.step();
+        }
+        let substep = world.integration_parameters.substep();
+        let expected = friction * world.bodies[body].mass() * 9.81 * substep;
+        let (_, _, pair) = world.contact_pairs().next().expect("the box touches the ground");
+        let data = &pair.manifolds[0].data;
+        let each: Vec<Vector> = (0..data.points.len()).map(|k| data.friction_impulse(k)).collect();
+        let total: Vector = each.iter().copied().sum();
+        let is_second = data.rigid_body2.is_some();
+        let along = if is_second { -total.x } else { total.x };
+        println!("{model:?}: {along:.5} of {expected:.5}");
+        assert!((along / expected - 1.0).abs() < 0.02, "{model:?}: {total} of {expected}");
+        for (own, point) in each.iter().zip(&data.points) {
+            let bound = friction * point.warmstart_impulse;
+            assert!(own.length() <= 1.05 * bound + 1.0e-4, "{model:?}: {own} of {bound}");
+        }
+        assert_eq!(data.friction_impulse(data.points.len()), Vector::ZERO);
+    }
+}

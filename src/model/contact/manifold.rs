@@ -1,6 +1,6 @@
 //! The contact manifold: up to [`MAX_MANIFOLD_POINTS`] points with one normal.
 
-use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::body::RigidBodyHandle;
 use crate::model::constraint_graph::ColorSlot;
 use arrayvec::ArrayVec;
@@ -167,6 +167,23 @@ impl ContactManifoldData {
     /// The points that the solver handles: all of them.
     pub fn solver_contacts(&self) -> &[Contact] {
         &self.points
+    }
+
+    /// Friction impulse at a contact point during the last substep, on the second body, in world space (mass·velocity). Zero for a
+    /// point that does not exist.
+    ///
+    /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction impulse per manifold. Each
+    /// point gets the fraction of it that its normal impulse is of the sum of all: the largest friction that a point can have is
+    /// proportional to its normal impulse. The sum over the points is exact. The torsional friction of a manifold is not included.
+    pub fn friction_impulse(&self, point: usize) -> Vector {
+        let Some(contact) = self.points.get(point) else { return Vector::ZERO };
+        let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();
+        let fraction = if sum > 0.0 { contact.warmstart_impulse / sum } else { 0.0 };
+        let directions = tangents(self.normal).into_iter();
+        let own = directions.zip(contact.warmstart_tangent_impulse);
+        own.fold(self.warmstart_friction * fraction, |total, (along, impulse)| {
+            total + along * impulse
+        })
     }
 
     /// As if the two had just begun to touch.

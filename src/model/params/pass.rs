@@ -1,7 +1,7 @@
 //! What the solver's passes over contacts and joints are told.
 
 use super::{IntegrationParameters, Softness};
-use crate::dim::math::Real;
+use crate::dim::math::{Real, Vector};
 
 /// The numbers that every contact constraint of a substep shares.
 #[derive(Copy, Clone, Debug)]
@@ -69,6 +69,8 @@ pub(crate) struct JointPass {
     pub inv_substep: Real,
     /// How joints without a softness of their own are softened.
     pub softness: Softness,
+    /// Largest velocity at which joints bring anchors together (length/s).
+    pub correction_max: Real,
     /// Is this the last visit of the constraints in the substep?
     pub is_last_visit: bool,
 }
@@ -80,7 +82,17 @@ impl JointPass {
             substep,
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             softness: params.joint_softness(substep),
+            correction_max: params.max_joint_corrective_velocity(),
             is_last_visit: true,
         }
+    }
+
+    /// The factor on the bias of a joint whose anchors are `separation` apart: 1 unless the correction would be faster than it may be.
+    ///
+    /// The separation is that of the beginning of the step: a factor that followed it within the step would make the bias a
+    /// constant velocity, which overshoots.
+    pub fn bias_scale(&self, separation: Vector) -> Real {
+        let correction = separation.length() * self.softness.bias_rate;
+        if correction > self.correction_max { self.correction_max / correction } else { 1.0 }
     }
 }

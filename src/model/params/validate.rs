@@ -95,6 +95,8 @@ impl IntegrationParameters {
         let recycle = self.normalized_contact_recycle_distance;
         scaled("normalized_contact_recycle_distance", recycle, unit)?;
         limit("normalized_max_corrective_velocity", self.normalized_max_corrective_velocity)?;
+        let of_joints = self.normalized_max_joint_corrective_velocity;
+        limit("normalized_max_joint_corrective_velocity", of_joints)?;
         limit("normalized_max_linear_velocity", self.normalized_max_linear_velocity)?;
         let threshold = self.normalized_restitution_velocity_threshold;
         limit("normalized_restitution_velocity_threshold", threshold)

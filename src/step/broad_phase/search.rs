@@ -186,13 +186,18 @@ impl<K: KnownPairs> Search<'_, K> {
         }
         if is_movable && bears {
             borne.push(remoteness, pair);
-        } else if is_movable
-            && self.partners(other_slot, kind.is_sensed).len() >= self.most.of_kind(kind)
-        {
+        } else if is_movable && self.is_full(other_slot) {
             found.late.push(other_slot);
         } else {
             found.pairs.push(pair);
         }
+    }
+
+    /// Returns whether a collider that did not move has to choose among new neighbours itself. It then finds the pairs of all kinds, so
+    /// the answer is the same for all.
+    fn is_full(&self, slot: u32) -> bool {
+        self.partners(slot, false).len() >= self.most.solids
+            || self.partners(slot, true).len() >= self.most.sensors
     }
 
     fn kind_of(&self, slot: u32, other_slot: u32) -> Kind {

@@ -256,6 +256,9 @@ fn load_lane(
     let share = bodies.share([ends[0].index, ends[1].index]);
     joint.scale_impulses(share);
     load_locked(block, lane, joint, pass);
+    if joint.data.softness.is_none() {
+        block.bias_rate.0[lane] *= pass.bias_scale(separation);
+    }
     let between = relative_rotation(&ends[0].frame, &ends[1].frame);
     load_rows(rows, lane, joint, &between, pass);
 }

@@ -25,6 +25,8 @@ pub(super) struct PinBlock {
     pub levers: [WideVector<Lane>; 2],
     /// From the first anchor to the second when the step began.
     pub separation: WideVector<Lane>,
+    /// The factor on the bias: less than 1 where the anchors are far apart.
+    pub bias_scale: Lane,
     /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's first
     /// frame.
     pub impulse: WideVector<Lane>,
@@ -44,6 +46,7 @@ impl PinBlock {
         inertias: JointedInertias::NONE,
         levers: [WideVector::ZERO; 2],
         separation: WideVector::ZERO,
+        bias_scale: Lane::ZERO,
         impulse: WideVector::ZERO,
         turned: [ANG_ZERO_LANES; 2],
         total: WideVector::ZERO,
@@ -202,7 +205,8 @@ pub(super) unsafe fn visit<W: Wide, const BIASED: bool>(
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
             + ((levers[1] - old[1]) - (levers[0] - old[0]));
-        rate = rate + separation * W::splat(pass.bias_rate);
+        let bias_rate = W::splat(pass.bias_rate) * W::load(&block.bias_scale);
+        rate = rate + separation * bias_rate;
     }
     let mut change = -masses.solve(&levers, rate);
     if BIASED {

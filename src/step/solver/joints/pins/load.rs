@@ -6,6 +6,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::state::READ_ONLY;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::joint::ImpulseJoint;
+use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
 
 /// Fills one lane of a block.
@@ -14,8 +15,9 @@ pub(super) fn load_lane(
     lane: usize,
     joint: &ImpulseJoint,
     set: &RigidBodySet,
-    (bodies, substep): (&SolverBodies, Real),
+    (bodies, pass): (&SolverBodies, &JointPass),
 ) {
+    let substep = pass.substep;
     let (handle1, handle2) = (joint.body1(), joint.body2());
     let (Some(body1), Some(body2)) = (set.get(handle1), set.get(handle2)) else { return };
     let (frame1, frame2) = (&joint.data.local_frame1, &joint.data.local_frame2);
@@ -24,6 +26,7 @@ pub(super) fn load_lane(
     // Differences of positions first: far from the origin these have few digits.
     let separation = (body2.mprops.world_com - body1.mprops.world_com) + (lever2 - lever1);
     block.separation.set_lane(lane, separation);
+    block.bias_scale.0[lane] = pass.bias_scale(separation);
     let frame = body1.position().rotation * frame1.rotation;
     block.frame.set_lane(lane, &frame);
     let share = bodies.share([block.bodies[0][lane], block.bodies[1][lane]]);

@@ -90,7 +90,7 @@ impl Pins {
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
-                    load::load_lane(&mut block, lane, joint, world, (bodies, pass.substep));
+                    load::load_lane(&mut block, lane, joint, world, (bodies, pass));
                 }
             }
             block
