@@ -40,7 +40,7 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
             "two boards",
             ColliderBuilder::compound(vec![(Pose::IDENTITY, board.clone()), (upright, board)]),
         ),
-        ("segment", ColliderBuilder::segment(v(-0.4, 0.0), v(0.4, 0.1)).mass(1.0)),
+        ("segment", ColliderBuilder::segment(v(-0.4, -0.05), v(0.4, 0.05)).mass(1.0)),
     ]
 }
 

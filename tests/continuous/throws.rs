@@ -49,7 +49,7 @@ fn passes(
     let (body, _) = world.insert(body, shape.clone());
     for _ in 0..90 {
         world.step();
-        let at = world.bodies[body].translation();
+        let at = world.bodies[body].center_of_mass();
         if (at - vec(0.0, at.y)).length() > SIDE_MAX {
             return false;
         }
