@@ -20,19 +20,19 @@ fn posed(dice: &mut Dice, at: Vector) -> Pose {
 fn check(hit: &ShapeCastHit, collider: &Collider, shape: &dyn Shape, landed: &Pose, way: Vector) {
     // parry's search of curved shapes ends within some thousandths of their size; a mix-up of sides or frames is off by metres.
     let tolerance = 2.0e-2;
-    let off = |projection: PointProjection, point: Vector| projection.point.distance(point);
-    // From outside: parry's projections of points on the surface of a polygon are not reliable.
-    let above = |point: Vector, normal: Vector| point + normal * 0.1;
-    let outside1 = above(hit.witness1, hit.normal1);
-    let on_collider = collider.shape().project_point(collider.position(), outside1, false);
-    let on_shape = shape.project_local_point(above(hit.witness2, hit.normal2), false);
-    assert!(off(on_collider, hit.witness1) < tolerance, "witness1 is off the collider: {hit:?}");
+    // From outside as well: parry's projections of points on the surface of a polygon are not reliable.
+    let off = |shape: &dyn Shape, pose: &Pose, point: Vector, normal: Vector| {
+        let from = |height: Real| shape.project_point(pose, point + normal * height, false).point;
+        from(0.0).distance(point).min(from(0.1).distance(point))
+    };
+    let off1 = off(collider.shape(), collider.position(), hit.witness1, hit.normal1);
+    let off2 = off(shape, &Pose::IDENTITY, hit.witness2, hit.normal2);
     assert!(
-        off(on_shape, hit.witness2) < tolerance,
-        "witness2 of {:?} is off {:?}: {hit:?}",
-        shape.shape_type(),
-        on_shape.point
+        off1 < tolerance,
+        "witness1 is {off1} off {:?}: {hit:?}",
+        collider.shape().shape_type()
     );
+    assert!(off2 < tolerance, "witness2 is {off2} off {:?}: {hit:?}", shape.shape_type());
     let met = landed * hit.witness2;
     assert!(met.distance(hit.witness1) < tolerance, "{met} is not {}: {hit:?}", hit.witness1);
     let normal = landed.rotation * hit.normal2;
