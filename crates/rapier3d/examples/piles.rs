@@ -183,68 +183,22 @@ fn energy(world: &PhysicsWorld) -> f64 {
     world.bodies.iter().map(|(_, body)| f64::from(body.kinetic_energy())).sum()
 }
 
+/// Steps the world and prints a line every so often.
 fn watch(world: &mut PhysicsWorld, steps: usize, every: usize, from: usize) {
-    let start: Vec<Pose> = world.bodies.iter().map(|(_, b)| *b.position()).collect();
+    let poses = |world: &PhysicsWorld| -> Vec<Pose> {
+        world.bodies.iter().map(|(_, body)| *body.position()).collect()
+    };
+    let start = poses(world);
     let mut marks = start.clone();
     println!(
-        "{:>6} {:>6} {:>12} {:>9} {:>9} {:>9} {:>10} {:>10} {:>10} {:>6} {:>10}",
-        "step",
-        "awake",
-        "energy",
-        "fastest",
-        "median",
-        "v>.05",
-        "drift/s",
-        "median",
-        ">1cm/s",
-        "who",
-        "from start"
+        "  step  awake       energy   fastest    median     v>.05    drift/s    median   >1cm/s    who from start"
     );
     for step in 1..=steps {
         world.step();
         if step % every == 0 {
-            let dt = every as f32 / 60.0;
-            let mut speeds: Vec<f32> = world
-                .bodies
-                .iter()
-                .map(|(_, b)| b.linvel().length() + b.angvel().length() * 0.4)
-                .collect();
-            let drifts: Vec<f32> = world
-                .bodies
-                .iter()
-                .zip(&marks)
-                .map(|((_, b), m)| {
-                    let p = b.position();
-                    ((p.translation - m.translation).length()
-                        + 0.4 * p.rotation.angle_between(m.rotation))
-                        / dt
-                })
-                .collect();
-            let far = world
-                .bodies
-                .iter()
-                .zip(&start)
-                .map(|((_, b), m)| (b.position().translation - m.translation).length())
-                .fold(0.0, f32::max);
-            let who =
-                (0..drifts.len()).max_by(|&a, &b| drifts[a].total_cmp(&drifts[b])).unwrap_or(0);
-            let fastest =
-                (0..speeds.len()).max_by(|&a, &b| speeds[a].total_cmp(&speeds[b])).unwrap_or(0);
-            let quick = speeds.iter().filter(|&&v| v > 0.05).count();
-            let moving = drifts.iter().filter(|&&v| v > 0.01).count();
-            let mut sorted = drifts.clone();
-            sorted.sort_by(f32::total_cmp);
-            speeds.sort_by(f32::total_cmp);
-            println!(
-                "{step:>6} {:>6} {:>12.5} {:>9.5} {:>9.5} {quick:>9} {:>10.6} {:>10.6} {moving:>10} {who:>6} {far:>10.5} {fastest}",
-                world.islands.num_active_bodies(),
-                energy(world),
-                speeds.last().unwrap(),
-                speeds[speeds.len() / 2],
-                sorted.last().unwrap(),
-                sorted[sorted.len() / 2]
-            );
-            marks = world.bodies.iter().map(|(_, b)| *b.position()).collect();
+            print!("{step:>6} ");
+            report(world, &start, &marks, every as f32 / 60.0);
+            marks = poses(world);
         }
         if from > 0 && step >= from {
             detail(world, step);
@@ -254,6 +208,35 @@ fn watch(world: &mut PhysicsWorld, steps: usize, every: usize, from: usize) {
             break;
         }
     }
+}
+
+/// Prints energy, speeds and drifts; the last took place in a time `dt` since the poses `marks`.
+fn report(world: &PhysicsWorld, start: &[Pose], marks: &[Pose], dt: f32) {
+    let bodies = || world.bodies.iter().map(|(_, body)| body);
+    let mut speeds: Vec<f32> =
+        bodies().map(|body| body.linvel().length() + 0.4 * body.angvel().length()).collect();
+    let from =
+        |body: &RigidBody, mark: &Pose| (body.position().translation - mark.translation).length();
+    let turn =
+        |body: &RigidBody, mark: &Pose| 0.4 * body.position().rotation.angle_between(mark.rotation);
+    let mut drifts: Vec<f32> = bodies()
+        .zip(marks)
+        .map(|(body, mark)| (from(body, mark) + turn(body, mark)) / dt)
+        .collect();
+    let who = (0..drifts.len()).max_by(|&a, &b| drifts[a].total_cmp(&drifts[b])).unwrap_or(0);
+    let far = bodies().zip(start).map(|(body, mark)| from(body, mark)).fold(0.0, f32::max);
+    let quick = speeds.iter().filter(|&&v| v > 0.05).count();
+    let moving = drifts.iter().filter(|&&v| v > 0.01).count();
+    speeds.sort_by(f32::total_cmp);
+    drifts.sort_by(f32::total_cmp);
+    let [fastest, farthest] =
+        [&speeds, &drifts].map(|sorted| sorted.last().copied().unwrap_or(0.0));
+    let [speed, drift] = [&speeds, &drifts].map(|sorted| sorted[sorted.len() / 2]);
+    let awake = world.islands.num_active_bodies();
+    println!(
+        "{awake:>6} {:>12.5} {fastest:>9.5} {speed:>9.5} {quick:>9} {farthest:>10.6} {drift:>9.6} {moving:>8} {who:>6} {far:>10.5}",
+        energy(world)
+    );
 }
 
 /// Who is fastest, and all its contacts.
