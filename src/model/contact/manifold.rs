@@ -1,6 +1,6 @@
 //! The contact manifold: up to [`MAX_MANIFOLD_POINTS`] points with one normal.
 
-use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::model::body::RigidBodyHandle;
 use crate::model::constraint_graph::ColorSlot;
 use arrayvec::ArrayVec;
@@ -174,16 +174,13 @@ impl ContactManifoldData {
     ///
     /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction impulse per manifold. Each
     /// point gets the fraction of it that its normal impulse is of the sum of all: the largest friction that a point can have is
-    /// proportional to its normal impulse. The sum over the points is exact. The torsional friction of a manifold is not included.
+    /// proportional to its normal impulse. The sum over the points is exact. The torsional friction of a manifold is not included. With
+    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its `warmstart_tangent_impulse`.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
         let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();
         let fraction = if sum > 0.0 { contact.warmstart_impulse / sum } else { 0.0 };
-        let directions = tangents(self.normal).into_iter();
-        let own = directions.zip(contact.warmstart_tangent_impulse);
-        own.fold(self.warmstart_friction * fraction, |total, (along, impulse)| {
-            total + along * impulse
-        })
+        self.warmstart_friction * fraction
     }
 
     /// As if the two had just begun to touch.
