@@ -288,7 +288,7 @@ fn follow_bodies(
     panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
     let StepNotes { fast, courses, events, sleepy, .. } = &mut scratch.notes;
-    let (stops, told) = (&scratch.continuous, (events, &mut parts.counters.ccd));
+    let (stops, told) = (&mut scratch.continuous, (events, &mut parts.counters.ccd));
     let moved = (&mut *parts.bodies, &mut *parts.islands);
     continuous::stop(moved, multibodies, (fast, courses), parts.params.dt, stops, told);
     parts.counters.stages.ccd_time.pause();

@@ -92,6 +92,15 @@ impl ContinuousScratch {
         self.passages.clear();
         *self.searched.get_mut() = 0;
     }
+
+    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known. Bodies whose paths were not
+    /// searched do not move.
+    fn complete(&mut self) {
+        if self.stops.len() < self.first.len() {
+            self.stops.clear();
+            self.stops.extend(self.first.iter().map(|stop| stop.share));
+        }
+    }
 }
 
 /// What paths are searched in.
@@ -185,9 +194,10 @@ pub(crate) fn stop(
     multibodies: &mut MultibodyJointSet,
     (fast, courses): (&[FastMotion], &[Course]),
     dt: Real,
-    scratch: &ContinuousScratch,
+    scratch: &mut ContinuousScratch,
     (events, counters): (&mut Vec<CollisionEvent>, &mut CCDCounters),
 ) {
+    scratch.complete();
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);
     let stopped = fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0);
