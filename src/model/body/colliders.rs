@@ -4,9 +4,7 @@ use super::{RigidBody, RigidBodyChanges};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::{Pose, Real};
 use crate::model::check::refuse;
-use crate::model::collider::{
-    Collider, ColliderEnabled, ColliderHandle, ColliderSet, MassSpread,
-};
+use crate::model::collider::{Collider, ColliderEnabled, ColliderHandle, ColliderSet, MassSpread};
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
 
