@@ -146,6 +146,7 @@ fn solve(
     take_in_user_changes(parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
     find_contacts(tasks, parts, scratch);
+    find_approaches(parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {
         move_bodies(tasks, parts, joints, multibodies, scratch);
@@ -242,9 +243,15 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
     continuous::watch(parts.bodies, &notes.pressed, parts.params);
+    parts.counters.stages.island_construction_time.pause();
+}
+
+/// Lists the bodies that kinematic bodies approach in this step, and wakes them. Collision detection alone moves nothing, and wakes nothing.
+fn find_approaches(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
+    parts.counters.stages.island_construction_time.resume();
     let params = parts.params;
     let (mut structure, trees) = parts.structure();
-    continuous::find_approaches(&mut structure, trees, params, &mut notes.approaches);
+    continuous::find_approaches(&mut structure, trees, params, &mut scratch.notes.approaches);
     parts.counters.stages.island_construction_time.pause();
 }
 

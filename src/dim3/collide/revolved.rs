@@ -57,12 +57,17 @@ impl Outline {
             let azimuth = if lateral > FLAT_SINE { across } else { hint };
             return self.cap(normal.y, azimuth);
         }
+        let apex = PolygonalFeature { num_vertices: 1, ..PolygonalFeature::default() };
+        // The normal of the side of a flat cone is nearly its axis. Along the axis no side is the nearest.
+        if lateral <= FLAT_SINE {
+            return apex;
+        }
         let lean = if self.is_cone { self.radius } else { 0.0 };
         let side = Vector::new(2.0 * self.half_height, lean, 0.0).normalize_or_zero();
         if lateral * side.x + normal.y * side.y > FEATURE_COSINE {
             return self.side(across / lateral);
         }
-        PolygonalFeature { num_vertices: 1, ..PolygonalFeature::default() }
+        apex
     }
 
     /// The line of the side that looks in a horizontal direction.
@@ -118,8 +123,11 @@ pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawMani
     let has_cap = (0..2).any(|side| outlines[side].is_some() && features[side].num_vertices == 4);
     add_contacts(pos12, parts, features, raw);
     if has_cap && raw.points.len() < FLAT_POINTS {
-        raw.points.clear();
-        add_contacts(pos12, parts, parts.features(outlines, parts.points), raw);
+        let mut hinted = RawManifold::new();
+        add_contacts(pos12, parts, parts.features(outlines, parts.points), &mut hinted);
+        if hinted.points.len() > raw.points.len() {
+            raw.points = hinted.points;
+        }
     }
 }
 
@@ -258,6 +266,27 @@ mod tests {
             assert_eq!(now.len(), 4);
             for (before, now) in first.iter().zip(&now) {
                 assert!((before - now).length() < 2.0e-3, "moved from {before} to {now}");
+            }
+        }
+    }
+
+    /// A flat cone has a side whose normal is nearly the axis. Seen along the axis or nearly so it shows its apex, and no side without a direction.
+    #[test]
+    fn the_top_of_a_flat_cone_is_its_apex() {
+        let floor = Cuboid::new(Vector::splat(2.0));
+        for height in [0.001, 0.01, 0.03] {
+            let cone = Cone::new(height, 0.4);
+            let pos12 = Pose::from_translation(-Vector::Y * (2.0 + height));
+            for tilt in [0.0, 1.0e-30, 1.0e-7, 1.0e-3, 0.03, 0.1] {
+                let normal = Vector::new(tilt, -1.0, 0.0).normalize();
+                let points = [-Vector::Y * 2.0, Vector::Y * height];
+                let raw = contacts(&pos12, &floor, &cone, normal, points);
+                let is_finite = |point: &crate::dim::collide::RawPoint| {
+                    point.local_p1.is_finite() && point.local_p2.is_finite()
+                };
+                assert!(raw.points.iter().all(is_finite), "half height {height}, tilt {tilt}");
+                let is_apex = tilt > 0.01 || raw.points.is_empty();
+                assert!(is_apex, "half height {height}, tilt {tilt}: {}", raw.points.len());
             }
         }
     }

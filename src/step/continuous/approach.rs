@@ -12,7 +12,8 @@
 //!
 //! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones among them wake. A body whose box
 //! is outside the region that a kinematic collider sweeps needs no search: a body that is not fast keeps its core inside its box.
-//! Worlds without moving kinematic bodies pay for one look at an empty list.
+//! Worlds without moving kinematic bodies pay for one look at an empty list. Many colliders of one body may overlap many of another, so the
+//! list of pairs is deduplicated each time it has doubled: its length is at most about twice the number of pairs of bodies.
 
 use super::Surroundings;
 use super::path::sweep_of_slow;
@@ -27,6 +28,9 @@ use crate::model::structure::Structure;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use crate::step::notes::{Approach, FastMotion};
 use parry::bounding_volume::{Aabb, BoundingVolume};
+
+/// Candidates that are listed before duplicates are removed for the first time.
+const CANDIDATES_MIN: usize = 256;
 
 /// How a kinematic body moves in a step.
 #[derive(Copy, Clone)]
@@ -86,8 +90,8 @@ pub(crate) fn find_approaches(
             list(structure, trees, params, (handle, body, drive), approaches);
         }
     }
-    approaches.sort_unstable_by_key(|near| [near.body, near.kinematic].map(|b| b.into_raw_parts()));
-    approaches.dedup();
+    // Each kinematic body has listed each of them once: there are no copies.
+    approaches.sort_unstable_by_key(order);
     for near in approaches.iter() {
         let Some(body) = structure.bodies.get(near.body) else { continue };
         let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
@@ -98,6 +102,11 @@ pub(crate) fn find_approaches(
     }
 }
 
+fn order(near: &Approach) -> [(u32, u32); 2] {
+    [near.body, near.kinematic].map(|body| body.into_raw_parts())
+}
+
+/// Lists the bodies that one kinematic body approaches, each of them once.
 fn list(
     structure: &Structure<'_>,
     trees: &BroadPhaseBvh,
@@ -106,6 +115,8 @@ fn list(
     approaches: &mut Vec<Approach>,
 ) {
     let Drive { center, shift, turn } = drive;
+    let begin = approaches.len();
+    let mut limit = begin + CANDIDATES_MIN;
     for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {
         if collider.is_sensor() || !collider.is_enabled() {
             continue;
@@ -116,9 +127,32 @@ fn list(
             let Some((_, other)) = structure.colliders.at_slot(slot) else { return };
             let meets = !other.is_sensor() && may_interact(collider, other);
             let body = other.parent().filter(|_| meets);
-            approaches.extend(body.map(|body| Approach { body, kinematic }));
+            // Most repetitions follow each other: colliders of one body are neighbours.
+            let near = body.map(|body| Approach { body, kinematic });
+            if near.is_some() && near.as_ref() != approaches.last() {
+                approaches.extend(near);
+            }
+            if approaches.len() >= limit {
+                remove_copies(approaches, begin);
+                limit = begin + (2 * (approaches.len() - begin)).max(CANDIDATES_MIN);
+            }
         });
     }
+    remove_copies(approaches, begin);
+}
+
+/// Sorts the list from `begin` on, and keeps one of each.
+fn remove_copies(approaches: &mut Vec<Approach>, begin: usize) {
+    let added = &mut approaches[begin..];
+    added.sort_unstable_by_key(order);
+    let mut kept = 0;
+    for at in 0..added.len() {
+        if kept == 0 || added[kept - 1] != added[at] {
+            added[kept] = added[at];
+            kept += 1;
+        }
+    }
+    approaches.truncate(begin + kept);
 }
 
 /// A box around all places of a collider on its way, and around what is in contact with it there.

@@ -58,6 +58,8 @@ pub(super) struct Rides {
     stopped: Vec<(u32, ColliderHandle)>,
     /// How these go on; nothing if they cannot.
     rides: Vec<Option<Ride>>,
+    /// By the first position of a group: the moving collider that stopped it.
+    carriers: Vec<Option<ColliderHandle>>,
 }
 
 impl Rides {
@@ -74,20 +76,31 @@ impl Rides {
         search: Search<'_>,
         (first, stops): (&[Stop], &[Real]),
     ) {
-        for (position, &share) in stops.iter().enumerate().filter(|(_, share)| **share < 1.0) {
-            let mut group = search.groups.members(search.groups.first(position));
-            let by = group.find_map(|member| {
-                let stop = first[member as usize];
-                stop.by.filter(|_| stop.share == share)
-            });
-            self.stopped.extend(by.map(|by| (position as u32, by)));
+        if first.iter().all(|stop| stop.by.is_none()) {
+            return;
         }
-        let Self { stopped, rides } = self;
+        self.list_stopped(search, first, stops);
+        let Self { stopped, rides, .. } = self;
         rides.resize(stopped.len(), None);
         tasks.par_fill(rides, 1, |at| {
             let (position, by) = stopped[at];
             Ride::of(search, position as usize, stops[position as usize], by)
         });
+    }
+
+    /// Lists the bodies that a moving collider stopped, alone or with their groups. Linear in the number of fast bodies: a chain is one group.
+    fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], stops: &[Real]) {
+        self.carriers.clear();
+        self.carriers.resize(stops.len(), None);
+        for (position, (stop, &share)) in first.iter().zip(stops).enumerate() {
+            let by = stop.by.filter(|_| stop.share == share && share < 1.0);
+            let carrier = &mut self.carriers[search.groups.first(position)];
+            *carrier = carrier.or(by);
+        }
+        for position in 0..stops.len() {
+            let by = self.carriers[search.groups.first(position)];
+            self.stopped.extend(by.map(|by| (position as u32, by)));
+        }
     }
 
     /// The ride of the fast body at a position.
