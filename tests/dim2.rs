@@ -86,6 +86,9 @@ pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)
 }
 
+/// Closes a cage before and behind the plane of the picture: nothing leaves it in 2D.
+pub fn close_cage(_: &mut PhysicsWorld, _: Real) {}
+
 /// The size of an angle, angular velocity or angular momentum.
 pub fn ang_length(w: AngVector) -> Real {
     w.abs()

@@ -121,6 +121,15 @@ pub fn about_z_of(mass: &MassProperties) -> Real {
     mass.principal_inertia().z
 }
 
+/// Closes a cage of this half width before and behind the plane of the picture.
+pub fn close_cage(world: &mut PhysicsWorld, half: Real) {
+    for side in [1.0, -1.0] {
+        let wall =
+            ColliderBuilder::halfspace(Vector::Z * -side).translation(Vector::Z * side * half);
+        world.insert_collider(wall.friction(0.5), None);
+    }
+}
+
 /// A box that is as deep as it is wide.
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)

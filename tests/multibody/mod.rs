@@ -8,6 +8,7 @@ mod bounces;
 mod contacts;
 mod drives;
 mod edits;
+mod energy;
 mod extremes;
 mod free;
 mod gears;

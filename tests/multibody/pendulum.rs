@@ -4,7 +4,7 @@ use super::stage::{energy, hang};
 use crate::dim::{hinge, vec};
 use crate::suite::joints::pendulum::exact_period;
 use crate::suite::joints::stage::{bob, falls_through_zero, period, swing};
-use crate::suite::physics::stage::{G, RATES, run, steps, world};
+use crate::suite::physics::stage::{G, RATES, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
@@ -63,33 +63,31 @@ fn a_double_pendulum_keeps_its_energy() {
     }
 }
 
-/// A rod with a very heavy bob below a very light one: the mass ratio that stretches chains of impulse joints. Nothing stretches here.
+/// Chains of light links with an end of up to ten thousand times the mass, let go level: the mass ratios that no iteration of
+/// joints survives. Nothing drives them, so they never have more energy than when they were let go.
 #[test]
-fn heavy_ends_do_not_stretch_chains() {
-    let mut world = world(60);
-    let (mut last, _) = hang(&mut world, 1.0, 0.1, 0.3);
-    for k in 1..10 {
-        let at = world.bodies[last].translation() + vec(0.3, -0.95);
-        let mass = if k == 9 { 1.0e4 } else { 1.0 };
-        let body = world.insert_body(bob(mass, 0.1).translation(at));
-        let joint = hinge().local_anchor2(vec(0.0, 1.0));
-        world.multibody_joints.insert(last, body, joint, true).expect("the joint fits");
-        last = body;
+fn heavy_ends_give_chains_no_energy() {
+    let columns = ["links", "mass ratio", "largest gain (% of m g L)"];
+    let mut table = Table::new("chains with a heavy end, 3 s", &columns);
+    for (count, mass) in [(3, 1.0e4), (10, 100.0), (10, 1.0e4), (30, 1.0e3)] {
+        let mut world = world(60);
+        let post = world.insert_body(RigidBodyBuilder::fixed());
+        let (mut parent, mut bodies) = (post, Vec::new());
+        for k in 0..count {
+            let mass = if k + 1 == count { mass } else { 1.0 };
+            let body = world.insert_body(bob(mass, 0.1).translation(vec(k as Real + 1.0, 0.0)));
+            let joint = hinge().local_anchor2(vec(-1.0, 0.0));
+            world.multibody_joints.insert(parent, body, joint, true).expect("the joint fits");
+            (parent, bodies) = (body, [bodies, vec![body]].concat());
+        }
+        let start = energy(&world, &bodies);
+        let mut gain: Real = 0.0;
+        for _ in 0..steps(&world, 3.0) {
+            world.step();
+            gain = gain.max(energy(&world, &bodies) - start);
+        }
+        let scale = (mass * count as Real + 0.5 * (count * count) as Real) * G;
+        table.row([count.to_string(), format!("{mass}"), format!("{:.4}", gain / scale * 100.0)]);
+        table.require(gain < 0.01 * scale, "energy came from nowhere");
     }
-    for _ in 0..20 {
-        run(&mut world, 0.25);
-        let (distance, _) = farthest(&world);
-        assert!((distance - 1.0).abs() < 1.0e-4, "bobs are {distance} apart");
-    }
-}
-
-/// The distance of neighbours that is farthest from 1, and the body where it is.
-fn farthest(world: &PhysicsWorld) -> (Real, RigidBodyHandle) {
-    let joints = world.multibody_joints.iter().map(|(_, _, multibody, link)| {
-        let parent = &multibody.link(link.parent_id().expect("it has a parent")).expect("a link");
-        let [at, from] =
-            [link, parent].map(|link| world.bodies[link.rigid_body_handle()].translation());
-        ((at - from).length(), link.rigid_body_handle())
-    });
-    joints.max_by(|a, b| (a.0 - 1.0).abs().total_cmp(&(b.0 - 1.0).abs())).expect("there are joints")
 }

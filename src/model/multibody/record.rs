@@ -56,6 +56,10 @@ pub struct Multibody {
     pub(crate) lists: DofLists,
     pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
+    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/flight.rs`.
+    pub(crate) flight_error: Real,
+    /// The energy that impulses left beyond what they should (J), which is bounded as well.
+    pub(crate) impulse_error: Real,
 }
 
 impl Default for Multibody {
@@ -73,6 +77,8 @@ impl Multibody {
             lists: DofLists::default(),
             couplings: Vec::new(),
             self_contacts_enabled: true,
+            flight_error: 0.0,
+            impulse_error: 0.0,
         }
     }
 

@@ -31,6 +31,8 @@ impl Multibody {
                     }
                     parts.push(Self {
                         self_contacts_enabled: self.self_contacts_enabled,
+                        flight_error: 0.0,
+                        impulse_error: 0.0,
                         ..Self::new()
                     });
                     kept.push(Vec::new());

@@ -29,22 +29,11 @@
 //!
 //! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff ones hold.
 //!
-//! # Wild flights
-//! The iteration of the implicit half contracts by the angle of half a substep times how much more easily a link turns about
-//! one axis than it carries what hangs on it about another: forty times for a chain of thin limbs, so that 25 rad/s at
-//! 240 substeps a second are too many for it, and the explicit half makes more energy of what is wrong. Where the visits do not
-//! come together, or the second half makes energy, each link keeps its momentum instead while the links are moved, and then
-//! the joints, as if they had let go for the moment, hold again:
-//!
-//! ```text
-//! q̇  ← M⁻¹ Jᵀ p        p: momenta of the links before, J and M at the new q
-//! ```
-//!
-//! That is a projection in the metric of the mass, which takes energy and never gives any (Carnot's theorem). Whips are dull for
-//! a moment, turn by no more than half a radian in a substep, and never explode. (Shorter flights would keep them sharp, at the cost of several factorisations in each
-//! substep.) Momentum and energy of the whole are kept in either case: see `balance.rs`.
+//! Free motion, what happens when it cannot be followed, and its energy account: `flight.rs`. Momentum: `balance.rs`.
 
 mod balance;
+mod energy;
+mod flight;
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
@@ -54,15 +43,6 @@ use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{Multibody, MultibodyLink};
-use balance::JUMP;
-
-/// The least and the most visits of the implicit half.
-const VISITS: usize = 3;
-const VISITS_MAX: usize = 8;
-/// The visits go on until one changes less than this share of what the first one changed.
-const CLOSE: Real = 1.0e-3;
-/// The visits do not come together if one changes more than this share of what the one before changed.
-const WILD: Real = 0.5;
 
 /// What acts on a link all through a step.
 #[derive(Copy, Clone, Debug)]
@@ -126,7 +106,13 @@ pub struct Motion {
     pub is_limited: bool,
     /// What the first half of the flight changed about the velocities.
     flown: Vec<Real>,
-    /// Is the flight of this substep too fast to be followed?
+    /// The velocities to which it led, with half of the impulses of the last substep.
+    half_rates: Vec<Real>,
+    /// Energy that corrections of the momentum gave outside of flights, and that is not in the account yet.
+    corrected: Real,
+    /// Number of pieces of this substep's flight.
+    pieces: usize,
+    /// Is a piece of this substep's flight too fast to be followed?
     pub is_wild: bool,
 }
 
@@ -137,6 +123,7 @@ impl Motion {
     /// velocities that have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
         self.is_limited = false;
+        self.corrected = 0.0;
         self.place(multibody);
         self.rates.clear();
         let rates = multibody.generalized_velocity().iter();
@@ -206,7 +193,7 @@ impl Motion {
         speed_max: Real,
         pushed: &[Real],
     ) {
-        self.keep_momentum(self.kinematics.links[0].center);
+        self.corrected += self.keep_momentum(self.kinematics.links[0].center);
         let mut change = core::mem::take(&mut self.change);
         self.kick(multibody, h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
@@ -214,11 +201,12 @@ impl Motion {
         self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
         add_all(&mut self.rates, pushed, 0.5);
-        self.is_wild = !self.fly_half(0.5 * h, &mut change);
+        self.begin_flight(h, &mut change);
         if self.is_wild {
             change.fill(0.0);
             self.limit_whip(h);
         }
+        self.half_rates.clone_from(&self.rates);
         add_all(&mut self.rates, pushed, -0.5);
         self.flown.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
@@ -255,135 +243,12 @@ impl Motion {
         self.factor.solve(&self.kinematics, &self.wrenches, change);
     }
 
-    /// What inertia alone changes about the velocities in `h` seconds.
-    fn drift(&mut self, h: Real, change: &mut Vec<Real>) {
-        let Self { kinematics, velocities, accelerations, wrenches, .. } = self;
-        kinematics.velocities(&self.rates, &self.root, velocities);
-        kinematics.inertial_wrenches(&self.rates, velocities, accelerations, wrenches);
-        change.clear();
-        change.resize(self.rates.len(), 0.0);
-        self.factor.solve(kinematics, wrenches, change);
-        change.iter_mut().for_each(|number| *number *= h);
-    }
-
-    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. None gets faster
-    /// than `speed_max`.
-    pub fn advance(&mut self, multibody: &mut Multibody, h: Real, speed_max: Real) {
-        let root_center = self.kinematics.links[0].center;
-        let energy = self.flight_energy();
-        self.note_momenta();
-        let momenta = core::mem::take(&mut self.momenta);
-        multibody.integrate(h, &self.rates, &self.root);
-        self.place(multibody);
-        self.resist(h);
-        self.is_wild = self.is_wild || !self.fly_second_half(0.5 * h, energy);
-        if self.is_wild {
-            self.resist(0.0);
-            self.take_momenta(|id, _| Some(momenta[id]));
-            self.resist(h);
-        }
-        self.momenta = momenta;
-        self.keep_momentum(root_center);
-        if self.is_wild {
-            self.limit_flight(energy);
-            self.limit_whip(h);
-        }
-        self.limit_speed(speed_max);
-    }
-
-    /// Lets inertia act for `h` seconds, explicitly. Returns whether the energy of the flight is kept; nothing happens if not.
-    fn fly_second_half(&mut self, h: Real, energy: Option<Real>) -> bool {
-        let mut change = core::mem::take(&mut self.change);
-        self.drift(h, &mut change);
-        add_all(&mut self.rates, &change, 1.0);
-        let is_kept = match (self.flight_energy(), energy) {
-            (Some(now), Some(before)) => now <= JUMP * before,
-            _ => true,
-        };
-        if !is_kept {
-            add_all(&mut self.rates, &change, -1.0);
-        }
-        self.change = change;
-        is_kept
-    }
-
-    /// Moves the links for `h` seconds, which may be negative, at these rates. Velocities stay.
-    pub fn displace(&mut self, multibody: &mut Multibody, rates: &[Real], h: Real) {
-        let root_center = self.kinematics.links[0].center;
-        multibody.integrate(h, rates, &ZERO);
-        self.place(multibody);
-        self.carry_momentum(root_center);
-    }
-
-    /// Undoes what inertia changed in the last `h` seconds, which led to the velocities that there are.
-    pub fn fly_back(&mut self, h: Real) {
-        let mut change = core::mem::take(&mut self.change);
-        self.drift(h, &mut change);
-        add_all(&mut self.rates, &change, -1.0);
-        self.change = change;
-    }
-
-    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does. False if that is too wild:
-    /// then nothing happens.
-    pub fn fly_on(&mut self, h: Real) -> bool {
-        let mut change = core::mem::take(&mut self.change);
-        let comes_together = self.fly_half(h, &mut change);
-        self.change = change;
-        comes_together
-    }
-
-    /// The velocities before the first half of the flight.
-    pub fn rates_before_flight(&self) -> Vec<Real> {
-        let mut rates = self.rates.clone();
-        add_all(&mut rates, &self.flown, -1.0);
-        rates
-    }
-
-    /// Lets inertia act for `h` seconds, taking the velocities of their end, and says what that changed. Returns whether the visits
-    /// come together; the velocities stay as they are if not.
-    fn fly_half(&mut self, h: Real, change: &mut Vec<Real>) -> bool {
-        let mut start = core::mem::take(&mut self.start);
-        start.clone_from(&self.rates);
-        let comes_together = self.come_together(&start, h, change);
-        if !comes_together {
-            self.rates.copy_from_slice(&start);
-        }
-        self.start = start;
-        comes_together
-    }
-
-    /// The same, and leaves the velocities wherever the visits led.
-    fn come_together(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
-        // What is lost in rounding anyway need not come any nearer.
-        let fastest = start.iter().fold(0.0, |most: Real, rate| most.max(rate.abs()));
-        let rounding = 16.0 * Real::EPSILON * fastest;
-        let (mut first, mut moved) = (0.0, Real::MAX);
-        for visit in 1..=VISITS_MAX {
-            self.drift(h, change);
-            let news =
-                |((rate, start), change): ((&Real, &Real), &Real)| (start + change - rate).abs();
-            let next = self.rates.iter().zip(start).zip(&*change).map(news).fold(0.0, Real::max);
-            self.rates.copy_from_slice(start);
-            add_all(&mut self.rates, change, 1.0);
-            if visit == 1 {
-                first = next;
-            }
-            if next <= rounding || (visit >= VISITS && next <= CLOSE * first) {
-                return true;
-            }
-            // Nor do they if something is no number.
-            let comes_nearer = next <= WILD * moved;
-            if !comes_nearer {
-                return false;
-            }
-            moved = next;
-        }
-        false
-    }
-
-    /// Ends the step.
+    /// Ends the step. What energy the last correction of the momentum takes, it takes from the change of shape.
     pub fn finish(&mut self) {
-        self.keep_momentum(self.kinematics.links[0].center);
+        let energy = self.flight_energy();
+        if self.keep_momentum(self.kinematics.links[0].center) > 0.0 {
+            self.limit_flight(energy);
+        }
     }
 
     /// The velocities of all links.

@@ -86,11 +86,14 @@ pub struct BeforeBlow {
     times: [Real; 2],
     /// For how long (s) it has been moved on to where it is hit, if it is.
     ahead: Option<Real>,
+    /// Is it hit by bodies or other multibodies, or with a restitution above 1, so that it may gain energy?
+    may_gain: bool,
 }
 
 impl BeforeBlow {
-    /// Notes that a blow comes at a time.
-    pub fn note(&mut self, time: Real) {
+    /// Notes that a blow comes at a time, and whether it may give energy.
+    pub fn note(&mut self, time: Real, may_gain: bool) {
+        self.may_gain |= may_gain;
         let [sum, count] = self.times;
         self.times = [sum + time, count + 1.0];
     }
@@ -189,7 +192,8 @@ impl SolverMultibodies {
                 if blow.find_time(velocity, separation, earliest, pass.substep) {
                     blow.mass = normal.mass;
                     contact.strike.struck |= blow.mass > 0.0;
-                    numbers.note_time(normal, blow.time, &mut actors);
+                    let gains = contact.restitution > 1.0;
+                    numbers.note_time(normal, (blow.time, gains), &mut actors);
                 }
             }
             contact.strike.was_struck |= contact.strike.struck;
@@ -404,7 +408,7 @@ impl Moving {
         let rates = self.motion.rates.clone();
         self.displace(&rates, time);
         self.motion.resist(h);
-        self.motion.fly_back(0.5 * h - time);
+        self.motion.fly_back(self.motion.middle(h) - time);
         self.before_blow.ahead = Some(time);
     }
 
@@ -413,20 +417,30 @@ impl Moving {
         let ahead = self.before_blow.ahead.take();
         let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
         if *before != self.motion.rates {
-            let energy = if self.turns_far { self.motion.energy_at(before) } else { 0.0 };
+            let energy = self.motion.energy_at(before);
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * share;
             }
             self.motion.share_outside(outside, share);
-            // The rules of impacts have an eye on that.
-            if self.turns_far {
-                self.energy += (self.motion.kinetic_energy() - energy).max(0.0);
-            }
+            self.note_blow_energy(energy);
         }
         if let Some(time) = ahead {
-            self.motion.fly_on(0.5 * h - time);
+            self.motion.fly_on(self.motion.middle(h) - time);
             let rates = self.motion.rates.clone();
             self.displace(&rates, -time);
+        }
+    }
+
+    /// Changes the energy that impulses may leave as a round changed it from `before`, at the time of the blow. The world gives
+    /// none. Links that turn far may have another energy there; then the fraction counts.
+    fn note_blow_energy(&mut self, before: Real) {
+        let change = self.motion.kinetic_energy() - before;
+        let may_gain = core::mem::take(&mut self.before_blow.may_gain);
+        if change > 0.0 {
+            self.energy += if may_gain { change } else { 0.0 };
+        } else {
+            let fraction = self.energy / before;
+            self.energy += change * if fraction < 1.0 { fraction } else { 1.0 };
         }
     }
 

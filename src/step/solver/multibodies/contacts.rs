@@ -393,9 +393,10 @@ impl LinkContacts {
         }
     }
 
-    /// Lets a substep start with this share of the last one's impulses.
-    pub fn scale_impulses(&mut self, factor: Real) {
+    /// Scales the impulses with which the next substep starts, by a factor for each row.
+    pub fn scale_impulses(&mut self, factor: impl Fn(&Row) -> Real) {
         for point in self.points() {
+            let factor = factor(&point.normal);
             point.impulse *= factor;
             point.friction = point.friction.map(|impulse| impulse * factor);
         }

@@ -60,14 +60,9 @@ impl Gears {
         }
     }
 
-    /// Lets a substep start with this share of the last one's impulses.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        self.gears.iter_mut().for_each(|gear| gear.impulse *= factor);
-    }
-
-    /// All rows, and the impulses that they have given in this substep.
-    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
-        self.gears.iter().map(|gear| (&gear.row, gear.impulse))
+    /// Scales the impulses with which the next substep starts, by a factor for each row.
+    pub fn scale_impulses(&mut self, factor: impl Fn(&Row) -> Real) {
+        self.gears.iter_mut().for_each(|gear| gear.impulse *= factor(&gear.row));
     }
 
     /// Solves all rows once; with `bias`, errors are undone.

@@ -205,10 +205,12 @@ impl JointRows {
         }
     }
 
-    /// Lets a substep start with this share of the last one's impulses.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        self.limits.iter_mut().flat_map(|limit| &mut limit.impulses).for_each(|i| *i *= factor);
-        self.drives.iter_mut().for_each(|drive| drive.impulse *= factor);
+    /// Scales the impulses with which the next substep starts, by a factor for each row.
+    pub fn scale_impulses(&mut self, factor: impl Fn(&Row) -> Real) {
+        for limit in &mut self.limits {
+            limit.impulses = limit.impulses.map(|impulse| impulse * factor(&limit.row));
+        }
+        self.drives.iter_mut().for_each(|drive| drive.impulse *= factor(&drive.row));
     }
 
     /// Solves all rows once; with `bias`, limits that were overrun are undone.
@@ -236,10 +238,14 @@ impl JointRows {
         }
     }
 
-    /// All rows, and the impulses that they have given in this substep.
-    pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
-        let limits = self.limits.iter().map(|limit| (&limit.row, limit.impulse()));
-        limits.chain(self.drives.iter().map(|drive| (&drive.row, drive.impulse)))
+    /// The rows that may do work on multibodies, and their impulses of this substep: those of motors, and limits of joints to
+    /// other bodies.
+    pub fn working_rows(&self) -> impl Iterator<Item = (&Row, Real)> {
+        let joins_bodies = |limit: &&Limit| matches!(limit.owner, Owner::Loop { .. });
+        let limits = self.limits.iter().filter(joins_bodies);
+        let limits = limits.map(|limit| (&limit.row, limit.impulse()));
+        let motors = self.drives.iter().filter(|drive| !drive.is_friction);
+        limits.chain(motors.map(|motor| (&motor.row, motor.impulse)))
     }
 
     /// Counts the impulses of the substep into those of the step.

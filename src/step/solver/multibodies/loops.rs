@@ -323,9 +323,9 @@ impl Loops {
         self.loops.iter_mut().flat_map(|joint| &mut joint.locked)
     }
 
-    /// Lets a substep start with this share of the last one's impulses.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        self.locked().for_each(|locked| locked.impulse *= factor);
+    /// Scales the impulses with which the next substep starts, by a factor for each row.
+    pub fn scale_impulses(&mut self, factor: impl Fn(&Row) -> Real) {
+        self.locked().for_each(|locked| locked.impulse *= factor(&locked.row));
     }
 
     /// All rows, and the impulses that they have given in this substep.

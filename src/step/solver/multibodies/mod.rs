@@ -39,6 +39,9 @@ use rows::{Actors, Numbers};
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
+/// While overlap is undone, links may have this multiple of the energy that they may keep.
+const PUSH_ENERGY_MAX: Real = 2.0;
+
 /// A multibody that is awake. It is taken out of its set for as long as the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
@@ -63,8 +66,12 @@ pub(super) struct Moving {
     /// Do links turn so far in a step that its contacts must be followed from substep to substep? Not if it has none: what flies
     /// freely keeps its momentum, whatever its energy looks like to who does not fly along.
     turns_far: bool,
-    /// The energy that contacts may leave.
+    /// The kinetic energy that the impulses of this substep may leave.
     energy: Real,
+    /// Did they leave more?
+    has_gained: bool,
+    /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
+    kept: Real,
     /// The joints and the root's pose when the step began.
     start: (Vec<MultibodyJoint>, Pose),
 }
@@ -250,10 +257,7 @@ impl SolverMultibodies {
             moving.motion.note_outside(&moving.root_pushed, 1.0);
         });
         if warmth != 1.0 {
-            self.joints.scale_impulses(warmth);
-            self.gears.scale_impulses(warmth);
-            self.loops.scale_impulses(warmth);
-            self.contacts.scale_impulses(warmth);
+            self.scale_impulses(|_| warmth);
         }
     }
 
@@ -278,8 +282,7 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
     ) {
         self.visit(bodies, pass, params, true);
-        self.note_work(&mut bodies.states);
-        self.keep_energy();
+        self.limit_push(&mut bodies.states, pass.push_velocity_max);
     }
 
     /// Solves all constraints once, without bias and with friction.
@@ -297,19 +300,61 @@ impl SolverMultibodies {
             joints.count();
             loops.count();
             contacts.count();
+            self.limit_energy(&mut bodies.states);
         }
-        self.keep_energy();
     }
 
-    /// Adds the work of motors and other joints, and that of bodies and belts which push links before them, to the energy that
-    /// contacts may leave.
-    fn note_work(&mut self, states: &mut [BodyState]) {
-        if !self.any_turns_far() {
-            return;
+    /// Removes the energy that the impulses of a substep gave to multibodies, apart from the work of motors, of joints
+    /// that close loops and of moving bodies and surfaces.
+    fn limit_energy(&mut self, states: &mut [BodyState]) {
+        for moving in &mut self.moving {
+            moving.has_gained = moving.motion.exceeds(moving.energy);
         }
-        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
+        if self.moving.iter().any(|moving| moving.has_gained) {
+            self.add_work(states);
+            self.moving.iter_mut().for_each(Moving::limit_energy);
+            self.scale_impulses(|moving| moving.kept);
+        }
+    }
+
+    /// Limits the energy with which the links move while overlap is undone. The impulses of the last substep, which act again
+    /// in this one, may be wrong by any factor where links have turned far.
+    fn limit_push(&mut self, states: &mut [BodyState], speed_max: Real) {
+        let most = |moving: &Moving| {
+            let push = 0.5 * moving.motion.mass() * speed_max * speed_max;
+            PUSH_ENERGY_MAX * moving.energy + push
+        };
+        for moving in &mut self.moving {
+            let energy_max = most(moving);
+            moving.has_gained = moving.motion.exceeds(energy_max);
+        }
+        if self.moving.iter().any(|moving| moving.has_gained) {
+            let energies: Vec<_> = self.moving.iter().map(|moving| moving.energy).collect();
+            self.add_work(states);
+            for (moving, energy) in self.moving.iter_mut().zip(energies) {
+                if moving.has_gained {
+                    moving.motion.limit_energy(most(moving), moving.touches);
+                }
+                moving.energy = energy;
+            }
+        }
+    }
+
+    /// Scales the impulses with which the next substep starts, by the least factor of the multibodies of each row.
+    fn scale_impulses(&mut self, factor: impl Fn(&Moving) -> Real) {
+        let Self { joints, gears, loops, contacts, moving, .. } = self;
+        joints.scale_impulses(|row| row.least_of(moving, &factor));
+        gears.scale_impulses(|row| row.least_of(moving, &factor));
+        loops.scale_impulses(|row| row.least_of(moving, &factor));
+        contacts.scale_impulses(|row| row.least_of(moving, &factor));
+    }
+
+    /// Adds the work of motors and other joints, and that of bodies and surfaces which push links before them, to the energy that
+    /// a substep may leave.
+    fn add_work(&mut self, states: &mut [BodyState]) {
+        let Self { numbers, joints, loops, contacts, moving, .. } = self;
         let mut actors = Actors { multibodies: moving, states };
-        for (row, impulse) in joints.rows().chain(gears.rows()).chain(loops.rows()) {
+        for (row, impulse) in joints.working_rows().chain(loops.rows()) {
             numbers.note_work(row, impulse, &mut actors);
         }
         for (row, impulse, surface) in contacts.rows() {
@@ -320,12 +365,6 @@ impl SolverMultibodies {
     /// Is there a multibody with links that turn far?
     fn any_turns_far(&self) -> bool {
         self.moving.iter().any(|moving| moving.turns_far)
-    }
-
-    /// Takes away the energy that contacts gave to links that turn far: what is more than before, and nobody's work.
-    fn keep_energy(&mut self) {
-        let fast = self.moving.iter_mut().filter(|moving| moving.turns_far);
-        fast.for_each(|moving| moving.motion.keep_energy(moving.energy));
     }
 
     /// Visits all rows but those of friction.
@@ -347,11 +386,21 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and what energy there is.
+    /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and the energy
+    /// before impulses.
     fn measure(&mut self, dt: Real) {
         self.turns_far = self.touches && self.motion.turns_far(dt);
-        if self.turns_far {
-            self.energy = self.motion.energy_before_contacts();
+        self.energy = self.motion.energy_before_impulses();
+    }
+
+    /// Removes the energy that impulses gave. The impulses that did will be less in the next substep.
+    fn limit_energy(&mut self) {
+        self.kept = 1.0;
+        if self.has_gained {
+            let Self { motion, multibody, energy, touches, .. } = self;
+            self.kept = motion.settle_impulses(multibody, *energy, *touches);
+            self.pushed.iter_mut().for_each(|rate| *rate *= self.kept);
+            self.root_pushed.iter_mut().for_each(|impulse| *impulse *= self.kept);
         }
     }
 
@@ -363,15 +412,17 @@ impl Moving {
     }
 
     fn advance(&mut self, h: Real, speed_max: Real) {
-        for (shift, rate) in self.shift.iter_mut().zip(&self.motion.rates) {
-            *shift += rate * h;
-        }
-        self.note_travel(h);
-        self.motion.advance(&mut self.multibody, h, speed_max);
-        if self.touches && self.motion.is_wild && !self.turns_far {
-            self.turns_far = true;
-            self.energy = self.motion.energy_before_contacts();
-        }
+        let Self { motion, multibody, shift, travel, .. } = self;
+        let change = motion.advance(multibody, h, speed_max, |motion, piece| {
+            for (shift, rate) in shift.iter_mut().zip(&motion.rates) {
+                *shift += rate * piece;
+            }
+            store::note_travel(travel, motion.link_velocities(), piece);
+        });
+        // What a flight lost may be energy that impulses gave before.
+        let least = self.energy.min(motion.kinetic_energy());
+        self.energy = (self.energy + change).max(least);
+        self.turns_far |= self.touches && motion.is_wild;
     }
 }
 

@@ -39,6 +39,15 @@ impl Row {
         Self { mass: if k > 0.0 { self.mass.min(1.0 / k) } else { self.mass }, ..self }
     }
 
+    /// The least number that its multibodies have.
+    pub fn least_of(&self, multibodies: &[Moving], number: impl Fn(&Moving) -> Real) -> Real {
+        let of_part = |part: &Part| match part {
+            Part::Links { multibody, .. } => number(&multibodies[*multibody]),
+            Part::Nothing | Part::Body { .. } => 1.0,
+        };
+        of_part(&self.parts[0]).min(of_part(&self.parts[1]))
+    }
+
     /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
     pub fn rewrite(&mut self, numbers: &mut Numbers, make: impl FnOnce(&mut Numbers) -> Self) {
         let Some(start) = self.parts.iter().find_map(Part::start) else { return };
@@ -253,11 +262,13 @@ impl Numbers {
         })
     }
 
-    /// Tells the multibodies of a row when a blow comes (s).
-    pub fn note_time(&self, row: &Row, time: Real, actors: &mut Actors<'_>) {
-        for part in &row.parts {
+    /// Notes in the multibodies of a row when a blow comes (s), and whether it may give energy.
+    pub fn note_time(&self, row: &Row, (time, gains): (Real, bool), actors: &mut Actors<'_>) {
+        let [first, second] = &row.parts;
+        for (part, other) in [(first, second), (second, first)] {
             if let Part::Links { multibody, gives_way: true, .. } = part {
-                actors.multibodies[*multibody].before_blow.note(time);
+                let may_gain = gains || !matches!(other, Part::Nothing);
+                actors.multibodies[*multibody].before_blow.note(time, may_gain);
             }
         }
     }

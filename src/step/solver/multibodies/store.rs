@@ -92,7 +92,7 @@ fn link_is_calm(velocity: &SpatialVector, h: Real) -> bool {
 }
 
 /// Adds to the ways and angles of links what they go in `h` seconds.
-fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
+pub(super) fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
     for (travel, velocity) in travels.iter_mut().zip(velocities) {
         travel[0] += linear(velocity).length() * h;
         travel[1] += ang_length_squared(angular(velocity)).sqrt() * h;
@@ -100,11 +100,6 @@ fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real)
 }
 
 impl Moving {
-    /// Notes how far the links go in `h` seconds.
-    pub(super) fn note_travel(&mut self, h: Real) {
-        note_travel(&mut self.travel, self.motion.link_velocities(), h);
-    }
-
     /// Notes how far the links go in `h` seconds if these rates alone move them.
     pub(super) fn note_travel_at(&mut self, rates: &[Real], h: Real) {
         note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);

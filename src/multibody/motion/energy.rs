@@ -1,0 +1,254 @@
+//! The kinetic energy of a multibody, and how surplus is removed.
+//!
+//! Free motion conserves the energy in any frame that moves evenly (`flight.rs`). Impulses of contacts with bodies at rest,
+//! of limits and of dry friction do not increase it. Numerically both may. Surplus of free motion is removed from the change
+//! of shape first, so that linear and angular momentum stay. Surplus of contacts is removed from all velocities alike: scaled
+//! velocities still lead out of a contact.
+
+use super::super::kinematics::LinkFrame;
+use super::super::spatial::{ZERO, turn};
+use super::flight::ERROR_MAX;
+use super::{Drive, Motion, add_all};
+use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
+use crate::dim::spatial::{angular, linear};
+use crate::model::multibody::Multibody;
+
+/// The angle (rad) that a link turns in a step beyond which its contact rows are made anew in each substep: rows are made when the step
+/// begins. (Of four hundred rods on long arms that were thrown on the ground eighteen gained energy when the angle of a
+/// substep was compared, up to more than they had, and none when that of a step was.)
+const CONTACT_TURN_MAX: Real = 0.1;
+/// The largest angle (rad) that a joint turns in a substep with a wild piece.
+const WILD_TURN_MAX: Real = 0.5;
+/// Joints that turn by a larger angle (rad) in a substep are not limited: the input is beyond what can be simulated, and a
+/// [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
+const SENSELESS_TURN: Real = 1.0e6;
+/// From this fraction of the energy on, what is too much is removed from the change of shape.
+const SMALL_SURPLUS: Real = 0.9;
+/// Relative rounding error of an energy.
+const ROUNDING: Real = 32.0 * Real::EPSILON;
+
+impl Motion {
+    /// The energy that a flight keeps; `None` if something drives the links: a root that turns, or a joint that moves as it
+    /// is told.
+    pub(super) fn flight_energy(&mut self) -> Option<Real> {
+        if angular(&self.root) != ANG_ZERO || self.is_driven() {
+            return None;
+        }
+        self.update_velocities();
+        Some(self.energy_seen_from(self.frame_velocity()))
+    }
+
+    /// Returns whether a joint moves at a velocity that the user gave it.
+    fn is_driven(&self) -> bool {
+        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_told() && *rate != 0.0;
+        self.drives.iter().zip(&self.rates).any(is_driven)
+    }
+
+    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the links had last.
+    fn frame_velocity(&self) -> Vector {
+        if self.root_dofs() == 0 {
+            return linear(&self.root);
+        }
+        let links = self.kinematics.links.iter().zip(&self.velocities);
+        let add = |(mass, momentum): (Real, Vector), (link, velocity): (&LinkFrame, _)| {
+            (mass + link.mass, momentum + linear(velocity) * link.mass)
+        };
+        let (mass, momentum) = links.fold((0.0, Vector::ZERO), add);
+        let axes = self.kinematics.axes[..self.root_dofs()].iter().map(linear);
+        let moving = axes.map(|axis| axis * axis.dot(momentum)).sum::<Vector>();
+        if mass > 0.0 { moving / mass } else { Vector::ZERO }
+    }
+
+    /// Does a link turn so far in `dt` seconds that contacts are not what they were at their beginning?
+    pub fn turns_far(&mut self, dt: Real) -> bool {
+        let turns_far = |v: &SpatialVector| {
+            ang_length_squared(angular(v)) * dt * dt > CONTACT_TURN_MAX * CONTACT_TURN_MAX
+        };
+        self.is_wild || self.link_velocities().iter().any(turns_far)
+    }
+
+    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
+    ///
+    /// It is that of the velocities before the first half of the flight: the half changes the energy in the first order of the
+    /// angle of a substep, and the second half changes it back.
+    pub fn energy_before_impulses(&mut self) -> Real {
+        if self.root != ZERO || self.is_driven() {
+            return Real::MAX;
+        }
+        let rates = self.rates_before_flight();
+        self.energy_at(&rates)
+    }
+
+    /// Returns whether the kinetic energy exceeds a bound by more than rounding.
+    pub fn exceeds(&mut self, energy_max: Real) -> bool {
+        self.kinetic_energy() > energy_max * (1.0 + ROUNDING)
+    }
+
+    /// Limits the kinetic energy that impulses left. What is above a bound enters an account, and what this has no room for is
+    /// removed. Returns the fraction that is kept.
+    pub fn settle_impulses(
+        &mut self,
+        multibody: &mut Multibody,
+        energy_max: Real,
+        touches: bool,
+    ) -> Real {
+        let energy = self.kinetic_energy();
+        let bound = ERROR_MAX * energy.min(energy_max).max(0.0);
+        let known = multibody.impulse_error.min(bound);
+        let gain = (energy - energy_max).max(0.0).min(bound - known);
+        multibody.impulse_error = if gain.is_finite() { known + gain } else { 0.0 };
+        self.limit_energy(energy_max + gain, touches)
+    }
+
+    /// Limits the kinetic energy. Returns the fraction of it that is kept.
+    ///
+    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other bodies gave stays
+    /// momentum. For a large one all velocities are scaled: scaled velocities still lead out of all contacts.
+    pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
+        let energy = self.kinetic_energy();
+        let kept = energy_max.max(0.0) / energy;
+        if kept >= 1.0 || !kept.is_finite() {
+            return 1.0;
+        }
+        if (kept > SMALL_SURPLUS || !touches) && self.root_dofs() > 0 {
+            self.keep_momentum(self.kinematics.links[0].center);
+            let surplus = self.kinetic_energy() - energy_max;
+            let own = self.flight_energy();
+            self.limit_flight(own.map(|own| (own - surplus).max(0.0)));
+        }
+        let left = energy_max.max(0.0) / self.kinetic_energy();
+        if left < 1.0 - ROUNDING {
+            self.slow_down(left.sqrt());
+        }
+        kept
+    }
+
+    /// The mass of all links.
+    pub fn mass(&self) -> Real {
+        self.kinematics.links.iter().map(|link| link.mass).sum()
+    }
+
+    /// Leaves this share of all velocities but of those of degrees of freedom that move as they are told.
+    fn slow_down(&mut self, share: Real) {
+        for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
+            *rate *= if drive.is_told() { 1.0 } else { share };
+        }
+        self.follow_momentum();
+    }
+
+    /// Lets the links have no more than this energy of their flight: slows the change of shape down and, if that is not enough,
+    /// the turn of the whole. Where links are moved far at once they may come to lie closer together than their angular momentum
+    /// and their energy allow.
+    pub(super) fn limit_flight(&mut self, most: Option<Real>) {
+        let Some(most) = most else { return };
+        self.update_velocities();
+        let frame = self.frame_velocity();
+        let energy = self.energy_seen_from(frame);
+        if energy <= most {
+            return;
+        }
+        let own = self.rates.clone();
+        self.slow_to_whole();
+        self.update_velocities();
+        let of_whole = self.energy_seen_from(frame);
+        if of_whole < most {
+            self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
+        } else {
+            let whole = self.rates.clone();
+            self.slow_to(frame);
+            self.blend(&whole, if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 });
+        }
+        self.obey(&own);
+        self.follow_momentum();
+    }
+
+    /// Lets no joint turn by more than [`WILD_TURN_MAX`] in `h` seconds: slows the change of shape down.
+    pub(super) fn limit_whip(&mut self, h: Real) {
+        let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
+        let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
+        let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
+        if fastest > WILD_TURN_MAX && fastest < SENSELESS_TURN {
+            let own = self.rates.clone();
+            self.slow_to_whole();
+            self.blend(&own, WILD_TURN_MAX / fastest);
+            self.obey(&own);
+        }
+    }
+
+    /// Adds a share of what is missing to these velocities.
+    fn blend(&mut self, to: &[Real], share: Real) {
+        let share = share.clamp(0.0, 1.0);
+        for (rate, to) in self.rates.iter_mut().zip(to) {
+            *rate += (to - *rate) * share;
+        }
+    }
+
+    /// Degrees of freedom that move as they are told take these velocities.
+    fn obey(&mut self, told: &[Real]) {
+        for ((rate, drive), told) in self.rates.iter_mut().zip(&self.drives).zip(told) {
+            *rate = if drive.is_told() { *told } else { *rate };
+        }
+    }
+
+    /// Leaves the motion of the whole alone.
+    fn slow_to_whole(&mut self) {
+        let momentum = self.root_momentum();
+        self.rates.fill(0.0);
+        add_all(&mut self.rates, self.whole.rates_at(&momentum), 1.0);
+    }
+
+    /// Leaves the whole going evenly.
+    fn slow_to(&mut self, velocity: Vector) {
+        self.rates.fill(0.0);
+        let count = self.root_dofs();
+        for (rate, axis) in self.rates[..count].iter_mut().zip(&self.kinematics.axes) {
+            *rate = linear(axis).dot(velocity);
+        }
+    }
+
+    /// Slows all degrees of freedom down alike if they move a link faster than this.
+    pub(super) fn limit_speed(&mut self, speed_max: Real) {
+        if speed_max >= Real::MAX {
+            return;
+        }
+        self.kinematics.velocities(&self.rates, &ZERO, &mut self.velocities);
+        let fastest = self.velocities.iter().map(|v| speed(linear(v))).fold(0.0, Real::max);
+        if fastest > speed_max {
+            self.is_limited = true;
+            self.slow_down(speed_max / fastest);
+        }
+    }
+
+    /// The kinetic energy of all links.
+    pub fn kinetic_energy(&mut self) -> Real {
+        self.update_velocities();
+        self.energy_seen_from(Vector::ZERO)
+    }
+
+    /// The same at other rates of the degrees of freedom.
+    pub fn energy_at(&mut self, rates: &[Real]) -> Real {
+        let own = core::mem::replace(&mut self.rates, rates.to_vec());
+        let energy = self.kinetic_energy();
+        self.rates = own;
+        energy
+    }
+
+    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this velocity.
+    fn energy_seen_from(&self, frame: Vector) -> Real {
+        let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
+            let (v, w) = (linear(velocity) - frame, angular(velocity));
+            0.5 * (link.mass * v.length_squared() + ang_dot(w, turn(&link.inertia, w)))
+        };
+        let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
+        let of_armature = |(drive, rate): (&Drive, &Real)| {
+            if drive.is_told() { 0.0 } else { 0.5 * drive.armature * rate * rate }
+        };
+        of_links + self.drives.iter().zip(&self.rates).map(of_armature).sum::<Real>()
+    }
+}
+
+/// The length of a velocity, whose square may be beyond all numbers.
+fn speed(velocity: Vector) -> Real {
+    let size = velocity.abs().max_element();
+    if size > 0.0 { (velocity / size).length() * size } else { 0.0 }
+}
