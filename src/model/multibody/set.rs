@@ -486,9 +486,8 @@ impl MultibodyJointSet {
             let group = bodies.first().map_or(&[] as &[_], |body| groups.of(slot(body)));
             ensure!(group == bodies, "the links of {index:?} are {bodies:?}, not {group:?}");
         }
-        let is_link = |body: &RigidBodyHandle| {
-            self.rigid_body_link(*body).is_some() || cut.contains(body)
-        };
+        let is_link =
+            |body: &RigidBodyHandle| self.rigid_body_link(*body).is_some() || cut.contains(body);
         let other = groups.bodies().find(|body| !is_link(body));
         ensure!(other.is_none(), "{other:?} is in a group, and no link");
         Ok(())

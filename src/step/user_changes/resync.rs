@@ -138,7 +138,8 @@ impl Resync<'_> {
     ) -> Vec<CollisionEvent> {
         let islands = &self.structure.islands;
         let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
-            || islands.stamp.has_detected() && !islands.joints.are_of(joints, self.structure.bodies);
+            || islands.stamp.has_detected()
+                && !islands.joints.are_of(joints, self.structure.bodies);
         let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
         let known_are_others = other_joints && islands.joints.iter().next().is_some()
             || other_multibodies && islands.groups.bodies().next().is_some();
