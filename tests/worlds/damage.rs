@@ -2,6 +2,32 @@
 
 use super::tree::Tree;
 
+/// Variants of all enums of the engine that hold no data, and one that no enum has.
+const VARIANTS: [&str; 22] = [
+    "Enabled",
+    "Disabled",
+    "DisabledByParent",
+    "DisabledByAttachedBody",
+    "Dynamic",
+    "Fixed",
+    "Kinematic",
+    "KinematicPositionBased",
+    "KinematicVelocityBased",
+    "Average",
+    "Min",
+    "Max",
+    "Multiply",
+    "And",
+    "Or",
+    "LinX",
+    "LinY",
+    "AngX",
+    "AccelerationBased",
+    "ForceBased",
+    "Density",
+    "Unheard",
+];
+
 /// Returns what a value may be changed to.
 pub fn changes(tree: &Tree) -> Vec<Tree> {
     match tree {
@@ -34,7 +60,10 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
             .map(Tree::Float)
             .collect()
         }
-        Tree::Text(_) => vec![Tree::Text("Enabled".into()), Tree::Text("Dynamic".into())],
+        Tree::Text(name) => {
+            let others = VARIANTS.into_iter().filter(|other| other != name);
+            others.map(|other| Tree::Text(other.into())).collect()
+        }
         Tree::Some(_) => vec![Tree::Unit],
         Tree::List(items) => changed_lists(items),
         Tree::Map(_) | Tree::Variant(..) => Vec::new(),
