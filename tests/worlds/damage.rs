@@ -2,8 +2,14 @@
 
 use super::tree::Tree;
 
-/// Variants of all enums of the engine that hold no data, and one that no enum has.
-const VARIANTS: [&str; 22] = [
+/// Variants of all enums of the engine that hold no data, one that no enum has, and names of flags.
+const NAMES: [&str; 28] = [
+    "",
+    "IN_MODIFIED_SET",
+    "PARENT",
+    "TYPE",
+    "ENABLED_OR_DISABLED",
+    "LIN_X",
     "Enabled",
     "Disabled",
     "DisabledByParent",
@@ -61,7 +67,7 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
             .collect()
         }
         Tree::Text(name) => {
-            let others = VARIANTS.into_iter().filter(|other| other != name);
+            let others = NAMES.into_iter().filter(|other| other != name);
             others.map(|other| Tree::Text(other.into())).collect()
         }
         Tree::Some(_) => vec![Tree::Unit],

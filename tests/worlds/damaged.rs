@@ -6,6 +6,7 @@ use super::damage::{changes, visit};
 use super::saved::{EDITS, Saved, load_all, load_into, save_all};
 use super::scene::{copy, step, world};
 use super::tree::Tree;
+use super::twins::{outcome, outcome_anew};
 use crate::rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -135,6 +136,60 @@ fn damaged_worlds_with_edits_spoil_nothing() {
 fn sets_with_two_damages_spoil_nothing() {
     let world = stepped();
     damage(&save_all(&world), &world, &Selection { first: 7, stride: 307, at_once: 2 });
+}
+
+/// The values of a set, by number, whose paths end in these characters, and what they are changed to: each change contradicts another value, but no
+/// list is too short for it.
+fn contradictions() -> [(usize, &'static str, Tree); 8] {
+    let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
+    [
+        // A change that no note tells the step of.
+        (0, ".changes", text("TYPE")),
+        (0, ".changes", text("ENABLED_OR_DISABLED")),
+        (1, ".changes", text("PARENT")),
+        (2, ".parts_bodies", Tree::Bool(true)),
+        (2, ".attached", Tree::Bool(false)),
+        (3, ".sizes[1]", number(1)),
+        (3, ".sensor_bits[0]", number(0)),
+        (5, ".data.enabled", text("Disabled")),
+    ]
+}
+
+/// The step notices each contradiction and takes the world in as new. A world that goes on would keep its islands and impulses, and have other
+/// bits.
+#[test]
+fn contradictions_are_noticed() {
+    let saved = save_all(&stepped());
+    for (set, end, new) in contradictions() {
+        let (mut damaged, mut is_changed) = (saved.clone(), false);
+        visit(&mut damaged[set], "", &mut |value, path| {
+            if path.ends_with(end) && *value != new && !is_changed {
+                *value = new.clone();
+                is_changed = true;
+            }
+        });
+        assert!(is_changed, "there is no {end}");
+        let loaded = load_all(&damaged);
+        let expected = outcome_anew(copy(&loaded));
+        assert!(outcome(loaded) == expected, "{end} = {new:?} is not noticed");
+    }
+}
+
+/// A coupling that names a link that is not there is refused.
+#[test]
+fn couplings_of_missing_links_are_refused() {
+    let world = stepped();
+    for end in [".link1", ".link2"] {
+        let mut damaged = save_all(&world)[6].clone();
+        let mut count = 0;
+        visit(&mut damaged, "", &mut |value, path| {
+            if path.ends_with(end) {
+                (*value, count) = (Tree::Unsigned(99), count + 1);
+            }
+        });
+        assert_eq!(count, 1, "there is one gear");
+        assert!(load_into(&mut copy(&world), 6, &damaged).is_err(), "{end} is 99");
+    }
 }
 
 /// All changes; with `STRIDE` in the environment one of so many.

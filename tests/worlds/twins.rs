@@ -103,13 +103,13 @@ fn exchanged(one: &PhysicsWorld, two: &PhysicsWorld, sets: u32) -> [PhysicsWorld
 }
 
 /// The bits after some steps.
-fn outcome(mut world: PhysicsWorld) -> Vec<String> {
+pub fn outcome(mut world: PhysicsWorld) -> Vec<String> {
     (0..3).for_each(|_| step(&mut world));
     bits(&world)
 }
 
 /// The same with islands, pairs and trees that know nothing.
-fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
+pub fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
     world.islands = IslandManager::new();
     world.broad_phase = BroadPhaseBvh::new();
     world.narrow_phase = NarrowPhase::new();
