@@ -2,14 +2,8 @@
 
 use super::tree::Tree;
 
-/// Variants of all enums of the engine that hold no data, one that no enum has, and names of flags.
-const NAMES: [&str; 28] = [
-    "",
-    "IN_MODIFIED_SET",
-    "PARENT",
-    "TYPE",
-    "ENABLED_OR_DISABLED",
-    "LIN_X",
+/// Variants of all enums of the engine that hold no data, and one that no enum has.
+const VARIANTS: [&str; 22] = [
     "Enabled",
     "Disabled",
     "DisabledByParent",
@@ -42,7 +36,8 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
         Tree::Unsigned(value) => {
             let max = [u128::from(u32::MAX), u128::from(u64::MAX)];
             let near = [value.wrapping_add(1), value.wrapping_sub(1)];
-            let numbers = [0, 1, max[0], max[0] - 1, max[1], near[0], near[1], value ^ 0x10];
+            let numbers =
+                [0, 1, max[0], max[0] - 1, max[1], near[0], near[1], value ^ 0x10, value ^ 2];
             numbers.into_iter().filter(|number| number != value).map(Tree::Unsigned).collect()
         }
         Tree::Signed(value) => [0, -1, i128::from(i32::MIN), i128::from(i32::MAX), value + 1]
@@ -67,7 +62,7 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
             .collect()
         }
         Tree::Text(name) => {
-            let others = NAMES.into_iter().filter(|other| other != name);
+            let others = VARIANTS.into_iter().filter(|other| other != name);
             others.map(|other| Tree::Text(other.into())).collect()
         }
         Tree::Some(_) => vec![Tree::Unit],

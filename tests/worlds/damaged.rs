@@ -144,9 +144,9 @@ fn contradictions() -> [(usize, &'static str, Tree); 8] {
     let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
     [
         // A change that no note tells the step of.
-        (0, ".changes", text("TYPE")),
-        (0, ".changes", text("ENABLED_OR_DISABLED")),
-        (1, ".changes", text("PARENT")),
+        (0, ".changes", number(RigidBodyChanges::TYPE.bits().into())),
+        (0, ".changes", number(RigidBodyChanges::ENABLED_OR_DISABLED.bits().into())),
+        (1, ".changes", number(ColliderChanges::PARENT.bits().into())),
         (2, ".parts_bodies", Tree::Bool(true)),
         (2, ".attached", Tree::Bool(false)),
         (3, ".sizes[1]", number(1)),
@@ -159,7 +159,7 @@ fn contradictions() -> [(usize, &'static str, Tree); 8] {
 /// bits.
 #[test]
 fn contradictions_are_noticed() {
-    let saved = save_all(&stepped());
+    let (saved, mut unnoticed) = (save_all(&stepped()), 0);
     for (set, end, new) in contradictions() {
         let (mut damaged, mut is_changed) = (saved.clone(), false);
         visit(&mut damaged[set], "", &mut |value, path| {
@@ -171,8 +171,11 @@ fn contradictions_are_noticed() {
         assert!(is_changed, "there is no {end}");
         let loaded = load_all(&damaged);
         let expected = outcome_anew(copy(&loaded));
-        assert!(outcome(loaded) == expected, "{end} = {new:?} is not noticed");
+        let is_noticed = outcome(loaded) == expected;
+        println!("set {set}, {end} = {new:?} is noticed: {is_noticed}");
+        unnoticed += usize::from(!is_noticed);
     }
+    assert_eq!(unnoticed, 0, "contradictions are not noticed");
 }
 
 /// A coupling that names a link that is not there is refused.
