@@ -124,6 +124,12 @@ impl IdSet {
         self.iter_in(0..self.page_count())
     }
 
+    /// Returns whether the set never held a number of `bound` or above: it has words for smaller numbers only. A loaded set with more than
+    /// 2²⁶ words would yield numbers modulo 2³².
+    pub fn is_below(&self, bound: usize) -> bool {
+        self.words.len() <= bound.div_ceil(BITS as usize)
+    }
+
     /// Numbers stand on pages of 512, in their order.
     pub fn page_count(&self) -> usize {
         self.words.len().div_ceil(PAGE)
@@ -167,6 +173,7 @@ mod tests {
         expected.extend(several);
         assert!(set.iter().eq(expected.iter().copied()));
         assert!(!set.contains(u32::MAX) && !set.remove(u32::MAX));
+        assert!(set.is_below(200_001) && !set.is_below(199_936));
         let loaded = IdSet::from(Vec::from(set.clone()));
         assert_eq!((&loaded.words, &loaded.filled), (&set.words, &set.filled));
         let mut cleared = set.clone();

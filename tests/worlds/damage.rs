@@ -2,6 +2,32 @@
 
 use super::tree::Tree;
 
+/// Variants of all enums of the engine that hold no data, and one that no enum has.
+const VARIANTS: [&str; 22] = [
+    "Enabled",
+    "Disabled",
+    "DisabledByParent",
+    "DisabledByAttachedBody",
+    "Dynamic",
+    "Fixed",
+    "Kinematic",
+    "KinematicPositionBased",
+    "KinematicVelocityBased",
+    "Average",
+    "Min",
+    "Max",
+    "Multiply",
+    "And",
+    "Or",
+    "LinX",
+    "LinY",
+    "AngX",
+    "AccelerationBased",
+    "ForceBased",
+    "Density",
+    "Unheard",
+];
+
 /// Returns what a value may be changed to.
 pub fn changes(tree: &Tree) -> Vec<Tree> {
     match tree {
@@ -10,7 +36,8 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
         Tree::Unsigned(value) => {
             let max = [u128::from(u32::MAX), u128::from(u64::MAX)];
             let near = [value.wrapping_add(1), value.wrapping_sub(1)];
-            let numbers = [0, 1, max[0], max[0] - 1, max[1], near[0], near[1], value ^ 0x10];
+            let numbers =
+                [0, 1, max[0], max[0] - 1, max[1], near[0], near[1], value ^ 0x10, value ^ 2];
             numbers.into_iter().filter(|number| number != value).map(Tree::Unsigned).collect()
         }
         Tree::Signed(value) => [0, -1, i128::from(i32::MIN), i128::from(i32::MAX), value + 1]
@@ -34,7 +61,10 @@ pub fn changes(tree: &Tree) -> Vec<Tree> {
             .map(Tree::Float)
             .collect()
         }
-        Tree::Text(_) => vec![Tree::Text("Enabled".into()), Tree::Text("Dynamic".into())],
+        Tree::Text(name) => {
+            let others = VARIANTS.into_iter().filter(|other| other != name);
+            others.map(|other| Tree::Text(other.into())).collect()
+        }
         Tree::Some(_) => vec![Tree::Unit],
         Tree::List(items) => changed_lists(items),
         Tree::Map(_) | Tree::Variant(..) => Vec::new(),

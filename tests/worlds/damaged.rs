@@ -3,9 +3,10 @@
 //! The data is refused, or the world is loaded and goes on: nothing panics, and all numbers stay finite.
 
 use super::damage::{changes, visit};
-use super::saved::{Saved, load_all, load_into, save_all};
+use super::saved::{EDITS, Saved, load_all, load_into, save_all};
 use super::scene::{copy, step, world};
 use super::tree::Tree;
+use super::twins::{outcome, outcome_anew};
 use crate::rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -17,50 +18,91 @@ struct Tally {
     panicked: Vec<String>,
 }
 
-/// Loads a set with a change into a world whose other sets are loaded, too, or live.
-fn try_change(world: &PhysicsWorld, set: usize, tree: &Tree, place: &str, tally: &mut Tally) {
-    let run = || {
-        let mut world = copy(world);
-        load_into(&mut world, set, tree).map(|()| (0..3).for_each(|_| step(&mut world))).is_ok()
-    };
-    match catch_unwind(AssertUnwindSafe(run)) {
-        Ok(true) => tally.loaded += 1,
-        Ok(false) => tally.refused += 1,
-        Err(_) => tally.panicked.push(place.chars().take(200).collect()),
+impl Tally {
+    /// Both happen: otherwise the test would change nothing, or nothing that can be loaded.
+    fn check(&self) {
+        let fewest = (self.refused + self.loaded) / 10;
+        assert!(fewest > 0 && self.refused.min(self.loaded) >= fewest, "{self:?}");
     }
 }
 
-/// Changes each value of each set, but only one of `stride` of all changes, beginning with the one numbered `first`.
-fn damage(saved: &Saved, world: &PhysicsWorld, (first, stride): (usize, usize)) {
+/// Loads a set with changes into a world whose other sets are loaded, too, or live. Steps it as it is, and after an edit.
+fn try_change(world: &PhysicsWorld, set: usize, tree: &Tree, edit: fn(&mut PhysicsWorld)) -> bool {
+    let mut world = copy(world);
+    if load_into(&mut world, set, tree).is_err() {
+        return false;
+    }
+    let mut edited = copy(&world);
+    edit(&mut edited);
+    for world in [&mut world, &mut edited] {
+        (0..3).for_each(|_| step(world));
+    }
+    true
+}
+
+/// Which of all changes of a world are made.
+struct Selection {
+    /// The number of the first one.
+    first: usize,
+    /// One of so many is made.
+    stride: usize,
+    /// How many are made at a time.
+    at_once: usize,
+}
+
+/// A value of a tree, and what it is changed to.
+struct Change {
+    path: String,
+    old: Tree,
+    new: Tree,
+}
+
+/// The changes of a selection; `number` counts all of them.
+fn selected(whole: &Tree, name: &str, number: &mut usize, stride: usize) -> Vec<Change> {
+    let mut selected = Vec::new();
+    visit(&mut whole.clone(), name, &mut |tree, path| {
+        for new in changes(tree) {
+            if number.is_multiple_of(stride) {
+                selected.push(Change { path: path.to_string(), old: tree.clone(), new });
+            }
+            *number += 1;
+        }
+    });
+    selected
+}
+
+/// Changes values of each set.
+fn damage(saved: &Saved, world: &PhysicsWorld, selection: &Selection) {
     const NAMES: [&str; 7] =
         ["bodies", "colliders", "islands", "boxes", "pairs", "joints", "multibodies"];
-    let (mut number, mut panics) = (first, Vec::new());
+    let (mut number, mut tally) = (selection.first, Tally::default());
     for (set, name) in NAMES.into_iter().enumerate() {
-        let mut tally = Tally::default();
-        let whole = saved[set].clone();
-        let mut places = Vec::new();
-        visit(&mut whole.clone(), name, &mut |tree, path| {
-            for change in changes(tree) {
-                if number % stride == 0 {
-                    places.push((path.to_string(), tree.clone(), change));
-                }
-                number += 1;
+        let before = (tally.refused, tally.loaded);
+        let list = selected(&saved[set], name, &mut number, selection.stride);
+        for at in 0..list.len() {
+            let mut tree = saved[set].clone();
+            let mut place = String::new();
+            for k in 0..selection.at_once {
+                let Change { path, old, new } = &list[(at + k * list.len() / 2) % list.len()];
+                place = format!("{place}{path} = {new:?}; ").chars().take(300).collect();
+                visit(&mut tree, name, &mut |value, there| {
+                    if there == path && value == old {
+                        *value = new.clone();
+                    }
+                });
             }
-        });
-        for (path, old, change) in places {
-            let mut tree = whole.clone();
-            visit(&mut tree, name, &mut |value, at| {
-                if at == path && *value == old {
-                    *value = change.clone();
-                }
-            });
-            try_change(world, set, &tree, &format!("{path} = {change:?}"), &mut tally);
+            let (edit, act) = EDITS[at % EDITS.len()];
+            match catch_unwind(AssertUnwindSafe(|| try_change(world, set, &tree, act))) {
+                Ok(true) => tally.loaded += 1,
+                Ok(false) => tally.refused += 1,
+                Err(_) => tally.panicked.push(format!("{place}{edit}")),
+            }
         }
-        println!("{name:>12}: {} refused, {} loaded", tally.refused, tally.loaded);
-        assert!(tally.loaded + tally.refused > 0);
-        panics.extend(tally.panicked);
+        let (refused, loaded) = (tally.refused - before.0, tally.loaded - before.1);
+        println!("{name:>12}: {refused} refused, {loaded} loaded");
     }
-    assert!(panics.is_empty(), "{panics:#?}");
+    assert!(tally.panicked.is_empty(), "{:#?}", tally.panicked);
+    tally.check();
 }
 
 fn stepped() -> PhysicsWorld {
@@ -73,7 +115,7 @@ fn stepped() -> PhysicsWorld {
 #[test]
 fn damaged_sets_spoil_nothing() {
     let world = stepped();
-    damage(&save_all(&world), &world, (0, 97));
+    damage(&save_all(&world), &world, &Selection { first: 0, stride: 197, at_once: 1 });
 }
 
 /// Some of the changes, to a world with pending edits, all sets of which are loaded.
@@ -85,7 +127,72 @@ fn damaged_worlds_with_edits_spoil_nothing() {
     world.bodies[bodies[2]].set_linvel(Vector::X, true);
     world.remove_collider(world.bodies[bodies[3]].colliders()[0]);
     let saved = save_all(&world);
-    damage(&saved, &load_all(&saved), (0, 101));
+    let selection = Selection { first: 0, stride: 211, at_once: 1 };
+    damage(&saved, &load_all(&saved), &selection);
+}
+
+/// Two changes at a time, of which one may excuse the other.
+#[test]
+fn sets_with_two_damages_spoil_nothing() {
+    let world = stepped();
+    damage(&save_all(&world), &world, &Selection { first: 7, stride: 307, at_once: 2 });
+}
+
+/// The values of a set, by number, whose paths end in these characters, and what they are changed to: each change contradicts another value, but no
+/// list is too short for it.
+fn contradictions() -> [(usize, &'static str, Tree); 8] {
+    let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
+    [
+        // A change that no note tells the step of.
+        (0, ".changes", number(RigidBodyChanges::TYPE.bits().into())),
+        (0, ".changes", number(RigidBodyChanges::ENABLED_OR_DISABLED.bits().into())),
+        (1, ".changes", number(ColliderChanges::PARENT.bits().into())),
+        (2, ".parts_bodies", Tree::Bool(true)),
+        (2, ".attached", Tree::Bool(false)),
+        (3, ".sizes[1]", number(1)),
+        (3, ".sensor_bits[0]", number(0)),
+        (5, ".data.enabled", text("Disabled")),
+    ]
+}
+
+/// The step notices each contradiction and takes the world in as new. A world that goes on would keep its islands and impulses, and have other
+/// bits.
+#[test]
+fn contradictions_are_noticed() {
+    let (saved, mut unnoticed) = (save_all(&stepped()), 0);
+    for (set, end, new) in contradictions() {
+        let (mut damaged, mut is_changed) = (saved.clone(), false);
+        visit(&mut damaged[set], "", &mut |value, path| {
+            if path.ends_with(end) && *value != new && !is_changed {
+                *value = new.clone();
+                is_changed = true;
+            }
+        });
+        assert!(is_changed, "there is no {end}");
+        let loaded = load_all(&damaged);
+        let expected = outcome_anew(copy(&loaded));
+        let is_noticed = outcome(loaded) == expected;
+        println!("set {set}, {end} = {new:?} is noticed: {is_noticed}");
+        unnoticed += usize::from(!is_noticed);
+    }
+    assert_eq!(unnoticed, 0, "contradictions are not noticed");
+}
+
+/// A coupling that names a link that is not there is refused.
+#[test]
+fn couplings_of_missing_links_are_refused() {
+    let world = stepped();
+    for end in [".link1", ".link2"] {
+        let mut damaged = save_all(&world)[6].clone();
+        let mut count = 0;
+        visit(&mut damaged, "", &mut |value, path| {
+            if path.ends_with(end) {
+                (*value, count) = (Tree::Unsigned(99), count + 1);
+            }
+        });
+        assert_eq!(count, 1, "there is one gear");
+        assert!(load_into(&mut copy(&world), 6, &damaged).is_err(), "{end} is 99");
+    }
 }
 
 /// All changes; with `STRIDE` in the environment one of so many.
@@ -94,5 +201,5 @@ fn damaged_worlds_with_edits_spoil_nothing() {
 fn all_damaged_sets_spoil_nothing() {
     let stride = std::env::var("STRIDE").ok().and_then(|stride| stride.parse().ok()).unwrap_or(1);
     let world = stepped();
-    damage(&save_all(&world), &world, (1, stride));
+    damage(&save_all(&world), &world, &Selection { first: 1, stride, at_once: 1 });
 }

@@ -44,38 +44,49 @@ pub fn load_all(saved: &Saved) -> PhysicsWorld {
     world
 }
 
+/// One of the bodies that are awake. `None` in a damaged world that has too few.
+fn awake(world: &PhysicsWorld, position: usize) -> Option<RigidBodyHandle> {
+    let body = world.active_bodies().get(position).copied();
+    body.filter(|body| world.bodies.contains(*body))
+}
+
+fn change_awake(world: &mut PhysicsWorld, position: usize, change: impl Fn(&mut RigidBody)) {
+    let body = awake(world, position);
+    body.and_then(|body| world.bodies.get_mut(body)).into_iter().for_each(change);
+}
+
+fn remove_awake(world: &mut PhysicsWorld, position: usize) {
+    awake(world, position).into_iter().for_each(|body| drop(world.bodies.remove(body)));
+}
+
 /// What the user may have done between the last step and saving.
-const EDITS: [(&str, fn(&mut PhysicsWorld)); 9] = [
+pub const EDITS: [(&str, fn(&mut PhysicsWorld)); 9] = [
     ("nothing", |_| {}),
-    ("a push", |world| {
-        let body = world.active_bodies()[2];
-        world.bodies[body].apply_impulse(Vector::X, true);
-    }),
+    ("a push", |world| change_awake(world, 2, |body| body.apply_impulse(Vector::X, true))),
     ("a body that was moved", |world| {
-        let body = world.active_bodies()[1];
-        world.bodies[body].set_translation(Vector::Y * 20.0, true);
+        change_awake(world, 1, |body| body.set_translation(Vector::Y * 20.0, true));
     }),
     ("a body more", |world| {
         world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y * 9.0), cube(0.3));
     }),
-    ("a body less", |world| drop(world.bodies.remove(world.active_bodies()[1]))),
+    ("a body less", |world| remove_awake(world, 1)),
     ("a body in the place of another", |world| {
-        world.bodies.remove(world.active_bodies()[1]);
+        remove_awake(world, 1);
         world.insert(RigidBodyBuilder::dynamic().translation(Vector::Y * 9.0), cube(0.3));
     }),
     ("a collider less", |world| {
-        let body = world.active_bodies()[3];
-        world.remove_collider(world.bodies[body].colliders()[0]);
+        let body = awake(world, 3).and_then(|body| world.bodies.get(body));
+        let collider = body.and_then(|body| body.colliders().first().copied());
+        collider.into_iter().for_each(|collider| drop(world.remove_collider(collider)));
     }),
     ("another type", |world| {
-        let body = world.active_bodies()[2];
-        world.bodies[body].set_body_type(RigidBodyType::Fixed, true);
+        change_awake(world, 2, |body| body.set_body_type(RigidBodyType::Fixed, true));
     }),
     ("a joint less, and links that are cut", |world| {
-        let joint = world.impulse_joints.iter().next().expect("there are two").0;
-        world.impulse_joints.remove(joint, true);
-        let link = world.multibody_joints.iter().nth(1).expect("there are three").0;
-        world.multibody_joints.remove(link, true);
+        let joint = world.impulse_joints.iter().next().map(|(handle, _)| handle);
+        joint.into_iter().for_each(|joint| drop(world.impulse_joints.remove(joint, true)));
+        let link = world.multibody_joints.iter().nth(1).map(|joint| joint.0);
+        link.into_iter().for_each(|link| drop(world.multibody_joints.remove(link, true)));
     }),
 ];
 

@@ -13,7 +13,7 @@ pub fn at(x: Real, y: Real) -> Vector {
     Vector::X * x + Vector::Y * y
 }
 
-/// A ground, a pile, sleepers, a platform, a sensor, a pendulum, a chain of links and things of composite shapes.
+/// A ground, a pile, sleepers, a platform, a sensor, a pendulum, a chain of links, a gear and things of composite shapes.
 pub fn world() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -65,6 +65,24 @@ fn joined(world: &mut PhysicsWorld) {
         world.insert_multibody_joint(last, link, joint);
         last = link;
     }
+    geared(world);
+}
+
+/// Two sliders on a frame; the second one moves half as far as the first one.
+fn geared(world: &mut PhysicsWorld) {
+    let frame = world.insert_body(RigidBodyBuilder::fixed().translation(at(18.0, 8.0)));
+    let [first, second] = [0.0, 2.0].map(|y| {
+        let body = RigidBodyBuilder::dynamic().translation(at(18.0, 8.0 + y)).linvel(Vector::X);
+        let (body, _) = world.insert(body, ColliderBuilder::ball(0.2));
+        let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_PRISMATIC_AXES);
+        let joint = joint.local_anchor1(Vector::Y * y);
+        world.insert_multibody_joint(frame, body, joint).expect("it joins two bodies")
+    });
+    let link = |world: &PhysicsWorld, joint| world.multibody_joints.get(joint).expect("it is").1;
+    let (link1, link2) = (link(world, first), link(world, second));
+    let (multibody, _) = world.multibody_joints.get_mut(first).expect("it is there");
+    let axis = JointAxis::LinX;
+    multibody.add_dof_coupling(link1, axis, link2, axis, 0.5, 0.0).expect("both can slide");
 }
 
 fn shapes(world: &mut PhysicsWorld) {

@@ -103,13 +103,13 @@ fn exchanged(one: &PhysicsWorld, two: &PhysicsWorld, sets: u32) -> [PhysicsWorld
 }
 
 /// The bits after some steps.
-fn outcome(mut world: PhysicsWorld) -> Vec<String> {
+pub fn outcome(mut world: PhysicsWorld) -> Vec<String> {
     (0..3).for_each(|_| step(&mut world));
     bits(&world)
 }
 
 /// The same with islands, pairs and trees that know nothing.
-fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
+pub fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
     world.islands = IslandManager::new();
     world.broad_phase = BroadPhaseBvh::new();
     world.narrow_phase = NarrowPhase::new();
@@ -160,6 +160,53 @@ fn copies_that_were_edited_are_mixed_in_every_way() {
                 let runs = [(); 2].map(|()| exchanged(&one, &two, sets).map(outcome));
                 assert_eq!(runs[0], runs[1], "{name}, {step_between}: sets {sets:07b}");
             }
+        }
+    }
+}
+
+/// What is done to the rigid joint of one of two copies, and taken in by a detection.
+const JOINT_EDITS: [(&str, Change); 3] = [
+    ("disabled", |world| {
+        rigid_joint(world).1.data.set_enabled(false);
+    }),
+    ("removed", |world| {
+        let joint = rigid_joint(world).0;
+        world.impulse_joints.remove(joint, true);
+    }),
+    ("free", |world| {
+        rigid_joint(world).1.data.locked_axes = JointAxesMask::empty();
+    }),
+];
+
+/// The joint that fixes one bob to another.
+fn rigid_joint(world: &mut PhysicsWorld) -> (ImpulseJointHandle, &mut ImpulseJoint) {
+    world.impulse_joints.iter_mut().nth(1).expect("there are two")
+}
+
+/// A copy that detected collisions after an edit of a joint gets the joints of the other copy, which knows nothing of the edit, and the reverse:
+/// each world solves the joints that it has. A joint that acts is apart by less than 5 cm after a second; without it the second bob falls.
+#[test]
+fn joints_of_another_copy_act() {
+    let mut one = stepped(world(), BEFORE);
+    let (joint, [bob, other]) = {
+        let (handle, joint) = rigid_joint(&mut one);
+        (handle, [joint.body1(), joint.body2()])
+    };
+    one.step();
+    for (name, edit) in JOINT_EDITS {
+        let mut two = copy(&one);
+        edit(&mut two);
+        two.detect_collisions(&(), &());
+        for (side, mut mixed) in exchanged(&one, &two, 1 << 5).into_iter().enumerate() {
+            let acts = mixed.impulse_joints.get(joint).is_some_and(|joint| {
+                joint.data.enabled == JointEnabled::Enabled && !joint.data.locked_axes.is_empty()
+            });
+            assert_eq!(acts, side == 1, "the joints have changed places");
+            (0..60).for_each(|_| step(&mut mixed));
+            let anchor = mixed.bodies[other].position().transform_point(-Vector::X);
+            let gap = (anchor - mixed.bodies[bob].translation()).length();
+            println!("{name}, side {side}: the joint acts: {acts}, and is apart by {gap:.4} m");
+            assert_eq!(gap < 0.05, acts, "{name}: apart by {gap} m");
         }
     }
 }

@@ -95,13 +95,14 @@ impl RigidBody {
         }
     }
 
-    /// Warns if contacts cannot move the body although it has solid colliders: their densities are zero.
-    fn warn_without_mass(&self, attached: &[&Collider]) {
+    /// Warns, when that begins, if contacts cannot move the body although it has solid colliders: their densities are zero.
+    fn warn_without_mass(&mut self, attached: &[&Collider]) {
         let is_solid = |c: &&Collider| c.is_enabled() && !c.is_sensor();
-        if self.is_dynamic()
+        let lacks_mass = self.is_dynamic()
             && self.mprops.local_mprops.inv_mass == 0.0
-            && attached.iter().any(is_solid)
-        {
+            && attached.iter().any(is_solid);
+        let lacked_mass = core::mem::replace(&mut self.warned_without_mass, lacks_mass);
+        if lacks_mass && !lacked_mass {
             log::warn!(
                 "a dynamic body has {} colliders and no mass: contacts cannot stop its fall; a density, a mass or \
                  additional_mass is needed",

@@ -88,6 +88,9 @@ pub struct RigidBody {
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) quarantine: Option<Box<QuarantineCause>>,
+    /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world warns again.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(super) warned_without_mass: bool,
     /// Whatever the user wants to find again. The engine never reads it.
     pub user_data: u128,
 }
@@ -168,6 +171,7 @@ impl RigidBody {
             push: (Vector::ZERO, ANG_ZERO),
             edit: EditMark::default(),
             quarantine: None,
+            warned_without_mass: false,
             user_data: 0,
         }
     }

@@ -479,6 +479,9 @@ impl<P: Pair> PairStore<P> {
         let bound = self.pairs.len();
         let lengths = [self.states.len(), self.places.len()];
         ensure!(lengths == [bound; 2], "{bound} pairs have {lengths:?} states and places");
+        let sets = [&self.awake, &self.strong, &self.reporting];
+        let are_below = sets.map(|set| set.is_below(bound));
+        ensure!(are_below == [true; 3], "awake, strong, reporting below {bound}: {are_below:?}");
         let mut is_free = vec![false; bound];
         for &id in &self.free {
             let free = is_free.get_mut(id as usize);

@@ -5,6 +5,7 @@
 use super::link::NONE;
 use crate::base::fault::{Fault, ensure};
 use crate::model::body::RigidBodyHandle;
+use std::collections::BTreeSet;
 
 /// Which bodies belong together.
 #[derive(Clone, Debug, Default)]
@@ -34,7 +35,7 @@ impl BodyGroups {
         self.groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty())
     }
 
-    /// Checks that each body of a group has that group, and that empty groups are free.
+    /// Checks that each body of a group is listed once and has that group, that no other body has one, and that empty groups are free.
     pub fn check(&self) -> Result<(), Fault> {
         let mut is_free = vec![false; self.groups.len()];
         for &id in &self.free {
@@ -42,16 +43,18 @@ impl BodyGroups {
             let was_free = free.map(|free| core::mem::replace(free, true));
             ensure!(was_free == Some(false), "group {id} is free twice, or none");
         }
-        let mut count = 0;
+        let mut listed = BTreeSet::new();
         for (id, group) in self.groups.iter().enumerate() {
             ensure!(group.is_empty() == is_free[id], "group {id} of {group:?} is free, or not");
             for body in group {
-                let own = self.of_body.get(body.into_raw_parts().0 as usize).copied();
+                let slot = body.into_raw_parts().0;
+                let own = self.of_body.get(slot as usize).copied();
                 ensure!(own == Some(id as u32), "{body:?} of group {id} has the group {own:?}");
+                ensure!(listed.insert(slot), "{body:?} is listed twice in group {id}");
             }
-            count += group.len();
         }
         let grouped = self.of_body.iter().filter(|&&group| group != NONE).count();
+        let count = listed.len();
         ensure!(grouped == count, "{grouped} bodies have a group, and groups have {count}");
         Ok(())
     }

@@ -130,12 +130,13 @@ impl ImpulseJoint {
         self.data.motors.iter_mut().for_each(|motor| motor.impulse *= factor);
     }
 
-    /// Are the impulses with which the next step would start numbers?
+    /// Returns whether the impulses and angles with which the next step would start are numbers.
     pub(crate) fn is_sound(&self) -> bool {
         self.impulses.iter().all(|impulse| impulse.is_finite())
             && self.data.limits.iter().all(|limits| limits.impulse.is_finite())
             && self.data.motors.iter().all(|motor| motor.impulse.is_finite())
             && self.force.is_finite()
             && ang_is_finite(self.torque)
+            && self.angles.iter().flatten().all(|angle| angle.is_finite())
     }
 }

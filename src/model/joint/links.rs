@@ -3,10 +3,10 @@
 //! The set of joints is the user's; this table says what the step has taken in of it. It changes where
 //! islands change, and only there.
 
-use super::{GenericJoint, ImpulseJointHandle, ImpulseJointSet};
+use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
 use crate::dim::joint_axes::JointAxesMask;
-use crate::model::body::RigidBodyHandle;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ColorSlot;
 use std::collections::BTreeSet;
 
@@ -64,10 +64,45 @@ pub(crate) struct JointLink {
 }
 
 impl JointLink {
+    /// The link of a joint between the bodies of a set, not in the constraint graph.
+    pub fn of(handle: ImpulseJointHandle, joint: &ImpulseJoint, bodies: &RigidBodySet) -> Self {
+        let is_on = joint.data.enabled != JointEnabled::Disabled;
+        Self {
+            handle,
+            bodies: [joint.body1, joint.body2],
+            form: JointForm::of(&joint.data),
+            attached: is_on && joint.data.validate().is_ok() && can_be_joined(joint, bodies),
+            slot: None,
+            parts_bodies: is_on && !joint.data.contacts_enabled,
+        }
+    }
+
+    /// Returns whether the link is that of a joint which was not edited since. Whether it acts depends on its bodies, too: it is compared
+    /// unless one of them was edited or removed.
+    fn is_of(&self, joint: &ImpulseJoint, bodies: &RigidBodySet) -> bool {
+        let is_unedited = |&body: &_| bodies.get(body).is_some_and(|body| body.changes.is_empty());
+        let expected = Self::of(self.handle, joint, bodies);
+        let attached = match self.bodies.iter().all(is_unedited) {
+            true => expected.attached,
+            false => self.attached,
+        };
+        *self == Self { slot: self.slot, attached, ..expected }
+    }
+
     /// The slots of the two bodies.
     pub fn body_slots(&self) -> [u32; 2] {
         self.bodies.map(|body| body.into_raw_parts().0)
     }
+}
+
+/// Returns whether a joint could move one of its bodies.
+fn can_be_joined(joint: &ImpulseJoint, bodies: &RigidBodySet) -> bool {
+    let (first, second) = (bodies.get(joint.body1), bodies.get(joint.body2));
+    let (Some(first), Some(second)) = (first, second) else { return false };
+    joint.body1 != joint.body2
+        && first.is_enabled()
+        && second.is_enabled()
+        && (first.is_dynamic() || second.is_dynamic())
 }
 
 /// All joints that the step has taken in.
@@ -131,15 +166,18 @@ impl JointLinks {
         }
     }
 
-    /// Checks that each joint stands in its slot and in the lists of its bodies, and nothing else does.
+    /// Checks that each joint stands in its slot and, once per end, in the lists of its bodies. Then the sum of the lengths proves that the
+    /// lists hold nothing else.
     pub fn check(&self) -> Result<(), Fault> {
         let mut count = 0;
         for (slot, link) in self.iter() {
             let own = link.handle.into_raw_parts().0;
             ensure!(own == slot, "joint {own} stands in slot {slot}");
             for body in link.body_slots() {
-                let is_listed = self.of_body(body).contains(&slot);
-                ensure!(is_listed, "body {body} does not list its joint {slot}");
+                // A joint of a body with itself is listed twice.
+                let ends = link.body_slots().iter().filter(|&&other| other == body).count();
+                let listed = self.of_body(body).iter().filter(|&&other| other == slot).count();
+                ensure!(listed == ends, "body {body} lists its joint {slot} {listed} times");
                 count += 1;
             }
         }
@@ -148,15 +186,23 @@ impl JointLinks {
         Ok(())
     }
 
-    /// Returns whether each joint that was taken in is in a set, joins the same bodies there, or was edited or removed since.
-    pub fn are_of(&self, joints: &ImpulseJointSet) -> bool {
+    /// Returns whether the joints that were taken in are those of a set, but for the joints that were edited or removed since. Their bodies
+    /// may have been edited since, too.
+    pub fn are_of(&self, joints: &ImpulseJointSet, bodies: &RigidBodySet) -> bool {
         let removed: BTreeSet<_> = joints.removed().map(|(handle, _)| handle).collect();
-        self.iter().all(|(_, link)| match joints.get(link.handle) {
-            Some(joint) => {
-                [joint.body1, joint.body2] == link.bodies || joints.is_noted(link.handle)
-            }
-            None => removed.contains(&link.handle),
-        })
+        let orphans: BTreeSet<_> = self.orphans.iter().copied().collect();
+        let mut known = self.iter().map(|(_, link)| link);
+        let are_there =
+            known.all(|link| joints.contains(link.handle) || removed.contains(&link.handle));
+        let mut unedited = joints.iter().filter(|(handle, _)| !joints.is_noted(*handle));
+        are_there
+            && unedited.all(|(handle, joint)| {
+                let link = self.get(handle.into_raw_parts().0).filter(|it| it.handle == handle);
+                match link {
+                    Some(link) => link.is_of(joint, bodies),
+                    None => orphans.contains(&handle),
+                }
+            })
     }
 
     /// Does a joint keep the colliders of these two bodies from touching each other?

@@ -29,6 +29,14 @@ pub struct MultibodyDofCoupling {
     pub(crate) impulse: Real,
 }
 
+impl MultibodyDofCoupling {
+    /// Returns whether the coupling names two of `link_count` links, and its numbers are finite.
+    pub(super) fn is_sound(&self, link_count: usize) -> bool {
+        let numbers = [self.coeff, self.offset, self.impulse];
+        self.link1.max(self.link2) < link_count && numbers.iter().all(|number| number.is_finite())
+    }
+}
+
 impl Multibody {
     /// Lets two degrees of freedom move together, `q2 = coeff · q1 + offset`, and returns the position of the coupling in
     /// [`Self::couplings`]. Where they are apart they are drawn together over some steps.

@@ -334,6 +334,8 @@ impl Loaded for Multibody {
         ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
         let wrong = lists.into_iter().flatten().find(|number| !number.is_finite());
         ensure!(wrong.is_none(), "a number of a degree of freedom is {wrong:?}");
+        let unsound = self.couplings.iter().find(|coupling| !coupling.is_sound(self.links.len()));
+        ensure!(unsound.is_none(), "{unsound:?} of {} links", self.links.len());
         Ok(())
     }
 }

@@ -11,7 +11,7 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::BodyGroups;
 use crate::model::joint::{GenericJoint, InvalidJoint};
 use crate::model::stamp::WorldStamp;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How multibodies changed since the last step. Each comes with whether it wakes.
 #[derive(Debug, Default)]
@@ -475,19 +475,19 @@ impl MultibodyJointSet {
     /// Checks that groups are the bodies of multibodies, unless these were edited since.
     pub(crate) fn check_groups(&self, groups: &BodyGroups) -> Result<(), Fault> {
         let slot = |body: &RigidBodyHandle| body.into_raw_parts().0;
-        let is_edited = |index| self.modified.iter().any(|(edited, _)| *edited == index);
+        let edited: BTreeSet<_> = self.modified.iter().map(|(index, _)| *index).collect();
+        let cut: BTreeSet<_> = self.cut.iter().map(|(body, _)| *body).collect();
         for (index, multibody) in self.multibodies.iter() {
             let index = MultibodyIndex(index);
-            if is_edited(index) {
+            if edited.contains(&index) {
                 continue;
             }
             let bodies: Vec<_> = multibody.links.iter().map(|link| link.body).collect();
             let group = bodies.first().map_or(&[] as &[_], |body| groups.of(slot(body)));
             ensure!(group == bodies, "the links of {index:?} are {bodies:?}, not {group:?}");
         }
-        let is_link = |body: &RigidBodyHandle| {
-            self.rigid_body_link(*body).is_some() || self.cut.iter().any(|(cut, _)| cut == body)
-        };
+        let is_link =
+            |body: &RigidBodyHandle| self.rigid_body_link(*body).is_some() || cut.contains(body);
         let other = groups.bodies().find(|body| !is_link(body));
         ensure!(other.is_none(), "{other:?} is in a group, and no link");
         Ok(())

@@ -6,6 +6,7 @@
 //! find each other. Those of kinematic bodies, which are few, have one so that who asks what is in the way of a fast body need not
 //! look at all dynamic ones to find them. A step costs nothing for colliders that rest, however many there are.
 
+mod check;
 mod enlarge;
 mod placement;
 mod proxy;
@@ -21,7 +22,6 @@ pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};
 
 use crate::base::bvh::{BoxProbe, BoxTree};
-use crate::base::fault::{Fault, ensure};
 use crate::dim::math::Real;
 use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::stamp::WorldStamp;
@@ -156,15 +156,6 @@ impl BroadPhaseBvh {
     pub(crate) fn is_moved(&self, slot: u32) -> bool {
         let word = self.moved_bits.get(slot as usize / 64).copied().unwrap_or(0);
         word & (1 << (slot % 64)) != 0
-    }
-
-    /// Checks that the bits are those of the list, and the list has each slot once.
-    pub(crate) fn check_moved(&self) -> Result<(), Fault> {
-        let unmarked = self.moved.iter().find(|&&slot| !self.is_moved(slot));
-        ensure!(unmarked.is_none(), "the box in slot {unmarked:?} has moved and is not marked");
-        let marked: u32 = self.moved_bits.iter().map(|word| word.count_ones()).sum();
-        ensure!(marked as usize == self.moved.len(), "{marked} moved boxes are marked");
-        Ok(())
     }
 
     /// All have looked for neighbours.

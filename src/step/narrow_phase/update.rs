@@ -79,7 +79,8 @@ impl Culled {
         if let (Some([one, two]), false) = (self.pairs.first(), self.has_warned) {
             self.has_warned = true;
             log::warn!(
-                "colliders {one:?} and {two:?} touch in thousands of places: the deepest contacts of each region are kept                  (`counters.cd.nculled_pairs` counts such pairs)"
+                "colliders {one:?} and {two:?} touch in thousands of places: the deepest contacts of each region are kept \
+                 (`counters.cd.nculled_pairs` counts such pairs)"
             );
         }
     }

@@ -3,7 +3,7 @@
 use super::Digest;
 use crate::model::body::RigidBodyHandle;
 use crate::model::event::CollisionEventFlags;
-use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled, JointForm, JointLink};
+use crate::model::joint::{ImpulseJointHandle, JointLink};
 
 impl Digest<'_> {
     /// Forgets the joints that were removed.
@@ -32,15 +32,7 @@ impl Digest<'_> {
     fn take_in_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
         let Some(joint) = self.joints.get(handle) else { return };
         let bodies = [joint.body1(), joint.body2()];
-        let link = JointLink {
-            handle,
-            bodies,
-            form: JointForm::of(&joint.data),
-            attached: self.acts(joint),
-            slot: None,
-            parts_bodies: !joint.data.contacts_enabled
-                && joint.data.enabled != JointEnabled::Disabled,
-        };
+        let link = JointLink::of(handle, joint, self.structure.bodies);
         let takes_part =
             |body| self.structure.bodies.get(body).is_some_and(|body| body.is_enabled());
         let blocked = !bodies.into_iter().all(takes_part);
@@ -66,19 +58,6 @@ impl Digest<'_> {
         if wake_up {
             bodies.into_iter().for_each(|body| self.structure.wake_body(body));
         }
-    }
-
-    /// Is there anything that the joint could do?
-    fn acts(&self, joint: &ImpulseJoint) -> bool {
-        let (body1, body2) = (joint.body1(), joint.body2());
-        let body = |handle| self.structure.bodies.get(handle);
-        let (Some(first), Some(second)) = (body(body1), body(body2)) else { return false };
-        body1 != body2
-            && joint.data.enabled != JointEnabled::Disabled
-            && joint.data.validate().is_ok()
-            && first.is_enabled()
-            && second.is_enabled()
-            && (first.is_dynamic() || second.is_dynamic())
     }
 
     fn forget_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {

@@ -76,7 +76,7 @@ impl Resync<'_> {
         } else {
             Vec::new()
         };
-        let joints_fit = self.structure.islands.joints.are_of(joints);
+        let joints_fit = self.structure.islands.joints.are_of(joints, self.structure.bodies);
         let stamp = self.structure.islands.stamp.after_detection(&self.trace());
         self.put(stamp);
         self.structure.islands.stamp = WorldStamp::of_unfinished_step();
@@ -138,7 +138,8 @@ impl Resync<'_> {
     ) -> Vec<CollisionEvent> {
         let islands = &self.structure.islands;
         let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
-            || islands.stamp.has_detected() && !islands.joints.are_of(joints);
+            || islands.stamp.has_detected()
+                && !islands.joints.are_of(joints, self.structure.bodies);
         let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
         let known_are_others = other_joints && islands.joints.iter().next().is_some()
             || other_multibodies && islands.groups.bodies().next().is_some();

@@ -6,6 +6,7 @@ use crate::base::fault::ensure;
 use crate::model::body::RigidBodyChanges;
 use crate::model::island::NONE;
 use crate::model::multibody::MultibodyJointSet;
+use std::collections::BTreeSet;
 
 impl Structure<'_> {
     /// Each awake body is listed once, where its link says; kinematic ones first.
@@ -69,14 +70,12 @@ impl Structure<'_> {
 
     /// Each collider stands in the list of the body that it names, and in no other.
     pub(super) fn check_attachments(&self, then: &LastStep<'_>) -> Verdict {
-        let mut listed = 0;
+        let mut listed = BTreeSet::new();
         for (handle, body) in self.bodies.iter() {
-            for (position, collider) in body.colliders.iter().enumerate() {
+            for collider in &body.colliders {
                 let parent = self.colliders.get(*collider).and_then(|collider| collider.parent());
                 ensure!(parent == Some(handle), "{collider:?} of {handle:?} is part of {parent:?}");
-                let is_first = !body.colliders[..position].contains(collider);
-                ensure!(is_first, "{handle:?} lists {collider:?} twice");
-                listed += 1;
+                ensure!(listed.insert(*collider), "{handle:?} lists {collider:?} twice");
             }
         }
         let mut attached = 0;
@@ -89,6 +88,7 @@ impl Structure<'_> {
             );
             attached += usize::from(body.is_some());
         }
+        let listed = listed.len();
         ensure!(listed == attached, "bodies list {listed} of {attached} colliders");
         self.colliders.check_notes()
     }

@@ -6,7 +6,8 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each collider's box is that in the tree which it names, and there are no others but those of removed colliders.
+    /// Each collider's box stands in the tree that the collider names, and the lists beside the trees agree with the collider. There are no other
+    /// boxes but those of removed colliders.
     pub(super) fn check_trees(&self, tree: &BroadPhaseBvh) -> Verdict {
         tree.check_moved()?;
         let removed: BTreeSet<u32> =
@@ -20,6 +21,7 @@ impl Structure<'_> {
                 "{handle:?} has the clearance {}",
                 proxy.clearance
             );
+            tree.check_wishes(collider)?;
             for kind in TreeKind::ALL {
                 let aabb = tree.boxes(kind).get(slot);
                 if proxy.tree == Some(kind) {
