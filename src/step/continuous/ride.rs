@@ -184,7 +184,7 @@ impl Ride {
         has_moved.then_some(ride)
     }
 
-    /// Adds the leg on a moving collider, or the leg of a body that stands. Returns what ends it; `None` if it ends as it begins.
+    /// Adds the leg on a moving collider, or the leg of a body that stands. Returns what ends it; `None` if a ride ends as it begins.
     fn go_on(
         &mut self,
         search: Search<'_>,
@@ -214,7 +214,8 @@ impl Ride {
             (stop, if stop.share < 1.0 { path.pose_at(stop.share)? } else { end })
         };
         if stop.share <= from {
-            return None;
+            // A mover whose surface has touched a standing body before, and whose middle comes now, carries it from here on.
+            return on.is_none().then_some(stop);
         }
         next.legs.last_mut()?.until = stop.share;
         (next.end, next.pose) = (stop.share, pose);
