@@ -12,6 +12,10 @@ pub trait Loaded {
     /// # Errors
     /// If it does not hold.
     fn check_loaded(&self) -> Result<(), Fault>;
+
+    /// Computes what follows from the rest and is not saved. Called after the check.
+    #[cfg(feature = "serde-serialize")]
+    fn complete_loaded(&mut self) {}
 }
 
 /// Implements serde's traits for a type that derives them with `#[serde(remote = "Self")]` and is [`Loaded`].
@@ -28,9 +32,10 @@ macro_rules! check_when_loaded {
         #[cfg(feature = "serde-serialize")]
         impl<'de $(, $parameter: $($bound)+ + serde::Deserialize<'de>)?> serde::Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let loaded = Self::deserialize(deserializer)?;
+                let mut loaded = Self::deserialize(deserializer)?;
                 $crate::base::loading::Loaded::check_loaded(&loaded)
                     .map_err(<D::Error as serde::de::Error>::custom)?;
+                $crate::base::loading::Loaded::complete_loaded(&mut loaded);
                 Ok(loaded)
             }
         }

@@ -113,6 +113,56 @@ fn doors_sweep_balls_along() {
     }
 }
 
+/// A ball of 10 cm that lands on a floor while a blade of 2 cm sweeps the floor, where the blade is at the tip of an arm that
+/// turns at 10 rad/s.
+fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
+    let (mut world, blade_speed) = (weightless(60), 10.0 * arm);
+    world.insert_collider(cuboid(20.0, 0.1).translation(vec(0.0, -0.1)), None);
+    let start = -blade_speed * DT * (3.0 + phase as Real / PHASES as Real) - 0.06;
+    let blade = RigidBodyBuilder::kinematic_velocity_based()
+        .translation(vec(start, 1.01))
+        .linvel(vec(blade_speed, 0.0));
+    let (blade, _) = world.insert(blade, cuboid(0.01, 1.0));
+    // It lands in the fourth step, and the blade arrives in that step.
+    let height = 0.05 + speed * DT * 3.3;
+    let ball = RigidBodyBuilder::dynamic().translation(vec(0.0, height)).linvel(vec(0.0, -speed));
+    let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.05));
+    (0..10).any(|_| {
+        world.step();
+        let (at, edge) = (world.bodies[ball].translation(), world.bodies[blade].translation());
+        at.y < 1.0 && at.x < edge.x
+    })
+}
+
+#[test]
+fn blades_that_sweep_a_floor_take_along_what_lands_on_it() {
+    let columns = ["arm (m)", "5 m/s", "10 m/s", "20 m/s", "30 m/s"];
+    let mut table = Table::new("balls that land and that a blade passes, of 20", &columns);
+    for arm in [0.5, 1.0, 1.5, 2.0] {
+        let counts = [5.0, 10.0, 20.0, 30.0]
+            .map(|speed| (0..PHASES).filter(|&phase| blade_passes(arm, speed, phase)).count());
+        let [a, b, c, d] = counts.map(|count| count.to_string());
+        table.row([arm.to_string(), a, b, c, d]);
+        table.require(counts == [0; 4], "the blade passed balls");
+    }
+}
+
+/// Collision detection alone moves no kinematic body, and so wakes nothing in the way of one.
+#[test]
+fn detection_alone_wakes_nothing() {
+    let mut world = weightless(60);
+    let ball = RigidBodyBuilder::dynamic().translation(vec(0.0, 1.0)).sleeping(true);
+    let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.05));
+    let wall = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, 60.0));
+    world.insert(wall, cuboid(1.0, 0.01));
+    for _ in 0..3 {
+        world.detect_collisions(&(), &());
+        assert!(world.bodies[ball].is_sleeping());
+    }
+    world.step();
+    assert!(!world.bodies[ball].is_sleeping());
+}
+
 /// Balls that fly about in a closed cage of walls of 2 cm that turns about its middle.
 #[test]
 fn turning_cages_hold_balls() {

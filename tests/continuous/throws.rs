@@ -60,28 +60,37 @@ fn passes(
     false
 }
 
-fn count_passed(seeds: u64) {
+/// Fails if more than `rate_max` of all throws pass.
+fn count_passed(seeds: u64, rate_max: f64) {
     let title = format!("thin things that pass a thin ground, of {seeds}");
     let mut table = Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
+    let (mut passed, mut thrown) = (0, 0);
     for (ground, lay) in THIN_GROUNDS {
         for (name, shape) in thin_shapes() {
             let counts = SPEEDS
                 .map(|range| (0..seeds).filter(|&seed| passes(lay, &shape, range, seed)).count());
             let [slow, middle, fast] = counts.map(|count| count.to_string());
             table.row([ground.to_owned(), name.to_owned(), slow, middle, fast]);
-            table.require(counts == [0; 3], "they passed");
+            passed += counts.iter().sum::<usize>();
+            thrown += seeds as usize * SPEEDS.len();
         }
     }
+    let rate = passed as f64 / thrown as f64;
+    println!("  {passed} of {thrown} pass: {:.3} %", 100.0 * rate);
+    table.require(rate <= rate_max, &format!("{passed} of all {thrown} passed"));
 }
 
 #[test]
 fn thin_things_do_not_pass_thin_grounds() {
-    count_passed(3);
+    count_passed(3, 0.0);
 }
 
-/// The same with more throws: minutes.
+/// The rate of all throws that `docs/guide/fast-bodies.md` states as a limit.
+const RATE_MAX: f64 = 0.01;
+
+/// The same with more throws: minutes. Slivers on large pieces pass now and then.
 #[test]
 #[ignore = "takes minutes"]
-fn thin_things_do_not_pass_thin_grounds_in_many_throws() {
-    count_passed(40);
+fn few_thin_things_pass_thin_grounds_in_many_throws() {
+    count_passed(40, RATE_MAX);
 }

@@ -90,6 +90,14 @@ impl<'a> Solid<'a> {
         Self { shape: collider.shape(), widths: collider.widths.as_deref() }
     }
 
+    /// The same, computed once for all pairs of a part: these follow each other. `last` are the part and the widths of the last call.
+    fn widths_once(&self, part: &Part<'_>, last: &mut Option<(u32, Widths)>) -> Widths {
+        let known = last.filter(|(id, _)| *id == part.id).map(|(_, widths)| widths);
+        let widths = known.unwrap_or_else(|| self.widths_of(part));
+        *last = Some((part.id, widths));
+        widths
+    }
+
     fn widths_of(&self, part: &Part<'_>) -> Widths {
         let known = self.widths.and_then(|widths| widths.get(part.id as usize));
         known.copied().unwrap_or_else(|| Widths::of(part.shape))
@@ -115,10 +123,10 @@ pub(crate) fn first_impact(
     goal: SweepGoal,
     until: Real,
 ) -> Option<Real> {
-    let mut first = None;
+    let (mut first, mut last) = (None, None);
     for_each_pair([solid.shape, other], sweeps, &mut |parts| {
         let until = first.unwrap_or(until);
-        let widths = solid.widths_of(parts[0].0);
+        let widths = solid.widths_once(parts[0].0, &mut last);
         first = impact_of_parts(parts, &widths, goal, until).or(first);
     });
     first
@@ -174,12 +182,15 @@ pub(crate) fn passes(
 /// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
 pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
-    let mut deep = false;
+    let (mut deep, mut last) = (false, None);
     let shapes = [solid.shape, other];
     for_each_pair(shapes, [&ends[0], &ends[1]], &mut |[(part1, sweep1), (part2, sweep2)]| {
-        let widths = solid.widths_of(part1);
+        if deep {
+            return;
+        }
+        let widths = solid.widths_once(part1, &mut last);
         let thickness = widths.thickness;
-        if deep || thickness == 0.0 || thickness == Real::INFINITY {
+        if thickness == 0.0 || thickness == Real::INFINITY {
             return;
         }
         let other = other_of((part1, sweep1), (part2, sweep2), 0.0);

@@ -54,7 +54,7 @@ pub struct Collider {
     /// Of the note of an edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
-    /// The widths of the shape's parts, if looking them up is cheaper than computing them; nothing is lost without them.
+    /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not saved, but computed on loading.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) widths: Option<Arc<[Widths]>>,
     /// Whatever the user wants to keep here. The engine does not look at it.
@@ -83,6 +83,11 @@ impl Loaded for Collider {
         ensure!(tree.is_none() || is_box, "a collider is in the box {fat_aabb:?}");
         ensure!(clearance.is_finite(), "a collider has the clearance {clearance}");
         Ok(())
+    }
+
+    #[cfg(feature = "serde-serialize")]
+    fn complete_loaded(&mut self) {
+        self.widths = Widths::of_costly(&*self.shape);
     }
 }
 

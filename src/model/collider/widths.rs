@@ -58,6 +58,8 @@ impl Widths {
                 aligned(center, Vector::splat(c.radius), c.radius)
             }
             TypedShape::Segment(s) => aligned(s.a.midpoint(s.b), Vector::ZERO, 0.0),
+            // A surface has no core, and so no skeleton that must fit.
+            TypedShape::Triangle(t) if !TRIANGLES_ARE_SOLID => of_triangle(t, 0.0),
             TypedShape::Triangle(t) => of_triangle(t, 0.0).fitted(part),
             TypedShape::RoundTriangle(t) => {
                 of_triangle(&t.inner_shape, t.border_radius).fitted(part)
@@ -119,10 +121,14 @@ pub(crate) fn thickness(shape: &dyn Shape, known: Option<&[Widths]>) -> Real {
     }
 }
 
-/// Is the shape one whose widths are searched for, and not computed by a formula?
+/// Returns whether the widths of a shape are searched for, or its skeleton is fitted to faces. All others have a formula.
 fn is_costly(shape: &dyn Shape) -> bool {
     let typed = shape.as_typed_shape();
-    width::corners(typed).is_some() || matches!(typed, TypedShape::Custom(_))
+    match typed {
+        TypedShape::Triangle(_) => TRIANGLES_ARE_SOLID,
+        TypedShape::Custom(_) => true,
+        _ => width::corners(typed).is_some() || !width::face_normals(typed).is_empty(),
+    }
 }
 
 fn of_triangle(triangle: &Triangle, layer: Real) -> Widths {

@@ -236,6 +236,11 @@ impl Movers {
         }
     }
 
+    /// Returns whether no kinematic collider has moved.
+    pub fn is_empty(&self) -> bool {
+        self.slots.is_empty()
+    }
+
     /// Calls `visit` with the slots of those whose ways lead through a region.
     pub fn for_each_in(&self, region: &Aabb, mut visit: impl FnMut(u32)) {
         if !self.slots.is_empty() {

@@ -55,6 +55,11 @@ impl Groups {
         self.firsts[position] as usize
     }
 
+    /// Returns whether the group of the fast body at a position has no other member.
+    pub fn is_alone(&self, position: usize) -> bool {
+        self.members(self.first(position)).nth(1).is_none()
+    }
+
     /// The position of a body among the fast ones, if it is one.
     pub fn position(&self, slot: u32) -> Option<u32> {
         let at = self.by_slot.binary_search_by_key(&slot, |at| at.0).ok()?;

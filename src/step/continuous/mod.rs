@@ -55,7 +55,7 @@ use approach::Movers;
 use bullets::Bullets;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use groups::Groups;
-use path::{Path, sweep_of};
+use path::{Obstacles, Path, sweep_of};
 use ride::{Rides, Stop};
 use sensors::Passage;
 use ways::Ways;
@@ -152,7 +152,7 @@ pub(crate) fn find_impacts(
     let search = Search { world, movers, ways, groups, searched };
     tasks.par_fill(first, BODIES_PER_TASK, |position| {
         let path = Path::of(search, position, 1.0);
-        path.map_or(Stop::NONE, |path| path.first_stop(search, None))
+        path.map_or(Stop::NONE, |path| path.first_stop(search, Obstacles::All))
     });
     stops.extend(first.iter().map(|stop| stop.share));
     groups.stop_together(stops);
@@ -169,7 +169,11 @@ pub(crate) fn find_impacts(
     if world.trees.has_sensors() {
         passages.resize_with(count, Vec::new);
         tasks.par_fill(passages, BODIES_PER_TASK, |position| {
-            sensors::passages(search, position, stops[position])
+            let (path, end) = match rides.of(position) {
+                Some(ride) => (ride.path_of_all(search, position), ride.end),
+                None => (Path::of_all(search, position, stops[position]), stops[position]),
+            };
+            path.map(|path| sensors::passages(search, &path, end)).unwrap_or_default()
         });
     }
 }

@@ -17,6 +17,17 @@ use smallvec::SmallVec;
 /// Bodies are stopped this far before they touch, at least: a share of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
+/// The non-dynamic colliders that a path is searched against.
+#[derive(Copy, Clone)]
+pub(super) enum Obstacles {
+    /// All of them.
+    All,
+    /// Those that are not on a body.
+    NotOn(Option<RigidBodyHandle>),
+    /// Those that move.
+    Moving,
+}
+
 /// A collider on its way.
 #[derive(Copy, Clone)]
 pub(super) struct Mover<'a> {
@@ -39,10 +50,19 @@ impl Search<'_> {
 
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in the order of their slots: of two that
     /// are met at nearly the same time the one that was visited first may decide, and that must not depend on the trees.
-    fn for_each_obstacle(self, region: &Aabb, mut visit: impl FnMut(Mover<'_>)) {
+    fn for_each_obstacle(
+        self,
+        obstacles: Obstacles,
+        region: &Aabb,
+        mut visit: impl FnMut(Mover<'_>),
+    ) {
         let Surroundings { trees, colliders, .. } = self.world;
         let mut slots = SmallVec::<[u32; 16]>::new();
-        for kind in [TreeKind::Fixed, TreeKind::Kinematic] {
+        let kinds: &[_] = match obstacles {
+            Obstacles::Moving => &[],
+            _ => &[TreeKind::Fixed, TreeKind::Kinematic],
+        };
+        for &kind in kinds {
             trees.for_each_overlapping(kind, region, |slot| slots.push(slot));
         }
         // The trees have kinematic colliders where they were.
@@ -50,7 +70,9 @@ impl Search<'_> {
         slots.sort_unstable();
         slots.dedup();
         for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
-            if !collider.is_sensor() {
+            let is_on = |body| collider.parent() == Some(body);
+            let is_left_out = matches!(obstacles, Obstacles::NotOn(Some(body)) if is_on(body));
+            if !collider.is_sensor() && !is_left_out {
                 Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
             }
         }
@@ -60,9 +82,13 @@ impl Search<'_> {
 impl<'a> Path<'a> {
     /// The path of the solid colliders of the fast body at a position, as far as it is known to come.
     pub fn of(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
-        let mut path = Self::of_all(search, position, stop)?;
-        path.movers.retain(|mover| !mover.collider.is_sensor());
-        Some(path)
+        Self::of_all(search, position, stop).map(Self::of_solids)
+    }
+
+    /// The same path without sensors.
+    pub fn of_solids(mut self) -> Self {
+        self.movers.retain(|mover| !mover.collider.is_sensor());
+        self
     }
 
     /// The path of all colliders of the fast body at a position.
@@ -77,12 +103,10 @@ impl<'a> Path<'a> {
         Some(Self { body, movers: movers(search, body, sweep) })
     }
 
-    /// The path of the solid colliders of the fast body at a position that goes by these legs, as far as a share of the step.
+    /// The path of all colliders of the fast body at a position that goes by these legs, as far as a share of the step.
     pub fn along(search: Search<'a>, position: usize, way: (&'a [Leg], Real)) -> Option<Self> {
         let body = search.world.bodies.get(search.world.fast[position].body)?;
-        let mut path = Self::of_legs(search, body, way);
-        path.movers.retain(|mover| !mover.collider.is_sensor());
-        Some(path)
+        Some(Self::of_legs(search, body, way))
     }
 
     fn of_legs(search: Search<'a>, body: &'a RigidBody, (legs, stop): (&'a [Leg], Real)) -> Self {
@@ -106,9 +130,7 @@ impl<'a> Path<'a> {
     pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
         let body = search.world.bodies.get(handle)?;
         let sweep = |collider: &Collider| sweep_of_slow(search.world, body, collider);
-        let mut movers = movers(search, body, sweep);
-        movers.retain(|mover| !mover.collider.is_sensor());
-        Some(Self { body, movers })
+        Some(Self { body, movers: movers(search, body, sweep) }.of_solids())
     }
 
     /// A box around all places of all colliders.
@@ -117,16 +139,12 @@ impl<'a> Path<'a> {
         regions.fold(Aabb::new_invalid(), |all, region| all.merged(&region))
     }
 
-    /// Where the first fixed or kinematic collider stops it that is not on `carrier`. It must be the path of solid colliders.
-    pub fn first_stop(&self, search: Search<'_>, carrier: Option<RigidBodyHandle>) -> Stop {
+    /// Where the first of some obstacles stops it. It must be the path of solid colliders.
+    pub fn first_stop(&self, search: Search<'_>, obstacles: Obstacles) -> Stop {
         let mut first = Stop::NONE;
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(Solid::of(mover.collider));
-            search.for_each_obstacle(&region, |other| {
-                let is_carrier = carrier.is_some() && other.collider.parent() == carrier;
-                if is_carrier {
-                    return;
-                }
+            search.for_each_obstacle(obstacles, &region, |other| {
                 if let Some(share) = mover.impact(&other, search, first.share) {
                     first = Stop { share, by: other.sweep.moves().then_some(other.handle) };
                 }
@@ -141,7 +159,7 @@ impl<'a> Path<'a> {
         for mover in &self.movers {
             let solid = Solid::of(mover.collider);
             let region = solid.shape.compute_aabb(&mover.sweep.at(1.0));
-            search.for_each_obstacle(&region, |other| {
+            search.for_each_obstacle(Obstacles::All, &region, |other| {
                 deep = deep
                     || mover.is_stopped_by(&other, search)
                         && ends_deep((solid, other.collider.shape()), [&mover.sweep, &other.sweep]);

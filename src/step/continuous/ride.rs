@@ -10,17 +10,27 @@
 //! So a door sweeps a ball along and does not turn through it. The velocity is the body's own, as after every stop: the next step finds it in
 //! contact, and the solver makes it as fast as the door.
 //!
-//! The ride is searched as every path. If something else is in the way, a wall behind the ball, the body stays there, at the share of the step at
-//! which it is caught between the two. Nothing can be outside both of two rigid things that close on it: it
-//! never passes the one behind it, and the kinematic body, which nothing stops, gets into it.
+//! The ride is searched as every path. A fixed collider in its way ends it; the body stands there. While a body stands, moving kinematic
+//! colliders are searched for, and the first one carries it on: a blade that sweeps a floor takes along a ball that landed on the floor
+//! earlier in the same step. At most [`LEGS_MAX`] rides and stands follow each other.
+//!
+//! A body between a fixed collider and a kinematic one stays at the share of the step at which it is caught. Nothing can be outside both of two
+//! rigid things that close on it: it never passes the fixed one, and the kinematic body, which nothing stops, overlaps it.
+//!
+//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does what is joined to one.
 
 use super::Search;
-use super::path::{Mover, Path, sweep_of};
+use super::path::{Mover, Obstacles, Path, sweep_of};
 use crate::base::tasks::Tasks;
 use crate::collide::{Leg, Sweep};
-use crate::dim::math::{Pose, Real, Vector, ang_length_squared, rotation_to_angle};
+use crate::dim::math::{ANG_ZERO, Pose, Real, Vector, ang_length_squared, rotation_to_angle};
+use crate::model::body::RigidBody;
 use crate::model::collider::ColliderHandle;
 use crate::model::island::BodyMotion;
+use smallvec::{SmallVec, smallvec};
+
+/// Rides and stands that follow the first stop of a body in one step. Each costs a search.
+const LEGS_MAX: usize = 4;
 
 /// What stops a body, and when.
 #[derive(Copy, Clone, Debug)]
@@ -38,28 +48,30 @@ impl Stop {
     pub const AT_ONCE: Self = Self { share: 0.0, by: None };
 }
 
-/// The rest of a step on a kinematic body.
-#[derive(Copy, Clone, Debug)]
+/// The rest of a step on kinematic bodies.
+#[derive(Clone, Debug)]
 pub(super) struct Ride {
-    /// The way until the stop, and from there on.
-    pub legs: [Leg; 2],
-    /// The share of the step at which the ride ends.
+    /// The way until the first stop, and from there on.
+    pub legs: SmallVec<[Leg; 4]>,
+    /// The share of the step at which the last leg ends.
     pub end: Real,
-    /// Where the body is then.
+    /// The pose of the body then.
     pub pose: Pose,
-    /// How far it moved in the step.
+    /// How far the body moved in the step.
     pub motion: BodyMotion,
 }
 
 /// The rides of a step.
 #[derive(Default)]
 pub(super) struct Rides {
-    /// The positions of fast bodies that a moving collider stopped, in rising order.
-    stopped: Vec<(u32, ColliderHandle)>,
-    /// How these go on; nothing if they cannot.
+    /// The positions of stopped fast bodies that may ride, in rising order, with the moving collider that stopped each, if one did.
+    stopped: Vec<(u32, Option<ColliderHandle>)>,
+    /// Their rides; nothing if they stay where they were stopped.
     rides: Vec<Option<Ride>>,
     /// By the first position of a group: the moving collider that stopped it.
     carriers: Vec<Option<ColliderHandle>>,
+    /// By the first position of a group: the earliest end of its rides.
+    ends: Vec<Real>,
 }
 
 impl Rides {
@@ -76,7 +88,7 @@ impl Rides {
         search: Search<'_>,
         (first, stops): (&[Stop], &[Real]),
     ) {
-        if first.iter().all(|stop| stop.by.is_none()) {
+        if search.movers.is_empty() {
             return;
         }
         self.list_stopped(search, first, stops);
@@ -86,9 +98,11 @@ impl Rides {
             let (position, by) = stopped[at];
             Ride::of(search, position as usize, stops[position as usize], by)
         });
+        self.end_together(search, stops.len());
     }
 
-    /// Lists the bodies that a moving collider stopped, alone or with their groups. Linear in the number of fast bodies: a chain is one group.
+    /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that anything else stopped. Linear in
+    /// the number of fast bodies: a chain is one group.
     fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], stops: &[Real]) {
         self.carriers.clear();
         self.carriers.resize(stops.len(), None);
@@ -97,9 +111,27 @@ impl Rides {
             let carrier = &mut self.carriers[search.groups.first(position)];
             *carrier = carrier.or(by);
         }
-        for position in 0..stops.len() {
+        for (position, &share) in stops.iter().enumerate() {
             let by = self.carriers[search.groups.first(position)];
-            self.stopped.extend(by.map(|by| (position as u32, by)));
+            if by.is_some() || share < 1.0 && search.groups.is_alone(position) {
+                self.stopped.push((position as u32, by));
+            }
+        }
+    }
+
+    /// Ends the rides of each group at the earliest end among them.
+    fn end_together(&mut self, search: Search<'_>, count: usize) {
+        self.ends.clear();
+        self.ends.resize(count, 1.0);
+        for (&(position, _), ride) in self.stopped.iter().zip(&self.rides) {
+            let end = &mut self.ends[search.groups.first(position as usize)];
+            *end = end.min(ride.as_ref().map_or(0.0, |ride| ride.end));
+        }
+        for (&(position, _), ride) in self.stopped.iter().zip(&mut self.rides) {
+            let end = self.ends[search.groups.first(position as usize)];
+            if ride.as_ref().is_some_and(|ride| ride.end > end) {
+                *ride = ride.take().and_then(|ride| ride.until(search, position as usize, end));
+            }
         }
     }
 
@@ -117,15 +149,16 @@ impl Rides {
 }
 
 impl Ride {
-    /// The ride of the fast body at a position on the collider that stopped it after a share of the step.
-    fn of(search: Search<'_>, position: usize, share: Real, on: ColliderHandle) -> Option<Self> {
+    /// The ride of the fast body at a position that was stopped after a share of the step, by a moving collider or by something at rest.
+    /// `None` if nothing carries it on.
+    fn of(
+        search: Search<'_>,
+        position: usize,
+        share: Real,
+        by: Option<ColliderHandle>,
+    ) -> Option<Self> {
         let motion = &search.world.fast[position];
         let body = search.world.bodies.get(motion.body).filter(|_| motion.link.is_none())?;
-        let collider = search.world.colliders.get(on)?;
-        let carrier = Mover::not_fast(search, on, collider)?.sweep;
-        let start = sweep_of(motion, motion.start, share).at(share);
-        let end = carried(&carrier, share, &start);
-        let local_center = body.local_center_of_mass();
         let first = Leg {
             from: 0.0,
             until: share,
@@ -134,26 +167,90 @@ impl Ride {
             shift: motion.shift,
             turn: motion.turn,
         };
-        let second = straight_leg(share, [&start, &end], local_center)?;
-        let mut ride =
-            Self { legs: [first, second], end: 1.0, pose: end, motion: BodyMotion::NONE };
-        let stop = {
-            let path = ride.path(search, position)?;
-            let stop = path.first_stop(search, collider.parent()).share;
-            if stop < 1.0 { (stop, path.pose_at(stop)?) } else { (stop, end) }
-        };
-        (ride.end, ride.pose) = stop;
-        let stop = ride.end;
-        let way = first.shift * share + second.shift * (stop - share);
-        let angle = first.angle() * share + second.angle() * (stop - share);
-        let rest = if angle > 0.0 { angle * body.extent } else { 0.0 };
-        ride.motion = BodyMotion::within(way.length() + rest);
-        (stop > share).then_some(ride)
+        let pose = sweep_of(motion, motion.start, share).at(share);
+        let mut ride = Self { legs: smallvec![first], end: share, pose, motion: BodyMotion::NONE };
+        // Of joined bodies each would stand and ride at other times.
+        let legs_max = if search.groups.is_alone(position) { LEGS_MAX } else { 1 };
+        let (mut on, mut has_moved) = (by, false);
+        for _ in 0..legs_max {
+            let Some(stop) = ride.go_on(search, position, body, on) else { break };
+            has_moved |= on.is_some();
+            on = stop.by;
+            if stop.share >= 1.0 {
+                break;
+            }
+        }
+        ride.motion = ride.motion_of(body);
+        has_moved.then_some(ride)
     }
 
-    /// The path of the body as far as it rides.
-    pub fn path<'a>(&'a self, search: Search<'a>, position: usize) -> Option<Path<'a>> {
+    /// Adds the leg on a moving collider, or the leg of a body that stands. Returns what ends it; `None` if a ride ends as it begins.
+    fn go_on(
+        &mut self,
+        search: Search<'_>,
+        position: usize,
+        body: &RigidBody,
+        on: Option<ColliderHandle>,
+    ) -> Option<Stop> {
+        let (from, local_center) = (self.end, body.local_center_of_mass());
+        let (end, obstacles) = match on {
+            Some(on) => {
+                let collider = search.world.colliders.get(on)?;
+                let carrier = Mover::not_fast(search, on, collider)?.sweep;
+                (carried(&carrier, from, &self.pose), Obstacles::NotOn(collider.parent()))
+            }
+            None => (self.pose, Obstacles::Moving),
+        };
+        let leg = match on {
+            Some(_) => straight_leg(from, [&self.pose, &end], local_center)?,
+            None => standing_leg(from, &self.pose, local_center),
+        };
+        let mut next = self.clone();
+        (next.end, next.pose) = (1.0, end);
+        next.legs.push(leg);
+        let (stop, pose) = {
+            let path = next.path(search, position)?;
+            let stop = path.first_stop(search, obstacles);
+            (stop, if stop.share < 1.0 { path.pose_at(stop.share)? } else { end })
+        };
+        if stop.share <= from {
+            // A mover whose surface has touched a standing body before, and whose middle comes now, carries it from here on.
+            return on.is_none().then_some(stop);
+        }
+        next.legs.last_mut()?.until = stop.share;
+        (next.end, next.pose) = (stop.share, pose);
+        *self = next;
+        Some(stop)
+    }
+
+    /// The same ride, as far as a share of the step. `None` if nothing of it is left.
+    fn until(mut self, search: Search<'_>, position: usize, end: Real) -> Option<Self> {
+        let body = search.world.bodies.get(search.world.fast[position].body)?;
+        let last = self.legs.last_mut().filter(|leg| leg.from < end)?;
+        last.until = end;
+        self.end = end;
+        let pose = self.path(search, position)?.pose_at(end)?;
+        self.pose = pose;
+        self.motion = self.motion_of(body);
+        Some(self)
+    }
+
+    fn motion_of(&self, body: &RigidBody) -> BodyMotion {
+        let lasts = |leg: &Leg| leg.until - leg.from;
+        let way: Vector = self.legs.iter().map(|leg| leg.shift * lasts(leg)).sum();
+        let angle: Real = self.legs.iter().map(|leg| leg.angle() * lasts(leg)).sum();
+        let rest = if angle > 0.0 { angle * body.extent } else { 0.0 };
+        BodyMotion::within(way.length() + rest)
+    }
+
+    /// The path of all colliders of the body as far as it rides.
+    pub fn path_of_all<'a>(&'a self, search: Search<'a>, position: usize) -> Option<Path<'a>> {
         Path::along(search, position, (&self.legs, self.end))
+    }
+
+    /// The path of the solid ones.
+    pub fn path<'a>(&'a self, search: Search<'a>, position: usize) -> Option<Path<'a>> {
+        self.path_of_all(search, position).map(Path::of_solids)
     }
 }
 
@@ -173,4 +270,10 @@ fn straight_leg(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> O
     let is_finite = shift.is_finite() && ang_length_squared(turn).is_finite();
     let leg = Leg { from, until: 1.0, rotation: start.rotation, center, shift, turn };
     is_finite.then_some(leg)
+}
+
+/// The leg of a body that stands for the rest of the step.
+fn standing_leg(from: Real, pose: &Pose, local_center: Vector) -> Leg {
+    let (rotation, center) = (pose.rotation, *pose * local_center);
+    Leg { from, until: 1.0, rotation, center, shift: Vector::ZERO, turn: ANG_ZERO }
 }

@@ -32,10 +32,9 @@ impl Passage {
     }
 }
 
-/// The sensors that the fast body at a position passes, as far as it comes.
-pub(super) fn passages(search: Search<'_>, position: usize, stop: Real) -> Vec<Passage> {
+/// The sensors that a fast body passes on its path, as far as a share of the step.
+pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<Passage> {
     let mut found = Vec::new();
-    let Some(path) = Path::of_all(search, position, stop) else { return found };
     for mover in &path.movers {
         let region = mover.sweep.region(mover.collider.shape());
         for kind in TreeKind::ALL {

@@ -5,6 +5,26 @@ use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
 use crate::model::collider::{ColliderChanges, ColliderHandle, Widths, may_interact};
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
+use parry::shape::SharedShape;
+use std::sync::Arc;
+
+/// The shape that was measured last. Colliders that share a shape are mostly inserted one after the other, and a hull is measured once for all.
+#[derive(Default)]
+pub(super) struct Measured {
+    /// It is held here: no other shape gets its address meanwhile.
+    shape: Option<SharedShape>,
+    widths: Option<Arc<[Widths]>>,
+}
+
+impl Measured {
+    fn widths_of(&mut self, shape: &SharedShape) -> Option<Arc<[Widths]>> {
+        if !self.shape.as_ref().is_some_and(|last| Arc::ptr_eq(&last.0, &shape.0)) {
+            self.widths = Widths::of_costly(&**shape);
+            self.shape = Some(shape.clone());
+        }
+        self.widths.clone()
+    }
+}
 
 impl Digest<'_> {
     /// Follows a collider's changes.
@@ -12,13 +32,14 @@ impl Digest<'_> {
         &mut self,
         handle: ColliderHandle,
         reweighed: &mut Vec<RigidBodyHandle>,
+        measured: &mut Measured,
     ) {
         let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
         collider.replace_broken_shape();
         let changes = std::mem::take(&mut collider.changes);
         if changes.contains(ColliderChanges::SHAPE) {
             collider.form = form_of(&*collider.shape);
-            collider.widths = Widths::of_costly(&*collider.shape);
+            collider.widths = measured.widths_of(&collider.shape);
         }
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));

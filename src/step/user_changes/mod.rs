@@ -27,6 +27,7 @@ use crate::model::multibody::MultibodyEdits;
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
+use colliders::Measured;
 
 /// All that an edit can affect.
 pub(crate) struct Digest<'a> {
@@ -52,8 +53,9 @@ impl Digest<'_> {
         for &handle in &bodies {
             self.wake_left_behind(handle);
         }
+        let mut measured = Measured::default();
         for &handle in &colliders {
-            self.take_in_collider(handle, &mut reweighed);
+            self.take_in_collider(handle, &mut reweighed, &mut measured);
         }
         for &handle in &bodies {
             self.take_in_body(handle, &mut reweighed);
