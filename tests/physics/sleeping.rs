@@ -277,3 +277,33 @@ fn an_island_wakes_at_once() {
         assert_eq!(sleepers(&world, &left), 3, "it sleeps again");
     }
 }
+
+/// A sleeping island that is woken stays awake for the full time until sleep, whether the wake-up is strong or weak.
+#[test]
+fn a_woken_island_stays_awake_for_its_time() {
+    for strong in [false, true] {
+        let (mut world, left, _) = two_sleeping_stacks(60);
+        let time = world.bodies[left[0]].activation().time_until_sleep;
+        world.islands.wake_up(&mut world.bodies, left[1], strong);
+        run(&mut world, 0.9 * time);
+        assert_eq!(sleepers(&world, &left), 0, "asleep before {time} s, strong: {strong}");
+        run(&mut world, 0.3 * time);
+        assert_eq!(sleepers(&world, &left), 3, "awake after {time} s, strong: {strong}");
+    }
+}
+
+/// A strong wake-up of an awake body restarts its time until sleep, a weak one does not.
+#[test]
+fn only_a_strong_wake_up_restarts_the_time_of_an_awake_body() {
+    for strong in [false, true] {
+        let mut world = world(60);
+        add_ground(&mut world, 0.5);
+        let cube = add_cube(&mut world, 0.0, 0.0);
+        let time = world.bodies[cube].activation().time_until_sleep;
+        run(&mut world, 0.7 * time);
+        assert!(!world.bodies[cube].is_sleeping());
+        world.islands.wake_up(&mut world.bodies, cube, strong);
+        run(&mut world, 0.7 * time);
+        assert_eq!(world.bodies[cube].is_sleeping(), !strong, "strong: {strong}");
+    }
+}

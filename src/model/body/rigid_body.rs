@@ -298,7 +298,10 @@ impl RigidBody {
         self.changes.insert(RigidBodyChanges::SLEEP);
     }
 
-    /// Wakes the body. A `strong` wake-up also starts the time until it may sleep afresh.
+    /// Wakes the body. A `strong` wake-up also restarts the time until it may sleep.
+    ///
+    /// The next step wakes the island of a body that slept, and restarts the time of all its bodies, after a weak wake-up too. A
+    /// weak wake-up of an awake body has no effect.
     pub fn wake_up(&mut self, strong: bool) {
         if self.activation.sleeping {
             self.changes.insert(RigidBodyChanges::SLEEP);

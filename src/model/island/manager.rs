@@ -75,7 +75,11 @@ impl IslandManager {
     }
 
     /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake when this returns.
-    /// `strong` also makes them stay awake for their full time until sleep. Nothing happens if the handle is stale.
+    /// Nothing happens if the handle is stale.
+    ///
+    /// A sleeping island stays awake for its full time until sleep, whatever `strong` says: with the old time it would fall
+    /// asleep again in the next step, before any force could move it. If the body is awake, `strong` restarts its time, and a weak
+    /// wake-up has no effect.
     pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {
         let Some(body) = bodies.get_mut(handle) else { return };
         body.wake_up(strong);
