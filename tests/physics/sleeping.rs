@@ -307,3 +307,57 @@ fn only_a_strong_wake_up_restarts_the_time_of_an_awake_body() {
         assert_eq!(world.bodies[cube].is_sleeping(), !strong, "strong: {strong}");
     }
 }
+
+/// Returns a ball that bounces without loss, from this height.
+fn bouncing_ball(rate: u32, height: Real) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = world(rate);
+    world.integration_parameters.normalized_restitution_velocity_threshold = 0.0;
+    add_ground(&mut world, 0.5);
+    let ball = ColliderBuilder::ball(0.5).restitution(1.0);
+    let ball = ball.restitution_combine_rule(CoefficientCombineRule::Max);
+    let body = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5 + height));
+    let (body, _) = world.insert(body, ball);
+    (world, body)
+}
+
+/// A ball that bounces by less than the drift limit of 12.5 mm stays awake: its mean speed is √(g h / 2), at least 0.16 m/s.
+#[test]
+fn a_low_bounce_is_not_frozen() {
+    for rate in RATES {
+        for height in [0.005, 0.01] as [Real; 2] {
+            let (mut world, ball) = bouncing_ball(rate, height);
+            for step in 0..steps(&world, 5.0) {
+                world.step();
+                let y = world.bodies[ball].translation().y - 0.5;
+                assert!(
+                    !world.bodies[ball].is_sleeping(),
+                    "{height} m at {rate} Hz: asleep at the height {y} in step {step}"
+                );
+            }
+        }
+    }
+}
+
+/// Runs a mass on a spring for 4 s; returns whether it stayed awake.
+fn swings_on(rate: u32, amplitude: Real, frequency: Real) -> bool {
+    let mut world = weightless(rate);
+    let post = world.insert_body(RigidBodyBuilder::fixed());
+    let body = RigidBodyBuilder::dynamic().translation(vec(1.0 + amplitude, 0.0));
+    let (body, _) = world.insert(body, ColliderBuilder::ball(0.2).mass(1.0));
+    let stiffness = (6.2832 * frequency).powi(2);
+    let spring = SpringJointBuilder::new(Vector::ZERO, Vector::ZERO, 1.0, stiffness).damping(0.0);
+    world.insert_impulse_joint(post, body, spring);
+    run(&mut world, 4.0);
+    !world.bodies[body].is_sleeping()
+}
+
+/// A spring of ±5 mm has the mean speed 4 A f. Above the threshold of 0.05 m/s, which is at 2.5 Hz, it swings on. Below, it may stop
+/// as any motion below the threshold does.
+#[test]
+fn a_short_spring_is_not_frozen() {
+    for rate in RATES {
+        for frequency in [3.0, 4.0, 5.0] as [Real; 3] {
+            assert!(swings_on(rate, 0.005, frequency), "{frequency} Hz stopped at {rate} Hz");
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! When a body may fall asleep, and whether it does.
 //!
 //! A body is a candidate for sleep while it does not drift: while none of its points gets farther from its
-//! position at the start of a window of time than the thresholds allow. Once every body of an
+//! position at the start of a window of time than the thresholds allow, nor takes a longer path. Once every body of an
 //! island has been a candidate for long enough, the whole island sleeps and costs nothing.
 
 use crate::dim::math::Real;
@@ -14,8 +14,8 @@ pub struct RigidBodyActivation {
     /// `IntegrationParameters::length_unit` per second. Negative: never.
     ///
     /// The mean is taken over windows of a quarter of a second, one after the other, for [`Self::time_until_sleep`]: no point may get
-    /// farther from its position at the start of a window than the threshold times the length of the window. A turn counts with the
-    /// size of the body. A body that trembles in its place may be faster.
+    /// farther from its position at the start of a window than the threshold times the length of the window, nor take a longer path. A
+    /// turn counts with the size of the body. Velocities that alternate from step to step cancel: a body that trembles may be faster.
     pub normalized_linear_threshold: Real,
     /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative: never.
     pub angular_threshold: Real,

@@ -1,11 +1,11 @@
-//! The pose from which a body's drift is measured.
+//! How a body moves within a drift window: how far it drifts from its pose at the beginning, and how long its smoothed path is.
 
-use super::RigidBody;
+use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
-use crate::dim::math::{Real, Rotation, Vector, rotation_is_valid};
+use crate::dim::math::{ANG_ZERO, Real, Rotation, Vector, ang_length_squared, rotation_is_valid};
 use crate::model::island::turn_bound;
 
-/// Where a body was when the current drift window began.
+/// The pose of a body at the beginning of the current drift window, and its motion since.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct RestPose {
@@ -13,29 +13,68 @@ pub(crate) struct RestPose {
     rotation: Rotation,
     /// Age of the window (s).
     pub age: Real,
+    /// Velocity after the last step.
+    velocity: RigidBodyVelocity,
+    /// Lengths of the smoothed path within the window.
+    pub path: Drift,
 }
 
-/// How far a body is from its [`RestPose`].
+/// A bound of the motion of a body: how far it is from its [`RestPose`], or how long its path is.
 #[derive(Copy, Clone, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Drift {
-    /// No point of the colliders is farther than this from where it was (length units).
+    /// No point of the colliders moved farther than this (length units).
     pub distance: Real,
-    /// No direction of the body has turned by a longer chord than this (rad, for small angles).
+    /// No direction of the body turned by more than this (rad; a drift is a chord, a path is an arc).
     pub angle: Real,
+}
+
+impl Drift {
+    /// No motion.
+    const NONE: Self = Self { distance: 0.0, angle: 0.0 };
 }
 
 impl RestPose {
     /// The pose of a body that has none yet.
-    pub const ORIGIN: Self = Self { center: Vector::ZERO, rotation: Rotation::IDENTITY, age: 0.0 };
+    pub const ORIGIN: Self = Self {
+        center: Vector::ZERO,
+        rotation: Rotation::IDENTITY,
+        age: 0.0,
+        velocity: RigidBodyVelocity::new(Vector::ZERO, ANG_ZERO),
+        path: Drift::NONE,
+    };
 
     /// The body's present pose.
     pub fn of(body: &RigidBody) -> Self {
-        Self { center: body.mprops.world_com, rotation: body.pose.rotation, age: 0.0 }
+        Self {
+            center: body.mprops.world_com,
+            rotation: body.pose.rotation,
+            age: 0.0,
+            velocity: body.vels(),
+            path: Drift::NONE,
+        }
+    }
+
+    /// Adds a step of the body to the path.
+    ///
+    /// The step counts with the mean of the velocities at its two ends. A velocity that alternates from step to step, as in a pile
+    /// that trembles, therefore adds nothing, but a motion that lasts for several steps adds its whole length.
+    pub fn extend_path(&mut self, body: &RigidBody, dt: Real) {
+        let half = 0.5 * dt;
+        let shift = (body.linvel + self.velocity.linvel).length() * half;
+        let angle = ang_length_squared(body.angvel + self.velocity.angvel).sqrt() * half;
+        self.path.distance += shift + angle * body.extent;
+        self.path.angle += angle;
+        self.velocity = body.vels();
     }
 
     /// Returns whether all numbers can be computed with.
     pub(super) fn is_sound(&self) -> bool {
-        is_point(self.center) && rotation_is_valid(&self.rotation) && self.age >= 0.0
+        let lengths = [self.age, self.path.distance, self.path.angle];
+        is_point(self.center)
+            && rotation_is_valid(&self.rotation)
+            && lengths.iter().all(|length| *length >= 0.0)
+            && self.velocity.is_finite()
     }
 
     /// The drift of the body since.

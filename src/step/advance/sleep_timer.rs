@@ -1,8 +1,9 @@
 //! How long each body has been at rest.
 //!
-//! A body rests while it does not drift: while no point of it gets farther than a limit from its position at the start of a window
-//! of time. Speed is the wrong measure. A slow motion goes on for as long as one likes at any speed limit, and a
-//! body that trembles in a pile is faster than most of what a user sees move, and comes to no other place.
+//! A body rests while no point of it gets farther than a limit from its position at the start of a window of time, and while its
+//! smoothed path within the window is no longer than that limit. Speed alone is the wrong measure: a body that trembles in a pile is
+//! faster than most motions that a user sees, and stays in its place. Drift alone is wrong too: a low bounce or a short spring stays
+//! within the limit at any speed, and would freeze, even in mid-air.
 
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RestPose, RigidBody};
@@ -12,7 +13,7 @@ use crate::model::params::IntegrationParameters;
 /// a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with the default threshold, a point may get 12 mm far.
 const WINDOW_MAX: Real = 0.25;
 
-/// How far a body at rest may drift within a window.
+/// How far a body at rest may drift within a window, and how long its smoothed path may be.
 struct Limits {
     /// Duration of the window (s).
     window: Real,
@@ -36,7 +37,7 @@ impl Limits {
     /// Returns whether the body kept the limits in a step in which its points moved by no more than `motion`.
     ///
     /// The single step is checked first: a body that turns by whole turns from step to step would seem not to turn.
-    fn are_kept(&self, body: &RigidBody, motion: Real, dt: Real) -> bool {
+    fn are_kept(&self, body: &mut RigidBody, motion: Real, dt: Real) -> bool {
         let step_angle = ang_length_squared(body.angvel) * (dt * dt);
         if motion > self.distance || step_angle > self.angle * self.angle {
             return false;
@@ -44,8 +45,12 @@ impl Limits {
         if body.activation.time_since_can_sleep == 0.0 {
             return true;
         }
-        let drift = body.rest.drift(body);
-        drift.distance <= self.distance && drift.angle <= self.angle
+        let mut rest = body.rest;
+        rest.extend_path(body, dt);
+        body.rest = rest;
+        [rest.path, rest.drift(body)]
+            .iter()
+            .all(|way| way.distance <= self.distance && way.angle <= self.angle)
     }
 }
 
