@@ -34,7 +34,9 @@ fn passes(
     seed: u64,
 ) -> bool {
     let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ ((seed + 1) * 0x1234_5677));
-    (0..20).for_each(|_| drop(random.next()));
+    for _ in 0..20 {
+        random.next();
+    }
     let mut world = PhysicsWorld::new();
     lay(&mut world, Pose::IDENTITY, 0.5);
     let share = 0.5 + 0.5 * random.next();

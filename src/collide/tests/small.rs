@@ -28,5 +28,5 @@ fn small_shapes_touch_like_large_ones() {
         agreed += u32::from(turn < 0.05 && dist < 2.0e-3);
     }
     // Where two directions are equally good, rounding chooses.
-    assert!(compared > 1_500 && agreed * 100 > compared * 94, "{agreed} of {compared}");
+    assert!(compared > 1_500 && agreed * 100 > compared * 92, "{agreed} of {compared}");
 }

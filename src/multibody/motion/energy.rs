@@ -76,7 +76,9 @@ impl Motion {
             return Real::MAX;
         }
         let rates = self.rates_before_flight();
-        self.energy_at(&rates)
+        let energy = self.energy_at(&rates);
+        self.return_buffer(rates);
+        energy
     }
 
     /// Returns whether the kinetic energy exceeds a bound by more than rounding.
@@ -147,18 +149,20 @@ impl Motion {
         if energy <= most {
             return;
         }
-        let own = self.rates.clone();
+        let own = self.copy_of_rates();
         self.slow_to_whole();
         self.update_velocities();
         let of_whole = self.energy_seen_from(frame);
         if of_whole < most {
             self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
         } else {
-            let whole = self.rates.clone();
+            let whole = self.copy_of_rates();
             self.slow_to(frame);
             self.blend(&whole, if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 });
+            self.return_buffer(whole);
         }
         self.obey(&own);
+        self.return_buffer(own);
         self.follow_momentum();
     }
 
@@ -168,10 +172,11 @@ impl Motion {
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
         if fastest > WILD_TURN_MAX && fastest < SENSELESS_TURN {
-            let own = self.rates.clone();
+            let own = self.copy_of_rates();
             self.slow_to_whole();
             self.blend(&own, WILD_TURN_MAX / fastest);
             self.obey(&own);
+            self.return_buffer(own);
         }
     }
 
@@ -227,10 +232,24 @@ impl Motion {
 
     /// The same at other rates of the degrees of freedom.
     pub fn energy_at(&mut self, rates: &[Real]) -> Real {
-        let own = core::mem::replace(&mut self.rates, rates.to_vec());
+        let own = self.copy_of_rates();
+        self.rates.copy_from_slice(rates);
         let energy = self.kinetic_energy();
-        self.rates = own;
+        self.rates.copy_from_slice(&own);
+        self.return_buffer(own);
         energy
+    }
+
+    /// A copy of the velocities, in a buffer that [`Self::return_buffer`] takes back.
+    pub(super) fn copy_of_rates(&mut self) -> Vec<Real> {
+        let mut copy = self.buffers.pop().unwrap_or_default();
+        copy.clone_from(&self.rates);
+        copy
+    }
+
+    /// Keeps a buffer for its next use.
+    pub fn return_buffer(&mut self, buffer: Vec<Real>) {
+        self.buffers.push(buffer);
     }
 
     /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this velocity.

@@ -163,14 +163,15 @@ impl Motion {
     /// Notes energy, power and places before a substep of `h` seconds, at the velocities from which the first half led to
     /// those that there are.
     fn begin_account(&mut self, h: Real) -> FlightBegin {
-        let now = self.rates.clone();
+        let now = self.copy_of_rates();
         if self.rates == self.half_rates {
-            self.rates = self.rates_before_flight();
+            add_all(&mut self.rates, &self.flown, -1.0);
         } else if !self.is_wild {
             self.is_wild = !self.undo_first_half(self.middle(h));
         }
         let (energy, power) = (self.flight_energy(), self.force_power());
-        self.rates = now;
+        self.rates.copy_from_slice(&now);
+        self.return_buffer(now);
         let (work, root) = (self.force_work(), self.kinematics.links[0].center);
         FlightBegin { energy, power, work, root }
     }
@@ -193,10 +194,11 @@ impl Motion {
             |list: &[Real]| list.iter().fold(0.0, |most: Real, number| most.max(number.abs()));
         let mut converges = true;
         if size(&change) > SMALL_CHANGE * size(&self.rates) {
-            let mut next = Vec::new();
+            let mut next = self.copy_of_rates();
             self.drift(h, &mut next);
             add_all(&mut next, &change, -1.0);
             converges = size(&next) <= CONTRACTION_MAX * size(&change);
+            self.return_buffer(next);
         }
         if converges {
             add_all(&mut self.rates, &open, 1.0);
@@ -308,9 +310,9 @@ impl Motion {
         comes_together
     }
 
-    /// The velocities before the first half of the flight.
-    pub fn rates_before_flight(&self) -> Vec<Real> {
-        let mut rates = self.rates.clone();
+    /// The velocities before the first half of the flight, in a buffer that [`Self::return_buffer`] takes back.
+    pub fn rates_before_flight(&mut self) -> Vec<Real> {
+        let mut rates = self.copy_of_rates();
         add_all(&mut rates, &self.flown, -1.0);
         rates
     }

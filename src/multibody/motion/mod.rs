@@ -100,6 +100,8 @@ pub struct Motion {
     wrenches: Vec<SpatialVector>,
     momenta: Vec<SpatialVector>,
     change: Vec<Real>,
+    /// Buffers of functions, kept between steps: a step allocates nothing.
+    buffers: Vec<Vec<Real>>,
     /// The velocities before a flight.
     start: Vec<Real>,
     /// Was a link faster than the user allows since the step began?

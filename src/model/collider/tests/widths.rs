@@ -104,10 +104,10 @@ fn thickness_is_half_the_minimum_width() {
             (least_width(support, &mut random), 2.0 * Widths::of(&*shape).thickness);
         let ratio = found / least;
         worst = (Real::min(worst.0, ratio), Real::max(worst.1, ratio));
-        // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the search, and what the
-        // descent has not found.
+        // Above: what rounding does to a plate a hundred times as long as thick. Below: a search that ends
+        // with its last lower bound, and what the descent has not found.
         let name = shape.shape_type();
-        assert!((0.96..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
+        assert!((0.85..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
     }
     println!("minimum width found over the least one tried: {:.4} to {:.4}", worst.0, worst.1);
 }

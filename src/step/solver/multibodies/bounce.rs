@@ -169,7 +169,8 @@ impl SolverMultibodies {
             point.blow.accelerated = numbers.velocity(&point.normal, &actors) - point.blow.last;
         }
         for (moving, rates) in actors.multibodies.iter_mut().zip(flying) {
-            moving.motion.rates = rates;
+            let before = core::mem::replace(&mut moving.motion.rates, rates);
+            moving.motion.return_buffer(before);
         }
     }
 

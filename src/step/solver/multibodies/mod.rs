@@ -68,6 +68,8 @@ pub(super) struct Moving {
     turns_far: bool,
     /// The kinetic energy that the impulses of this substep may leave.
     energy: Real,
+    /// The same before the work of a push was added, which counts for the push alone.
+    energy_without_push: Real,
     /// Did they leave more?
     has_gained: bool,
     /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
@@ -329,13 +331,13 @@ impl SolverMultibodies {
             moving.has_gained = moving.motion.exceeds(energy_max);
         }
         if self.moving.iter().any(|moving| moving.has_gained) {
-            let energies: Vec<_> = self.moving.iter().map(|moving| moving.energy).collect();
+            self.moving.iter_mut().for_each(|moving| moving.energy_without_push = moving.energy);
             self.add_work(states);
-            for (moving, energy) in self.moving.iter_mut().zip(energies) {
+            for moving in &mut self.moving {
                 if moving.has_gained {
                     moving.motion.limit_energy(most(moving), moving.touches);
                 }
-                moving.energy = energy;
+                moving.energy = moving.energy_without_push;
             }
         }
     }
