@@ -23,8 +23,10 @@ impl fmt::Display for Fault {
 /// Returns a [`Fault`] from the function unless a condition holds.
 macro_rules! ensure {
     ($condition:expr, $($what:tt)+) => {
-        if !$condition {
-            return Err($crate::base::fault::Fault::new(format_args!($($what)+)));
+        // A comparison with a number that is none does not hold.
+        match $condition {
+            true => {}
+            false => return Err($crate::base::fault::Fault::new(format_args!($($what)+))),
         }
     };
 }

@@ -16,7 +16,7 @@ fn the_prelude_names_vectors_and_poses_of_both_dimensions() {
     let solid = Pose3::from_parts(Vec3::new(1.0, 2.0, 3.0), Rot3::from_rotation_z(0.5));
     let length: Real = flat.translation.length() + solid.translation.length();
     assert!(length > 5.0);
-    assert_eq!(IVector::ONE.as_vec2_or_3().len(), DIM);
+    assert_eq!(IVector::ONE.to_lattice().len(), DIM);
     let same: rapier::glamx::Vec2 = rapier::parry::glamx::Vec2::ONE;
     assert_eq!(same, glamx::Vec2::ONE);
     let turned: Rotation = rotation_from_angle(crate::dim::about_z(0.5));
@@ -27,7 +27,7 @@ fn the_prelude_names_vectors_and_poses_of_both_dimensions() {
 
 /// The number of components of an integer vector, of either dimension.
 trait Components {
-    fn as_vec2_or_3(self) -> Vec<i64>;
+    fn to_lattice(self) -> Vec<i64>;
 }
 
 impl Components for IVector {
@@ -35,7 +35,7 @@ impl Components for IVector {
         clippy::unnecessary_cast,
         reason = "the integers are 32 or 64 bits wide, as the precision is"
     )]
-    fn as_vec2_or_3(self) -> Vec<i64> {
+    fn to_lattice(self) -> Vec<i64> {
         self.to_array().iter().map(|component| *component as i64).collect()
     }
 }

@@ -280,7 +280,7 @@ pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
     let hull = |count: usize| SharedShape::convex_hull(&square[..count]).expect("a flat hull");
     let rim: Vec<Vector> = (0..12_u8)
         .map(|i| {
-            let (sin, cos) = (Real::from(i) / 6.0 * 3.141_592_7).sin_cos();
+            let (sin, cos) = (Real::from(i) / 6.0 * std::f64::consts::PI as Real).sin_cos();
             place(cos, sin)
         })
         .collect();

@@ -227,7 +227,7 @@ fn a_pendulum_is_not_frozen_where_it_turns() {
         let (bob, _) = world.insert(bob, ColliderBuilder::ball(0.2));
         world.insert_impulse_joint(pivot, bob, hinge().local_anchor2(vec(0.0, length)));
         // T = 2π √(l / g), within a thousandth at this amplitude; the bob's own inertia adds 8·10⁻⁵.
-        let period = 6.2832 * (length / G).sqrt();
+        let period = std::f64::consts::TAU as Real * (length / G).sqrt();
         run(&mut world, period);
         let x = world.bodies[bob].translation().x;
         assert!(!world.bodies[bob].is_sleeping(), "it stands at {x} at {rate} Hz");
@@ -344,7 +344,7 @@ fn swings_on(rate: u32, amplitude: Real, frequency: Real) -> bool {
     let post = world.insert_body(RigidBodyBuilder::fixed());
     let body = RigidBodyBuilder::dynamic().translation(vec(1.0 + amplitude, 0.0));
     let (body, _) = world.insert(body, ColliderBuilder::ball(0.2).mass(1.0));
-    let stiffness = (6.2832 * frequency).powi(2);
+    let stiffness = (std::f64::consts::TAU as Real * frequency).powi(2);
     let spring = SpringJointBuilder::new(Vector::ZERO, Vector::ZERO, 1.0, stiffness).damping(0.0);
     world.insert_impulse_joint(post, body, spring);
     run(&mut world, 4.0);

@@ -59,8 +59,10 @@ fn remove_awake(world: &mut PhysicsWorld, position: usize) {
     awake(world, position).into_iter().for_each(|body| drop(world.bodies.remove(body)));
 }
 
+type Edit = (&'static str, fn(&mut PhysicsWorld));
+
 /// What the user may have done between the last step and saving.
-pub const EDITS: [(&str, fn(&mut PhysicsWorld)); 9] = [
+pub const EDITS: [Edit; 9] = [
     ("nothing", |_| {}),
     ("a push", |world| change_awake(world, 2, |body| body.apply_impulse(Vector::X, true))),
     ("a body that was moved", |world| {
@@ -84,9 +86,13 @@ pub const EDITS: [(&str, fn(&mut PhysicsWorld)); 9] = [
     }),
     ("a joint less, and links that are cut", |world| {
         let joint = world.impulse_joints.iter().next().map(|(handle, _)| handle);
-        joint.into_iter().for_each(|joint| drop(world.impulse_joints.remove(joint, true)));
+        if let Some(joint) = joint {
+            world.impulse_joints.remove(joint, true);
+        }
         let link = world.multibody_joints.iter().nth(1).map(|joint| joint.0);
-        link.into_iter().for_each(|link| drop(world.multibody_joints.remove(link, true)));
+        if let Some(link) = link {
+            world.multibody_joints.remove(link, true);
+        }
     }),
 ];
 

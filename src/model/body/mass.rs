@@ -167,7 +167,7 @@ impl RigidBodyMassProps {
 
     /// The mass of the colliders' volumes, or if these have none, of their surfaces or lengths.
     fn mass_of_colliders(&self) -> MassProperties {
-        let from_density = self.spread.as_deref().and_then(MassSpread::from_density);
+        let from_density = self.spread.as_deref().and_then(MassSpread::density_mass);
         from_density.unwrap_or(self.from_colliders)
     }
 

@@ -98,7 +98,7 @@ impl MassSpread {
     }
 
     /// The mass that the densities give; `None` if all are zero.
-    pub fn from_density(&self) -> Option<MassProperties> {
+    pub fn density_mass(&self) -> Option<MassProperties> {
         self.has_density.then_some(self.properties)
     }
 

@@ -159,7 +159,7 @@ fn of_support(part: &dyn Shape) -> Option<Widths> {
     let is_usable = frame.widths.is_finite() && frame.least.is_finite();
     // Nothing is known of its faces: a skeleton of a point fits.
     let widths = with_layer(inner_point(support), frame, 0.0);
-    is_usable.then(|| Widths { skeleton: Vector::ZERO, ..widths })
+    is_usable.then_some(Widths { skeleton: Vector::ZERO, ..widths })
 }
 
 /// Of what has no support points: what it says itself, if that is no more than its box allows.
