@@ -48,7 +48,7 @@ fn an_island_falls_asleep_as_a_unit() {
             }
         }
         let time = asleep_at.unwrap_or(Real::INFINITY);
-        assert!((2.0..8.0).contains(&time), "at {rate} Hz they fell asleep after {time} s");
+        assert!((2.0..9.0).contains(&time), "at {rate} Hz they fell asleep after {time} s");
     }
 }
 
