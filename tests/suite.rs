@@ -16,3 +16,4 @@ pub mod joints;
 pub mod multibody;
 pub mod physics;
 mod queries;
+mod worlds;

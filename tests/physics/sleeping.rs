@@ -264,7 +264,7 @@ fn slow_dominoes_do_not_stop_falling() {
     }
 }
 
-/// Who wakes one body of a stack finds all of it awake, before the next step.
+/// Waking one body of a stack wakes all of it, before the next step.
 #[test]
 fn an_island_wakes_at_once() {
     for strong in [false, true] {

@@ -3,8 +3,9 @@
 //! The data is refused, or the world is loaded and goes on: nothing panics, and all numbers stay finite.
 
 use super::damage::{changes, visit};
-use super::saved::{EDITS, Saved, load_all, load_into, save_all};
+use super::saved::EDITS;
 use super::scene::{copy, step, world};
+use super::sets::{Saved, load_all, load_into, save_all};
 use super::tree::Tree;
 use super::twins::{outcome, outcome_anew};
 use crate::rapier::prelude::*;
@@ -128,7 +129,7 @@ fn damaged_worlds_with_edits_spoil_nothing() {
     world.remove_collider(world.bodies[bodies[3]].colliders()[0]);
     let saved = save_all(&world);
     let selection = Selection { first: 0, stride: 211, at_once: 1 };
-    damage(&saved, &load_all(&saved), &selection);
+    damage(&saved, &load_all(&saved).expect("it was saved"), &selection);
 }
 
 /// Two changes at a time, of which one may excuse the other.
@@ -169,7 +170,7 @@ fn contradictions_are_noticed() {
             }
         });
         assert!(is_changed, "there is no {end}");
-        let loaded = load_all(&damaged);
+        let loaded = load_all(&damaged).expect("no set is damaged by itself");
         let expected = outcome_anew(copy(&loaded));
         let is_noticed = outcome(loaded) == expected;
         println!("set {set}, {end} = {new:?} is noticed: {is_noticed}");

@@ -1,7 +1,9 @@
 //! # Whole worlds
 //!
 //! What happens to the sets of a world as wholes: they are replaced by those of other worlds, saved, loaded, and loaded from damaged data.
-//! Nothing here depends on the dimension, so that it compiles quickly.
+//! Nothing here depends on the dimension.
+
+use crate::rapier;
 
 mod records;
 mod scene;
@@ -13,5 +15,7 @@ mod damage;
 mod damaged;
 #[cfg(feature = "serde-serialize")]
 mod saved;
+#[cfg(feature = "serde-serialize")]
+mod sets;
 #[cfg(feature = "serde-serialize")]
 mod tree;

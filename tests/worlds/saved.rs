@@ -1,48 +1,8 @@
 //! Worlds that are saved and loaded.
 
 use super::scene::{bits, copy, cube, step, world};
-use super::tree::{Tree, load, save};
+use super::sets::{load_all, load_into, save_all};
 use crate::rapier::prelude::*;
-
-/// The sets of a world, saved one by one.
-pub type Saved = [Tree; 7];
-
-/// Saves all sets.
-pub fn save_all(world: &PhysicsWorld) -> Saved {
-    [
-        save(&world.bodies),
-        save(&world.colliders),
-        save(&world.islands),
-        save(&world.broad_phase),
-        save(&world.narrow_phase),
-        save(&world.impulse_joints),
-        save(&world.multibody_joints),
-    ]
-}
-
-/// Loads one set into a world.
-pub fn load_into(world: &mut PhysicsWorld, set: usize, tree: &Tree) -> Result<(), String> {
-    let refused = |refusal: super::tree::Refusal| refusal.to_string();
-    match set {
-        0 => load(tree).map(|it| world.bodies = it),
-        1 => load(tree).map(|it| world.colliders = it),
-        2 => load(tree).map(|it| world.islands = it),
-        3 => load(tree).map(|it| world.broad_phase = it),
-        4 => load(tree).map(|it| world.narrow_phase = it),
-        5 => load(tree).map(|it| world.impulse_joints = it),
-        _ => load(tree).map(|it| world.multibody_joints = it),
-    }
-    .map_err(refused)
-}
-
-/// Loads a world.
-pub fn load_all(saved: &Saved) -> PhysicsWorld {
-    let mut world = PhysicsWorld::new();
-    for (set, tree) in saved.iter().enumerate() {
-        load_into(&mut world, set, tree).expect("it was saved");
-    }
-    world
-}
 
 /// One of the bodies that are awake. `None` in a damaged world that has too few.
 fn awake(world: &PhysicsWorld, position: usize) -> Option<RigidBodyHandle> {
@@ -107,7 +67,7 @@ fn a_loaded_world_goes_on_as_if_it_had_not_been_saved() {
             let mut one = world();
             (0..steps).for_each(|_| step(&mut one));
             edit(&mut one);
-            let mut two = load_all(&save_all(&one));
+            let mut two = load_all(&save_all(&one)).expect("it was saved");
             for k in 0..20 {
                 step(&mut one);
                 step(&mut two);
@@ -126,7 +86,7 @@ fn the_same_history_is_saved_as_the_same_data() {
         save_all(&world)
     };
     let first = run();
-    assert!(first == run() && first == save_all(&load_all(&first)));
+    assert!(first == run() && first == save_all(&load_all(&first).expect("it was saved")));
 }
 
 /// Sets that were loaded fit those that they were saved with: any of them may be loaded alone.
@@ -159,7 +119,7 @@ fn sets_of_different_times_are_mixed() {
         let mixed = core::array::from_fn(|set| {
             if sets & (1 << set) == 0 { early[set].clone() } else { late[set].clone() }
         });
-        let mut loaded = load_all(&mixed);
+        let mut loaded = load_all(&mixed).expect("each set was saved");
         loaded.detect_collisions(&(), &());
         (0..3).for_each(|_| step(&mut loaded));
     }
@@ -193,7 +153,7 @@ fn a_loaded_world_can_be_edited_before_its_first_step() {
     for (name, edit) in EDITS {
         let mut one = world();
         (0..12).for_each(|_| step(&mut one));
-        let mut two = load_all(&save_all(&one));
+        let mut two = load_all(&save_all(&one)).expect("it was saved");
         edit(&mut one);
         edit(&mut two);
         for _ in 0..5 {

@@ -9,7 +9,7 @@
 //!   colliders, and where it stands in their lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
 //!   bodies are not in it;
-//! * `reporting`: those of them of whose strong forces somebody wants to hear. Most worlds have none, and none is looked at;
+//! * `reporting`: the awake pairs whose strong forces are reported as events. Most worlds have none;
 //! * `renewed`: the ids of pairs that are not what the solver last saw of them.
 //!
 //! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the same neighbours
@@ -101,7 +101,7 @@ pub(crate) struct StoreParts<'a, P> {
     pub slots: PairSlots<'a>,
     /// The pairs of each collider slot.
     pub of_collider: &'a [Partners],
-    /// The awake pairs of whose strong forces somebody wants to hear.
+    /// The awake pairs whose strong forces are reported.
     pub reporting: &'a IdSet,
     /// All pairs by id.
     pub pairs: &'a mut [Option<P>],
@@ -303,9 +303,9 @@ impl<P: Pair> PairStore<P> {
         &mut self.strong
     }
 
-    /// Notes whether somebody wants to hear of strong forces of an awake pair.
-    pub fn set_reporting(&mut self, id: PairId, wants: bool) {
-        if wants {
+    /// Sets whether strong forces of an awake pair are reported.
+    pub fn set_reporting(&mut self, id: PairId, reports: bool) {
+        if reports {
             self.reporting.insert(id);
         } else {
             self.reporting.remove(id);
@@ -313,7 +313,7 @@ impl<P: Pair> PairStore<P> {
         }
     }
 
-    /// The awake pairs of whose strong forces somebody wants to hear, in the order of the ids.
+    /// The awake pairs whose strong forces are reported, in the order of the ids.
     pub fn reporting(&self) -> impl Iterator<Item = PairId> {
         self.reporting.iter()
     }

@@ -1,12 +1,12 @@
-//! Who takes part in steps.
+//! The list of awake bodies.
 
 use crate::model::body::RigidBodyHandle;
 use core::ops::Deref;
 
-/// Awake bodies: first the kinematic ones, which belong to no island, then the dynamic ones. Few stages ask for the former, and most
-/// worlds have few or none of them: nobody should go through all bodies to find them.
+/// Awake bodies: first the kinematic ones, which belong to no island, then the dynamic ones. Few stages read the former, and most
+/// worlds have few or none: no stage visits all bodies to find them.
 ///
-/// Whoever changes the list tells the bodies that stand somewhere else now.
+/// A body stores its position in the list. Each change returns the positions whose bodies must be updated.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct AwakeBodies {
@@ -15,12 +15,12 @@ pub(crate) struct AwakeBodies {
 }
 
 impl AwakeBodies {
-    /// Those that move as the user says.
+    /// The kinematic bodies.
     pub fn kinematic(&self) -> &[RigidBodyHandle] {
         &self.bodies[..self.kinematic]
     }
 
-    /// Those that belong to islands.
+    /// The dynamic bodies.
     pub fn dynamic(&self) -> &[RigidBodyHandle] {
         &self.bodies[self.kinematic..]
     }
@@ -30,7 +30,7 @@ impl AwakeBodies {
         self.kinematic <= self.bodies.len()
     }
 
-    /// Adds a body. Returns the positions at which somebody else stands than before.
+    /// Adds a body. Returns the positions that hold another body than before.
     pub fn insert(&mut self, handle: RigidBodyHandle, is_kinematic: bool) -> [usize; 2] {
         let last = self.bodies.len();
         self.bodies.push(handle);
@@ -43,7 +43,7 @@ impl AwakeBodies {
         [place, last]
     }
 
-    /// Takes out who stands at a position. Returns those at which somebody else stands than before, or nobody any more.
+    /// Removes the body at a position. Returns the positions that hold another body than before, or none.
     pub fn remove(&mut self, position: usize) -> [usize; 2] {
         if position >= self.kinematic {
             self.bodies.swap_remove(position);
@@ -70,7 +70,7 @@ mod tests {
     use crate::base::random::Random;
     use crate::model::body::RigidBodyHandle;
 
-    /// Kinematic bodies come first, whoever comes and goes, and each body is told where it stands.
+    /// Kinematic bodies come first after any insertion and removal, and the returned positions keep all stored positions true.
     #[test]
     fn kinematic_bodies_stand_first_and_all_are_told() {
         let mut random = Random(71);

@@ -146,17 +146,17 @@ impl Structure<'_> {
             body.rest = RestPose::of(body);
             let is_kinematic = body.link.island == NONE;
             let changed = self.islands.awake.insert(handle, is_kinematic);
-            self.tell_places(changed);
+            self.store_places(changed);
         }
     }
 
     fn unlist_awake(&mut self, position: u32) {
         let changed = self.islands.awake.remove(position as usize);
-        self.tell_places(changed);
+        self.store_places(changed);
     }
 
-    /// Tells bodies at which positions they stand in the list of who is awake.
-    fn tell_places(&mut self, positions: [usize; 2]) {
+    /// Stores in bodies their positions in the list of awake bodies.
+    fn store_places(&mut self, positions: [usize; 2]) {
         for position in positions {
             if let Some(&moved) = self.islands.awake.get(position)
                 && let Some(body) = self.bodies.get_unnoted_mut(moved)

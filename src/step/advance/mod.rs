@@ -1,7 +1,7 @@
 //! # Advance — everything follows the bodies
 //!
 //! Reads:   poses of awake bodies, bounds of how far they moved
-//! Writes:  poses and boxes of their colliders, sleep timers; notes of who could sleep
+//! Writes:  poses and boxes of their colliders, sleep timers; notes of bodies that may sleep
 //! Runs:    parallel over awake bodies; new boxes are put into the trees one by one, in the order of the bodies
 //! Never:   changes a velocity or the structure
 

@@ -1,6 +1,6 @@
 //! # Continuous — nothing passes through
 //!
-//! Reads:   how fast bodies moved, colliders, enlarged boxes, who is in which sensor, joints, hooks
+//! Reads:   how fast bodies moved, colliders, enlarged boxes, bodies within sensors, joints, hooks
 //! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; bounds of motion; notes of sensors passed
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
 //! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, nor in the way of one or of a moving kinematic body

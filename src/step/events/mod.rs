@@ -1,6 +1,6 @@
 //! # Events — tell the user
 //!
-//! Reads:   notes of what began and stopped touching, what broke and who was taken out, impulses
+//! Reads:   notes of contacts that began and ended, broken joints and quarantined bodies, impulses
 //! Writes:  which pairs exceed their force threshold, and what the user's handler does
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes the world

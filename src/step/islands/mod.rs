@@ -1,6 +1,6 @@
 //! # Islands — who is connected, who wakes, who sleeps
 //!
-//! Reads:   the narrow phase's notes, those of who could sleep
+//! Reads:   the narrow phase's notes, those of bodies that may sleep
 //! Writes:  islands, the list of awake bodies, colours, pairs that are no more; notes for events
 //! Runs:    serial, in the order of the notes
 //! Never:   changes a manifold's points or moves a body

@@ -34,7 +34,7 @@ pub(crate) fn put_to_sleep(
     structure.islands.step = structure.islands.step.wrapping_add(1);
     count_sleepy(structure, sleepy, scratch);
     for island in scratch.islands.drain(..) {
-        // All counts but those of these islands stay at zero, so that nobody walks the others.
+        // The counts of all other islands are zero already: only these are reset.
         let count = core::mem::take(&mut scratch.sleepy[island as usize]);
         let record = structure.islands.island(island);
         let age = structure.islands.step.wrapping_sub(record.split_at);

@@ -123,12 +123,12 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
 struct Fact {
     island: u32,
     mass: Option<Real>,
-    /// Substeps that it asks for.
+    /// Additional substeps that the body requests.
     extra: usize,
 }
 
 impl Fact {
-    const NOBODY: Self = Self { island: NONE, mass: None, extra: 0 };
+    const NONE: Self = Self { island: NONE, mass: None, extra: 0 };
 
     fn of(body: &RigidBody) -> Self {
         let extra = body.additional_solver_iterations;
@@ -147,7 +147,7 @@ pub(super) struct Groups {
     needs: Vec<Need>,
     /// Of the dynamic bodies, in the order in which they are awake.
     facts: Vec<Fact>,
-    /// The same by body slot. Nobody stands there but while needs are found.
+    /// The same by body slot. Filled only while needs are found.
     by_slot: Vec<Fact>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
@@ -188,7 +188,7 @@ impl Groups {
         self.order.clear();
         self.groups.clear();
         self.strained = false;
-        self.survey(islands, bodies, tasks);
+        self.read_bodies(islands, bodies, tasks);
         if self.are_all_alike() {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
@@ -208,18 +208,18 @@ impl Groups {
         }
     }
 
-    /// Looks at each dynamic body, once.
-    fn survey(&mut self, islands: &IslandManager, bodies: &RigidBodySet, tasks: Tasks<'_>) {
+    /// Reads each dynamic body once.
+    fn read_bodies(&mut self, islands: &IslandManager, bodies: &RigidBodySet, tasks: Tasks<'_>) {
         let awake = islands.awake.dynamic();
-        let survey = |range: Range<usize>, facts: &mut Vec<Fact>| {
+        let read = |range: Range<usize>, facts: &mut Vec<Fact>| {
             let all = awake[range].iter();
-            facts.extend(all.map(|&handle| bodies.get(handle).map_or(Fact::NOBODY, Fact::of)));
+            facts.extend(all.map(|&handle| bodies.get(handle).map_or(Fact::NONE, Fact::of)));
         };
         self.facts.clear();
-        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), survey, &mut self.facts);
+        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.facts);
     }
 
-    /// Does no body ask for more substeps, and is none much heavier than another?
+    /// Returns whether no body requests more substeps, and no body is much heavier than another.
     fn are_all_alike(&self) -> bool {
         let mut need = Need::NOTHING;
         for fact in &self.facts {
@@ -239,7 +239,7 @@ impl Groups {
         self.needs.clear();
         self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
         // Longer, if need be: what rests costs nothing.
-        self.by_slot.resize(slot_count.max(self.by_slot.len()), Fact::NOBODY);
+        self.by_slot.resize(slot_count.max(self.by_slot.len()), Fact::NONE);
         let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
         for (slot, fact) in slots.clone().zip(&self.facts) {
             if let Some(need) = self.needs.get_mut(fact.island as usize) {
@@ -247,8 +247,8 @@ impl Groups {
             }
             self.by_slot[slot] = *fact;
         }
-        let nobody = Fact::NOBODY;
-        let at = |slot: u32| self.by_slot.get(slot as usize).unwrap_or(&nobody);
+        let none = Fact::NONE;
+        let at = |slot: u32| self.by_slot.get(slot as usize).unwrap_or(&none);
         for (_, manifolds) in islands.graph.in_solving_order() {
             for manifold in manifolds {
                 let [one, other] = narrow_phase.contacts.bodies(manifold.pair).map(at);
@@ -258,7 +258,7 @@ impl Groups {
                 }
             }
         }
-        slots.for_each(|slot| self.by_slot[slot] = Fact::NOBODY);
+        slots.for_each(|slot| self.by_slot[slot] = Fact::NONE);
     }
 
     /// Finds what each island needs from the bodies that joints hold at a point.

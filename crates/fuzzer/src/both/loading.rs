@@ -2,8 +2,7 @@
 
 use super::damage::{changes, visit};
 use super::play::Play;
-use super::rapier::prelude::*;
-use super::tree::{Refusal, Tree, load, save};
+use super::saved::{Saved, load_all, save_all};
 use super::world::check;
 
 /// Steps after loading.
@@ -12,19 +11,11 @@ const STEPS: usize = 3;
 /// Saves the sets, changes some values of them or none, and steps what can be loaded of it.
 pub fn load_damaged(play: &mut Play<'_>) {
     let world = &play.world;
-    let mut sets = [
-        save(&world.bodies),
-        save(&world.colliders),
-        save(&world.islands),
-        save(&world.broad_phase),
-        save(&world.narrow_phase),
-        save(&world.impulse_joints),
-        save(&world.multibody_joints),
-    ];
+    let mut sets = save_all(world);
     for _ in 0..play.choices.below(4) {
         damage(play, &mut sets);
     }
-    let loaded = load_world(&sets);
+    let loaded = load_all(&sets);
     play.choices.tell(|| format!("    refused: {:?}", loaded.as_ref().err()));
     if let Ok(mut loaded) = loaded {
         for _ in 0..STEPS {
@@ -35,7 +26,7 @@ pub fn load_damaged(play: &mut Play<'_>) {
 }
 
 /// Changes a value of a set, wherever it stands.
-fn damage(play: &mut Play<'_>, sets: &mut [Tree; 7]) {
+fn damage(play: &mut Play<'_>, sets: &mut Saved) {
     let choices = &mut play.choices;
     let set = choices.below(sets.len());
     let mut count = 0;
@@ -53,17 +44,4 @@ fn damage(play: &mut Play<'_>, sets: &mut [Tree; 7]) {
         }
         number += 1;
     });
-}
-
-fn load_world(sets: &[Tree; 7]) -> Result<PhysicsWorld, Refusal> {
-    Ok(PhysicsWorld {
-        bodies: load(&sets[0])?,
-        colliders: load(&sets[1])?,
-        islands: load(&sets[2])?,
-        broad_phase: load(&sets[3])?,
-        narrow_phase: load(&sets[4])?,
-        impulse_joints: load(&sets[5])?,
-        multibody_joints: load(&sets[6])?,
-        ..PhysicsWorld::new()
-    })
 }

@@ -22,6 +22,8 @@ mod witness;
 mod world;
 #[path = "../../../../tests/worlds/damage.rs"]
 mod damage;
+#[path = "../../../../tests/worlds/sets.rs"]
+mod saved;
 #[path = "../../../../tests/worlds/tree.rs"]
 mod tree;
 

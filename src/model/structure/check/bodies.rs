@@ -1,4 +1,4 @@
-//! Bodies in the lists of who is awake, in islands and in groups, and their colliders.
+//! Bodies in the list of awake bodies, in islands and in groups, and their colliders.
 
 use super::last_step::LastStep;
 use super::{Depth, Structure, Verdict};
