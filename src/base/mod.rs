@@ -7,6 +7,7 @@ pub mod axis;
 pub mod bvh;
 pub mod closest;
 pub mod disjoint;
+pub(crate) mod facing;
 pub(crate) mod fault;
 pub(crate) mod feature;
 pub(crate) mod guard;

@@ -12,7 +12,7 @@
 //! set.) Each nearest side is a lower bound of the minimum width, so the result is never too large. Of a convex polygon the
 //! result is exact: the last side is the difference of one of its sides and a vertex, as rotating calipers find it.
 
-use parry::math::{Real, Vector};
+use parry::math::{Real, Rotation, Vector};
 use parry::shape::Triangle;
 
 /// By how much of itself a minimum width may be underestimated.
@@ -29,6 +29,17 @@ pub struct PlanarWidth {
     pub least: Real,
     /// The width along the axis.
     pub width: Real,
+}
+
+/// An orthogonal frame whose first axis is the direction of minimum width, and widths along its axes.
+#[derive(Copy, Clone, Debug)]
+pub struct NarrowFrame {
+    /// From the frame to the shape's.
+    pub axes: Rotation,
+    /// The widths along the axes (length units).
+    pub widths: Vector,
+    /// The minimum width, or a little less.
+    pub least: Real,
 }
 
 /// Finds the minimum width of a set, given `difference(n)`: a point of its difference set that is farthest along `n`.

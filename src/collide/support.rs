@@ -2,7 +2,8 @@
 
 use super::parts::Part;
 use crate::base::closest::{Closest, closest, extents};
-use crate::dim::collide::{FacingParts, RawManifold, RawPoint, feature_contacts};
+use crate::base::facing::FacingParts;
+use crate::dim::collide::{RawManifold, RawPoint, feature_contacts};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
 use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape};

@@ -1,19 +1,8 @@
 //! The axes along which a convex shape is narrowest, in 2D.
 
 use super::math::{Real, Rotation, Vector};
-use crate::base::planar_width::{edge_normals, minimum_width};
+use crate::base::planar_width::{NarrowFrame, edge_normals, minimum_width};
 use parry::shape::{ConvexPolygon, TypedShape};
-
-/// An orthogonal frame whose first axis is the direction of minimum width, and widths along its axes.
-#[derive(Copy, Clone, Debug)]
-pub struct NarrowFrame {
-    /// From the frame to the shape's.
-    pub axes: Rotation,
-    /// The widths along the axes (length units).
-    pub widths: Vector,
-    /// The minimum width, or a little less.
-    pub least: Real,
-}
 
 /// Finds the frame of a convex shape from its support points.
 pub fn narrow_frame(support: impl Fn(Vector) -> Vector) -> NarrowFrame {

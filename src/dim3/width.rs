@@ -6,24 +6,15 @@
 //! Toussaint, "Computing the Width of a Set", 1988). The search looks at a few dozen supports instead of all pairs.
 
 use super::math::{Real, Rotation, Vector, tangents};
-use crate::base::planar_width::{PlanarWidth, WIDTH_TOLERANCE, edge_normals, minimum_width};
+use crate::base::planar_width::{
+    NarrowFrame, PlanarWidth, WIDTH_TOLERANCE, edge_normals, minimum_width,
+};
 use parry::shape::{Cone, ConvexPolyhedron, Cylinder, TypedShape};
 
 /// Supports after which the search ends with the lower bound that it has. A ball takes 60 at the tolerance.
 const SUPPORTS_MAX: usize = 128;
 /// A vertex is beyond a face if it is farther from it than this part of its distance from the origin.
 const ROUNDING: Real = 8.0 * Real::EPSILON;
-
-/// An orthogonal frame whose first axis is the direction of minimum width, and widths along its axes.
-#[derive(Copy, Clone, Debug)]
-pub struct NarrowFrame {
-    /// From the frame to the shape's.
-    pub axes: Rotation,
-    /// The widths along the axes (length units).
-    pub widths: Vector,
-    /// The minimum width, or a little less.
-    pub least: Real,
-}
 
 /// Finds the frame of a convex shape from its support points. The second axis is the narrowest one across the first.
 pub fn narrow_frame(support: impl Fn(Vector) -> Vector) -> NarrowFrame {

@@ -31,7 +31,7 @@ pub use flat::{
 pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
 pub use reduce::reduce;
-pub use revolved::{FacingParts, feature_contacts};
+pub use revolved::feature_contacts;
 pub use rims::Rims;
 
 /// Points and normal as the contact generators deliver them, in the frames of the two convex parts.

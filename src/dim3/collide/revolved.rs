@@ -8,9 +8,10 @@
 //! within millimetres of each other, and one in the next step, with other features; a pile of 250 cylinders never came to rest.
 
 use super::RawManifold;
+use crate::base::facing::FacingParts;
 use crate::base::feature;
 use crate::dim::math::{Pose, Real, Vector};
-use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Shape, TypedShape};
+use parry::shape::{PolygonalFeature, Shape, TypedShape};
 
 /// Sine of the largest angle (11.5°) between a direction and the normal of a feature that it shows.
 const FEATURE_SINE: Real = 0.2;
@@ -100,23 +101,11 @@ impl Outline {
     }
 }
 
-/// Two parts without their rounding, with the direction that each shows to the other, and a point there, in the frame of the part.
-pub struct FacingParts<'a> {
-    /// The parts, with or without rounding.
-    pub shapes: [&'a dyn Shape; 2],
-    /// The parts without rounding.
-    pub cores: [&'a dyn PolygonalFeatureMap; 2],
-    /// Unit vectors.
-    pub normals: [Vector; 2],
-    /// The closest points.
-    pub points: [Vector; 2],
-}
-
 /// Adds the contacts of the features that two parts show each other. There are none if one of the features is a single point.
 pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawManifold) {
     let outlines = parts.shapes.map(Outline::of);
     // First with caps that do not turn as the closest points of two flat faces jump about.
-    let features = parts.features(outlines, [Vector::X; 2]);
+    let features = facing_features(parts, outlines, [Vector::X; 2]);
     if features.iter().any(|feature| feature.num_vertices < 2) {
         return;
     }
@@ -124,30 +113,23 @@ pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawMani
     add_contacts(pos12, parts, features, raw);
     if has_cap && raw.points.len() < FLAT_POINTS {
         let mut hinted = RawManifold::new();
-        add_contacts(pos12, parts, parts.features(outlines, parts.points), &mut hinted);
+        add_contacts(pos12, parts, facing_features(parts, outlines, parts.points), &mut hinted);
         if hinted.points.len() > raw.points.len() {
             raw.points = hinted.points;
         }
     }
 }
 
-impl FacingParts<'_> {
-    /// The features of the two parts.
-    fn features(
-        &self,
-        outlines: [Option<Outline>; 2],
-        hints: [Vector; 2],
-    ) -> [PolygonalFeature; 2] {
-        [0, 1].map(|side| match outlines[side] {
-            Some(outline) => outline.feature(self.normals[side], hints[side]),
-            None => {
-                let mut feature = PolygonalFeature::default();
-                let (normal, point) = (self.normals[side], self.points[side]);
-                self.cores[side].local_support_feature_toward(normal, point, &mut feature);
-                feature
-            }
-        })
-    }
+/// The features that two parts show each other. `hints` are points that caps should cover.
+fn facing_features(
+    parts: &FacingParts<'_>,
+    outlines: [Option<Outline>; 2],
+    hints: [Vector; 2],
+) -> [PolygonalFeature; 2] {
+    [0, 1].map(|side| match outlines[side] {
+        Some(outline) => outline.feature(parts.normals[side], hints[side]),
+        None => parts.core_feature(side),
+    })
 }
 
 /// Adds the contacts of two features.
@@ -189,7 +171,8 @@ fn remove_copies(raw: &mut RawManifold, distance: Real) {
 
 #[cfg(test)]
 mod tests {
-    use super::{FacingParts, feature_contacts};
+    use super::feature_contacts;
+    use crate::base::facing::FacingParts;
     use crate::dim::collide::RawManifold;
     use crate::dim::math::{Pose, Real, Vector, rotation_from_angle};
     use parry::shape::{Cone, Cuboid, Cylinder, PolygonalFeatureMap, Shape};

@@ -10,8 +10,9 @@
 //! large lets it through.
 
 use super::ColliderMassProps;
+use crate::base::planar_width::NarrowFrame;
 use crate::dim::math::{DIM, Real, Rotation, Vector};
-use crate::dim::width::{self, NarrowFrame, TRIANGLES_ARE_SOLID, narrow_frame};
+use crate::dim::width::{self, TRIANGLES_ARE_SOLID, narrow_frame};
 use parry::shape::{Shape, SupportMap, Triangle, TypedShape};
 use std::sync::Arc;
 
