@@ -100,14 +100,16 @@ fn thickness_is_half_the_minimum_width() {
     let mut worst = (1.0, 1.0);
     for shape in all(&mut random) {
         let support = shape.as_support_map().expect("convex");
-        let (least, found) =
-            (least_width(support, &mut random), 2.0 * Widths::of(&*shape).thickness);
+        let widths = Widths::of(&*shape);
+        // Among the random directions hardly one is near the narrowest of a sliver, so the axis that was found is tried as well.
+        let least = least_width(support, &mut random).min(width(support, widths.axes * Vector::X));
+        let found = 2.0 * widths.thickness;
         let ratio = found / least;
         worst = (Real::min(worst.0, ratio), Real::max(worst.1, ratio));
-        // Above: what rounding does to a plate a hundred times as long as thick. Below: a search that ends
-        // with its last lower bound, and what the descent has not found.
+        // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the search, and what the
+        // descent has not found.
         let name = shape.shape_type();
-        assert!((0.85..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
+        assert!((0.96..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
     }
     println!("minimum width found over the least one tried: {:.4} to {:.4}", worst.0, worst.1);
 }
