@@ -1,14 +1,15 @@
 //! Kinematic bodies that move, and the bodies that they approach.
 //!
 //! Motion is relative. A wall that moves a metre in a step passes a ball at rest just as a ball at that speed passes a wall. So a
-//! body is searched as a fast one if its motion and that of a kinematic body near it are together as long as a fast body's:
+//! body is searched as a fast one if it moves against a kinematic body near it as far as a fast body does:
 //!
 //! ```text
-//! |Δx_b| + |ω_b| Δt R_b + |Δx_k| + |ω_k| Δt (|c_b - c_k| + R_b)  >  what FastMotion::is_one allows
+//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_one allows,  d = c_b - c_k
 //! ```
 //!
-//! `c` are centres of mass, `R` the extent about them. The last term bounds how far any point within the body's extent is carried by the
-//! turn of the kinematic body: a door sweeps far at its edge and hardly at its hinge.
+//! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door sweeps far at its edge and hardly at
+//! its hinge, and a heap that a blade pushes along moves little against it. The last term bounds the error of the
+//! linear turn `θ × d`, at the end of the step and on the way.
 //!
 //! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones among them wake. A body whose box
 //! is outside the region that a kinematic collider sweeps needs no search: a body that is not fast keeps its core inside its box.
@@ -19,10 +20,10 @@ use super::Surroundings;
 use super::path::sweep_of_slow;
 use crate::base::bvh::{BoxProbe, BoxTree};
 use crate::collide::Sweep;
-use crate::dim::math::{AngVector, Real, Vector, ang_length_squared};
+use crate::dim::math::{AngVector, Pose, Real, Vector, ang_length_squared, cross};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity};
 use crate::model::collider::{Collider, may_interact};
-use crate::model::island::NONE;
+use crate::model::island::{BodyMotion, NONE};
 use crate::model::params::IntegrationParameters;
 use crate::model::structure::Structure;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
@@ -62,13 +63,19 @@ impl Drive {
         Self { center: body.mprops.world_com - shift, shift, turn: body.angvel * dt }
     }
 
-    /// A bound of how far a point within `extent` of a place moves, if this carries it.
-    fn reach(&self, place: Vector, extent: Real) -> Real {
-        let angle = match ang_length_squared(self.turn) {
-            0.0 => return self.shift.length(),
-            square => square.sqrt(),
-        };
-        self.shift.length() + angle * (place.distance(self.center) + extent)
+    /// How this motion carries the points within `extent` of a place.
+    fn carry(&self, place: Vector, extent: Real) -> BodyMotion {
+        let arm = place - self.center;
+        let carried = BodyMotion::of(self.shift + cross(self.turn, arm), self.turn, extent);
+        let bend = 0.5 * ang_length_squared(self.turn) * arm.length();
+        BodyMotion { rest: carried.rest + bend, ..carried }
+    }
+
+    /// A bound of how far away a point is that arrives within `radius` of a place.
+    fn reach(&self, place: Vector, radius: Real) -> Real {
+        let length = self.shift.length();
+        let angle = ang_length_squared(self.turn).sqrt();
+        length + angle * (place.distance(self.center) + radius + length)
     }
 }
 
@@ -93,10 +100,11 @@ pub(crate) fn find_approaches(
     // Each kinematic body has listed each of them once: there are no copies.
     approaches.sort_unstable_by_key(order);
     for near in approaches.iter() {
-        let Some(body) = structure.bodies.get(near.body) else { continue };
+        let body = structure.bodies.get(near.body).filter(|body| body.link.awake == NONE);
+        let Some(body) = body else { continue };
         let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
-        let reach = Drive::ahead(kinematic, params).reach(body.mprops.world_com, body.extent);
-        if body.link.awake == NONE && FastMotion::is_one(body, reach, params) {
+        let carried = Drive::ahead(kinematic, params).carry(body.mprops.world_com, body.extent);
+        if FastMotion::is_one(body, carried.bound(), params) {
             structure.wake_body(near.body);
         }
     }
@@ -114,18 +122,18 @@ fn list(
     (kinematic, body, drive): (RigidBodyHandle, &RigidBody, Drive),
     approaches: &mut Vec<Approach>,
 ) {
-    let Drive { center, shift, turn } = drive;
     let begin = approaches.len();
     let mut limit = begin + CANDIDATES_MIN;
     for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {
         if collider.is_sensor() || !collider.is_enabled() {
             continue;
         }
-        let sweep = Sweep::new(collider.pose, center, shift, turn);
-        let region = region_of(collider, &sweep, params);
-        trees.for_each_overlapping(TreeKind::Dynamic, &region, |slot| {
+        let swath = Swath::new(collider, drive, params);
+        trees.for_each_overlapping(TreeKind::Dynamic, &swath.region, |slot| {
             let Some((_, other)) = structure.colliders.at_slot(slot) else { return };
-            let meets = !other.is_sensor() && may_interact(collider, other);
+            let meets = !other.is_sensor()
+                && may_interact(collider, other)
+                && swath.overlaps(&other.proxy.fat_aabb);
             let body = other.parent().filter(|_| meets);
             // Most repetitions follow each other: colliders of one body are neighbours.
             let near = body.map(|body| Approach { body, kinematic });
@@ -139,6 +147,41 @@ fn list(
         });
     }
     remove_copies(approaches, begin);
+}
+
+/// The space that a collider sweeps.
+struct Swath {
+    /// A box around it.
+    region: Aabb,
+    /// The collider's own box, in its frame.
+    own: Aabb,
+    to_own: Pose,
+    drive: Drive,
+    /// Within what distance bodies are in contact.
+    margin: Real,
+}
+
+impl Swath {
+    fn new(collider: &Collider, drive: Drive, params: &IntegrationParameters) -> Self {
+        let sweep = Sweep::new(collider.pose, drive.center, drive.shift, drive.turn);
+        Self {
+            region: region_of(collider, &sweep, params),
+            own: collider.shape().compute_local_aabb(),
+            to_own: collider.pose.inverse(),
+            drive,
+            margin: params.prediction_distance() + collider.contact_skin,
+        }
+    }
+
+    /// Returns whether the collider may get to a box. The box around a blade that lies aslant is full of bodies that the blade is
+    /// nowhere near: those are told apart in the frame of the blade.
+    fn overlaps(&self, aabb: &Aabb) -> bool {
+        let (center, radius) = (aabb.center(), aabb.half_extents().length());
+        let margin = self.margin + radius + self.drive.reach(center, radius);
+        let apart = (self.to_own * center - self.own.center()).abs() - self.own.half_extents();
+        // Boxes without end have no centre.
+        apart.is_nan() || apart.max_element() <= margin
+    }
 }
 
 /// Sorts the list from `begin` on, and keeps one of each.
@@ -176,7 +219,7 @@ pub(crate) fn add_approached(
         let motion = |handle: RigidBodyHandle| world.islands.motion_of(handle.into_raw_parts().0);
         let drive = Drive::made(kinematic, motion(near.kinematic).shift, world.params.dt);
         let own = motion(near.body);
-        let relative = own.bound() + drive.reach(body.mprops.world_com - own.shift, body.extent);
+        let relative = own.against(&drive.carry(body.mprops.world_com - own.shift, body.extent));
         let is_link = || world.multibodies.rigid_body_link(near.body).is_some();
         if FastMotion::is_one(body, relative, world.params) && !is_link() {
             fast.extend(motion_of(world, near.body, body));
