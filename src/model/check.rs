@@ -5,6 +5,22 @@ use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Rotation, rotation_is_valid};
 use core::fmt::Debug;
 
+/// The largest error of the squared length of a saved direction or rotation. Steps leave rounding errors of 1e-6.
+const UNIT_ERROR_MAX: Real = 1.0e-3;
+
+/// Returns whether a saved direction or rotation of this squared length has unit length. Users' rotations may be less exact: they are normalized.
+/// What is loaded is used as it is.
+pub(crate) fn is_saved_unit(length_squared: Real) -> bool {
+    (length_squared - 1.0).abs() < UNIT_ERROR_MAX
+}
+
+/// Returns whether a saved pose is one that a step may have left.
+pub(crate) fn is_saved_pose(pose: &Pose) -> bool {
+    is_point(pose.translation)
+        && pose.rotation.is_finite()
+        && is_saved_unit(pose.rotation.length_squared())
+}
+
 /// Tells the user's log that a value was refused.
 #[cold]
 pub(crate) fn refuse(what: &str, value: impl Debug) {

@@ -4,8 +4,16 @@
 //! brings along where *it* stood, and which partners it had. So a record that is handed out gets a [unique number](crate::base::unique), and the set
 //! stores the number with its note of the edit. The next step takes a record whose number is another as new. Attaching a collider edits two sets: it
 //! renews the numbers, so that an older copy of the record differs, too.
+//!
+//! A removed record leaves its set before the step compares it with its note. Its removal therefore retires its number. A note whose record is gone and
+//! whose number is not retired belongs to a record that was replaced first: the removed one had other partners. A copy that was made before
+//! any edit has no number at all, so nothing else distinguishes it.
 
+use crate::base::hash::FastHashMap;
 use crate::base::unique::unique_number;
+
+/// The number of a note whose own record was removed. No record has it.
+const RETIRED: u64 = u64::MAX;
 
 /// The mark of a record. It means nothing once the step has taken in the note.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -39,6 +47,21 @@ impl EditMarks {
         }
     }
 
+    /// The record of a mark is removed. Nothing happens if it is not the one of its note.
+    pub fn retire(&mut self, mark: EditMark) {
+        if let Some(number) = self.0.get_mut(mark.note as usize)
+            && *number == mark.number
+        {
+            *number = RETIRED;
+        }
+    }
+
+    /// Returns whether the record that was removed, of the note at a position, was the one of the note. Loaded notes have no numbers: their records
+    /// are compared with the other sets when the world is checked.
+    pub fn was_of(&self, note: usize) -> bool {
+        self.0.get(note).is_none_or(|&number| number == RETIRED || number == 0)
+    }
+
     /// Returns whether a record is the one of the note at a position.
     pub fn is_of(&self, mark: EditMark, note: usize) -> bool {
         // Marks are not saved.
@@ -56,6 +79,17 @@ impl EditMarks {
     }
 }
 
+/// The position of the first note of each record, by the raw parts of its handle. A record that was replaced may have left a second note.
+pub(crate) fn first_notes(
+    handles: impl Iterator<Item = (u32, u32)>,
+) -> FastHashMap<(u32, u32), usize> {
+    let mut notes = FastHashMap::default();
+    for (note, handle) in handles.enumerate() {
+        notes.entry(handle).or_insert(note);
+    }
+    notes
+}
+
 #[cfg(test)]
 mod tests {
     use super::{EditMark, EditMarks};
@@ -70,6 +104,10 @@ mod tests {
         let mut newer = first;
         one.renew(&mut newer);
         assert!(one.knows(newer) && !one.knows(first));
+        one.retire(first);
+        assert!(!one.was_of(0), "an older copy was removed");
+        one.retire(newer);
+        assert!(one.was_of(0) && !one.was_of(1) && !one.knows(newer));
         one.clear();
         assert!(one.knows(EditMark::default()), "loaded records have no number");
     }

@@ -141,13 +141,21 @@ fn sets_with_two_damages_spoil_nothing() {
 
 /// The values of a set, by number, whose paths end in these characters, and what they are changed to: each change contradicts another value, but no
 /// list is too short for it.
-fn contradictions() -> [(usize, &'static str, Tree); 8] {
+fn contradictions() -> [(usize, &'static str, Tree); 14] {
     let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
     [
         // A change that no note tells the step of.
         (0, ".changes", number(RigidBodyChanges::TYPE.bits().into())),
         (0, ".changes", number(RigidBodyChanges::ENABLED_OR_DISABLED.bits().into())),
         (1, ".changes", number(ColliderChanges::PARENT.bits().into())),
+        // A pair of colliders that may not meet.
+        (1, ".flags.enabled", text("Disabled")),
+        (1, ".sensor", Tree::Bool(true)),
+        (1, ".parent_type", Tree::Some(Box::new(text("KinematicPositionBased")))),
+        // Normals that are no unit vectors.
+        (4, ".local_n1[0]", Tree::Float(3.0e38)),
+        (4, ".placed_normal[1]", Tree::Float(0.5)),
+        (4, ".data.normal[1]", Tree::Float(0.5)),
         (2, ".parts_bodies", Tree::Bool(true)),
         (2, ".attached", Tree::Bool(false)),
         (3, ".sizes[1]", number(1)),

@@ -67,3 +67,53 @@ fn an_older_copy_of_a_body_gets_the_colliders_of_now() {
     assert_eq!(world.bodies[bodies[0]].colliders(), []);
     (0..10).for_each(|_| step(&mut world));
 }
+
+/// Attaches the second collider to the first body, and gives the body an older copy of its record.
+fn world_with_older_body(steps: usize, is_edited: bool) -> (PhysicsWorld, RigidBodyHandle) {
+    let (mut world, bodies, parts) = pair();
+    let old = world.bodies[bodies[0]].clone();
+    let PhysicsWorld { colliders, bodies: set, .. } = &mut world;
+    colliders.set_parent(parts[1], Some(bodies[0]), set);
+    (0..steps).for_each(|_| step(&mut world));
+    world.bodies[bodies[0]] = old;
+    if is_edited {
+        world.bodies[bodies[0]].set_linvel(Vector::X, true);
+    }
+    (world, bodies[0])
+}
+
+/// The copy is older than the attachment, and was made before any edit: its list lacks a collider. The body is removed before a step compares it
+/// with its note.
+#[test]
+fn colliders_go_with_a_body_that_an_older_copy_replaced() {
+    for (steps, is_edited) in [(0, false), (0, true), (1, false), (1, true), (5, false)] {
+        let (mut world, body) = world_with_older_body(steps, is_edited);
+        world.remove_body(body).expect("it is there");
+        step(&mut world);
+        let attached = world.colliders.iter().filter(|(_, part)| part.parent().is_some()).count();
+        println!("{steps} steps, edited: {is_edited}: {attached} colliders are left");
+        assert_eq!(attached, 0, "the removed body had both colliders");
+        check_attachments(&world);
+        (0..10).for_each(|_| step(&mut world));
+    }
+}
+
+/// The copy is older than the attachment to another body, and is removed: that body loses the collider.
+#[test]
+fn a_body_loses_a_collider_that_an_older_copy_replaced() {
+    for is_edited in [false, true] {
+        let (mut world, bodies, parts) = pair();
+        let old = world.colliders[parts[0]].clone();
+        let PhysicsWorld { colliders, bodies: set, .. } = &mut world;
+        colliders.set_parent(parts[0], Some(bodies[1]), set);
+        world.colliders[parts[0]] = old;
+        if is_edited {
+            world.colliders[parts[0]].set_friction(0.1);
+        }
+        world.remove_collider(parts[0]).expect("it is there");
+        step(&mut world);
+        check_attachments(&world);
+        assert_eq!(world.bodies[bodies[1]].colliders(), [parts[1]], "edited: {is_edited}");
+        (0..10).for_each(|_| step(&mut world));
+    }
+}

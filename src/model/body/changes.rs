@@ -25,6 +25,9 @@ bitflags::bitflags! {
 }
 
 impl RigidBodyChanges {
+    /// What decides in which lists of the step a body stands, and which of its colliders' pairs there are.
+    pub(crate) const KIND: Self = Self::TYPE.union(Self::ENABLED_OR_DISABLED);
+
     /// The notes of a body that the step has never seen.
     pub(crate) fn everything() -> Self {
         Self::all() - Self::IN_MODIFIED_SET

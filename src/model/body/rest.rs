@@ -2,7 +2,8 @@
 
 use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
-use crate::dim::math::{ANG_ZERO, Real, Rotation, Vector, ang_length_squared, rotation_is_valid};
+use crate::dim::math::{ANG_ZERO, Real, Rotation, Vector, ang_length_squared};
+use crate::model::check::is_saved_unit;
 use crate::model::island::turn_bound;
 
 /// The pose of a body at the beginning of the current drift window, and its motion since.
@@ -72,7 +73,7 @@ impl RestPose {
     pub(super) fn is_sound(&self) -> bool {
         let lengths = [self.age, self.path.distance, self.path.angle];
         is_point(self.center)
-            && rotation_is_valid(&self.rotation)
+            && is_saved_unit(self.rotation.length_squared())
             && lengths.iter().all(|length| *length >= 0.0)
             && self.velocity.is_finite()
     }

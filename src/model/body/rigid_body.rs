@@ -13,7 +13,7 @@ use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite};
-use crate::model::check::{checked_pose, is_non_negative, refuse};
+use crate::model::check::{is_non_negative, is_saved_pose, refuse};
 use crate::model::edit_mark::EditMark;
 use crate::model::island::BodyLink;
 use crate::model::params::ITERATIONS_MAX;
@@ -101,7 +101,7 @@ check_when_loaded!(RigidBody);
 impl Loaded for RigidBody {
     fn check_loaded(&self) -> Result<(), Fault> {
         for pose in [self.pose, self.next_pose] {
-            ensure!(checked_pose(pose).is_some(), "a body is at {pose:?}, or goes there");
+            ensure!(is_saved_pose(&pose), "a body is at {pose:?}, or goes there");
         }
         let velocity = self.vels();
         ensure!(velocity.is_finite(), "a body moves at {velocity:?}");

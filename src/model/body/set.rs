@@ -3,10 +3,9 @@
 use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
-use crate::base::hash::FastHashMap;
 use crate::base::tasks::{Gather, Tasks};
 use crate::model::collider::{ColliderChanges, ColliderSet};
-use crate::model::edit_mark::EditMarks;
+use crate::model::edit_mark::{EditMarks, first_notes};
 use crate::model::island::BodyLink;
 use crate::model::stamp::WorldStamp;
 use core::ops::Range;
@@ -111,10 +110,11 @@ impl RigidBodySet {
     /// The body comes back without its colliders, ready to be inserted again.
     pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         let mut body = self.bodies.remove(handle.0)?;
-        let is_noted = body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET);
-        let is_own = !is_noted || self.notes.marks.knows(body.edit);
+        if body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
+            self.notes.marks.retire(body.edit);
+        }
         let (colliders, link) = body.detach_from_set();
-        self.notes.removed.push((handle, is_own.then_some(colliders), link));
+        self.notes.removed.push((handle, Some(colliders), link));
         Some(body)
     }
 
@@ -298,8 +298,8 @@ impl RigidBodySet {
 
     /// The bodies that the user removed, in that order.
     ///
-    /// One that was put in the place of another just before it was removed gets that one's place, and
-    /// does not know that one's colliders.
+    /// A body that replaced another one before it was removed gets the place of that one. Its own list of colliders is discarded: it may be older than
+    /// the last attachment.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
         let mut removed = core::mem::take(&mut self.notes.removed);
         self.correct_places(&mut removed);
@@ -310,17 +310,13 @@ impl RigidBodySet {
         if removed.is_empty() {
             return;
         }
-        let mut places = FastHashMap::default();
-        for (handle, place) in self.notes.modified.iter().zip(&self.notes.places) {
-            places.entry(handle.into_raw_parts()).or_insert(*place);
-        }
+        let notes = first_notes(self.notes.modified.iter().map(|handle| handle.into_raw_parts()));
         for (handle, colliders, link) in removed {
-            match places.get(&handle.into_raw_parts()) {
-                Some(place) if place != link => {
-                    *link = *place;
-                    *colliders = None;
-                }
-                _ => {}
+            let Some(&note) = notes.get(&handle.into_raw_parts()) else { continue };
+            let place = self.notes.places[note];
+            if place != *link || !self.notes.marks.was_of(note) {
+                *link = place;
+                *colliders = None;
             }
         }
     }

@@ -86,6 +86,12 @@ impl Default for ColliderChanges {
 }
 
 impl ColliderChanges {
+    /// What makes other pairs of the same two colliders: of other bodies, or of another kind.
+    pub(crate) const IDENTITY: Self =
+        Self::PARENT.union(Self::TYPE).union(Self::ENABLED_OR_DISABLED);
+    /// What decides with which other colliders there may be pairs.
+    pub(crate) const COMPANY: Self = Self::GROUPS.union(Self::INTERACTIONS);
+
     /// What the step has to look at for a collider that it has never seen.
     pub(crate) const fn everything() -> Self {
         Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))

@@ -10,7 +10,7 @@ use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
-use crate::model::check::checked_pose;
+use crate::model::check::is_saved_pose;
 use crate::model::edit_mark::EditMark;
 use crate::model::tree::ColliderProxy;
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -68,7 +68,7 @@ impl Loaded for Collider {
     fn check_loaded(&self) -> Result<(), Fault> {
         let place = self.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
         for pose in [self.pose, place] {
-            ensure!(checked_pose(pose).is_some(), "a collider is at {pose:?}");
+            ensure!(is_saved_pose(&pose), "a collider is at {pose:?}");
         }
         let ColliderMaterial { friction, restitution, .. } = self.material;
         for number in [self.contact_skin, friction, restitution] {

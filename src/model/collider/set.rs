@@ -6,7 +6,7 @@ use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
-use crate::model::edit_mark::EditMarks;
+use crate::model::edit_mark::{EditMarks, first_notes};
 use crate::model::island::IslandManager;
 use crate::model::stamp::WorldStamp;
 use crate::model::tree::ColliderProxy;
@@ -325,15 +325,8 @@ impl ColliderSet {
 
     fn settle_in(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
         let Some(collider) = self.colliders.get_mut(handle.0) else { return };
-        let listed = bodies.iter().filter(|(_, body)| body.colliders().contains(&handle));
-        let listed: Vec<_> = listed.map(|(body, _)| body).collect();
         let parent = collider.parent().filter(|parent| bodies.contains(*parent));
-        for old in listed.into_iter().filter(|body| Some(*body) != parent) {
-            if let Some(body) = bodies.get_for_attachment(old) {
-                body.detach_collider(handle);
-                body.wake_up(true);
-            }
-        }
+        detach_from_others(handle, parent, bodies);
         let place = collider.parent.map_or(Pose::IDENTITY, |parent| parent.pos_wrt_parent);
         collider.leave_body();
         if let Some((parent, body)) =
@@ -363,6 +356,38 @@ impl ColliderSet {
             if !is_own || self.is_replaced(handle) {
                 self.settle_in(handle, bodies);
             }
+        }
+        self.detach_removed(bodies);
+    }
+
+    /// Removes removed colliders from the lists of bodies. A collider is detached from the body that it names when it is removed, but one that replaced
+    /// another may name another body.
+    fn detach_removed(&mut self, bodies: &mut RigidBodySet) {
+        if self.notes.removed.is_empty() {
+            return;
+        }
+        let notes = first_notes(self.notes.modified.iter().map(|handle| handle.into_raw_parts()));
+        for removed in &self.notes.removed {
+            let note = notes.get(&removed.handle.into_raw_parts());
+            if note.is_some_and(|&note| !self.notes.marks.was_of(note)) {
+                detach_from_others(removed.handle, None, bodies);
+            }
+        }
+    }
+}
+
+/// Detaches a collider from all bodies that list it, except its parent, and wakes them.
+fn detach_from_others(
+    handle: ColliderHandle,
+    parent: Option<RigidBodyHandle>,
+    bodies: &mut RigidBodySet,
+) {
+    let listed = bodies.iter().filter(|(_, body)| body.colliders().contains(&handle));
+    let others = listed.map(|(body, _)| body).filter(|body| Some(*body) != parent);
+    for body in others.collect::<Vec<_>>() {
+        if let Some(body) = bodies.get_for_attachment(body) {
+            body.detach_collider(handle);
+            body.wake_up(true);
         }
     }
 }
@@ -446,6 +471,9 @@ impl ColliderSet {
     /// whose body is gone.
     pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
         let collider = self.colliders.remove(handle.0)?;
+        if collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {
+            self.notes.marks.retire(collider.edit);
+        }
         self.note_box(handle);
         self.notes.removed.push(RemovedCollider { handle, wake_up });
         Some(collider)

@@ -2,6 +2,7 @@
 
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::model::body::RigidBodyHandle;
+use crate::model::check::is_saved_unit;
 use crate::model::constraint_graph::ColorSlot;
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
@@ -243,20 +244,14 @@ impl ContactManifold {
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
     }
 
-    /// Returns whether all numbers can be computed with.
+    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes the present normal from the placed
+    /// one.)
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
-        let vectors = [
-            self.local_n1,
-            self.local_n2,
-            data.normal,
-            data.placed_normal,
-            data.tangent_velocity,
-            data.warmstart_friction,
-        ];
+        let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];
+        let vectors = [data.tangent_velocity, data.warmstart_friction];
         let numbers = [data.friction, data.restitution, data.warmstart_twist];
-        let is_unit = (data.normal.length_squared() - 1.0).abs() < 1.0e-2;
-        (is_unit || data.points.is_empty())
+        directions.iter().all(|direction| is_saved_unit(direction.length_squared()))
             && vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().all(|number| number.is_finite())
             && data.points.iter().all(Contact::is_sound)

@@ -1,9 +1,10 @@
 //! Where contact points were put into the world, and where they are now: for one pair, and for lanes of pairs.
 
 use crate::base::wide::{Lane, Wide};
-use crate::dim::math::{Real, Rotation, Vector, rotation_is_valid};
+use crate::dim::math::{Real, Rotation, Vector};
 use crate::dim::state::WidePose;
 use crate::dim::wide::{WideRotation, WideVector};
+use crate::model::check::is_saved_unit;
 
 /// How two bodies stood when their contact points were put into the world. Where the points are later follows
 /// from what the bodies moved since.
@@ -51,7 +52,9 @@ impl Placement {
 
     /// Returns whether all numbers can be computed with.
     pub fn is_sound(&self) -> bool {
-        self.rotations.iter().all(rotation_is_valid) && self.centers.is_finite()
+        let are_units =
+            self.rotations.iter().all(|rotation| is_saved_unit(rotation.length_squared()));
+        are_units && self.centers.is_finite()
     }
 
     /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows

@@ -10,8 +10,7 @@ impl Digest<'_> {
     /// lists.
     pub(super) fn reclassify(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.structure.bodies.get(handle) else { return };
-        let kind = RigidBodyChanges::TYPE | RigidBodyChanges::ENABLED_OR_DISABLED;
-        if !body.changes.intersects(kind) {
+        if !body.changes.intersects(RigidBodyChanges::KIND) {
             return;
         }
         self.wake_touching(handle);

@@ -46,8 +46,7 @@ impl Digest<'_> {
         self.tree.note_wishes(collider, body);
 
         // What is another kind of pair, or of other bodies, cannot be kept.
-        let identity =
-            ColliderChanges::PARENT | ColliderChanges::TYPE | ColliderChanges::ENABLED_OR_DISABLED;
+        let (identity, company) = (ColliderChanges::IDENTITY, ColliderChanges::COMPANY);
         if changes.intersects(identity) {
             self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
         }
@@ -55,7 +54,6 @@ impl Digest<'_> {
             self.structure.wake_touching(slot);
             self.place(handle);
         }
-        let company = ColliderChanges::GROUPS | ColliderChanges::INTERACTIONS;
         if changes.intersects(company) {
             self.drop_forbidden_pairs(handle);
         }

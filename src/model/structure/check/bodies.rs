@@ -3,7 +3,8 @@
 use super::last_step::LastStep;
 use super::{Depth, Structure, Verdict};
 use crate::base::fault::ensure;
-use crate::model::body::RigidBodyChanges;
+use crate::model::body::{RigidBody, RigidBodyChanges};
+use crate::model::collider::ColliderEnabled;
 use crate::model::island::NONE;
 use crate::model::multibody::MultibodyJointSet;
 use std::collections::BTreeSet;
@@ -53,9 +54,7 @@ impl Structure<'_> {
 
     /// Bodies stand in the lists for their type, unless the user changed it.
     pub(super) fn check_body_types(&self) -> Verdict {
-        let kind = RigidBodyChanges::TYPE | RigidBodyChanges::ENABLED_OR_DISABLED;
-        for (handle, body) in self.bodies.iter().filter(|(_, body)| !body.changes.intersects(kind))
-        {
+        for (handle, body) in self.bodies.iter().filter(|(_, body)| is_as_before(body)) {
             let link = body.link;
             let is_member = body.is_enabled() && body.is_dynamic();
             ensure!(is_member == (link.island != NONE), "{handle:?} is in island {}", link.island);
@@ -80,13 +79,23 @@ impl Structure<'_> {
         }
         let mut attached = 0;
         for (handle, collider) in self.colliders.iter() {
-            let Some(parent) = collider.parent() else { continue };
+            let Some(parent) = collider.parent() else {
+                let known = collider.parent_type;
+                ensure!(known.is_none(), "{handle:?} without a body is part of a {known:?} one");
+                continue;
+            };
             let body = self.bodies.get(parent);
             ensure!(
                 body.is_some() || then.goes_with(parent, handle),
                 "{handle:?} is part of no body"
             );
             attached += usize::from(body.is_some());
+            let agrees = body.filter(|body| is_as_before(body)).is_none_or(|body| {
+                collider.parent_type == Some(body.body_type())
+                    && (collider.flags.enabled != ColliderEnabled::DisabledByParent
+                        || !body.is_enabled())
+            });
+            ensure!(agrees, "{handle:?} knows another type or state of {parent:?}");
         }
         let listed = listed.len();
         ensure!(listed == attached, "bodies list {listed} of {attached} colliders");
@@ -109,4 +118,9 @@ impl Structure<'_> {
         }
         multibodies.map_or(Ok(()), |set| set.check_groups(&self.islands.groups))
     }
+}
+
+/// Returns whether the lists of the last step still apply to a body: the user changed neither its type nor whether it takes part.
+fn is_as_before(body: &RigidBody) -> bool {
+    !body.changes.intersects(RigidBodyChanges::KIND)
 }

@@ -74,6 +74,7 @@ impl Structure<'_> {
         self.islands.check_free()?;
         self.check_body_types()?;
         self.check_attachments(&then)?;
+        self.check_company()?;
         self.check_contact_data()?;
         self.check_known_joints(world.joints)?;
         self.check_groups(&then, world.multibodies)?;

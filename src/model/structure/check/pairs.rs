@@ -4,9 +4,10 @@ use super::colors::Colors;
 use super::last_step::{LastStep, Parent};
 use super::{Depth, Structure, Verdict};
 use crate::base::fault::ensure;
-use crate::model::collider::ColliderHandle;
+use crate::model::body::RigidBodyChanges;
+use crate::model::collider::{Collider, ColliderChanges, ColliderHandle, may_interact};
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::PairId;
+use crate::model::contact::{NarrowPhase, PairId};
 use crate::model::island::NONE;
 
 impl Structure<'_> {
@@ -65,6 +66,39 @@ impl Structure<'_> {
         }
         ensure!(slots[0] != slots[1] || slots[0] == NONE, "a pair is of body {} alone", slots[0]);
         Ok(())
+    }
+
+    /// The colliders of a pair may meet, unless the user changed that since: the next step removes such pairs. Sensors have intersection pairs, and no
+    /// other colliders.
+    pub(super) fn check_company(&self) -> Verdict {
+        let NarrowPhase { contacts, intersections, .. } = &*self.narrow_phase;
+        for pair in contacts.iter() {
+            self.check_companions([pair.collider1, pair.collider2], false)?;
+        }
+        for pair in intersections.iter() {
+            self.check_companions([pair.collider1, pair.collider2], true)?;
+        }
+        Ok(())
+    }
+
+    fn check_companions(&self, handles: [ColliderHandle; 2], is_sensed: bool) -> Verdict {
+        let [Some(one), Some(two)] = handles.map(|handle| self.colliders.get(handle)) else {
+            return Ok(());
+        };
+        if [one, two].into_iter().any(|collider| self.may_change_company(collider)) {
+            return Ok(());
+        }
+        ensure!(may_interact(one, two), "{handles:?} are a pair and may not meet");
+        let has_sensor = one.is_sensor() || two.is_sensor();
+        ensure!(has_sensor == is_sensed, "{handles:?} are a pair, with a sensor: {has_sensor}");
+        Ok(())
+    }
+
+    /// Returns whether an edit that no step has taken in decides with which others a collider may meet.
+    fn may_change_company(&self, collider: &Collider) -> bool {
+        let body = collider.parent().and_then(|parent| self.bodies.get(parent));
+        collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::COMPANY)
+            || body.is_some_and(|body| body.changes.intersects(RigidBodyChanges::KIND))
     }
 
     /// The numbers of contact pairs can be computed with.
