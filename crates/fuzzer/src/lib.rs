@@ -22,6 +22,23 @@ pub mod findings;
 
 pub use choices::random_bytes;
 
+/// The names of the families: worlds of one kind, each with a law that it obeys.
+pub const FAMILIES: [&str; 5] = ["closed", "thin", "driven", "trees", "crowds"];
+/// One of so many strings is of a given family. Strings of no family do anything.
+const KINDS: usize = 16;
+
+/// Returns the family of a string, which its first byte decides.
+fn family_of(first: usize) -> Option<usize> {
+    (first % KINDS).checked_sub(KINDS - FAMILIES.len())
+}
+
+/// Changes a string so that it is one of a family.
+pub fn set_family(bytes: &mut [u8], family: usize) {
+    if let Some(first) = bytes.first_mut() {
+        *first = (KINDS - FAMILIES.len() + family) as u8;
+    }
+}
+
 /// What was done in one world.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
@@ -29,6 +46,14 @@ pub struct Tally {
     pub operations: usize,
     /// Steps.
     pub steps: usize,
+}
+
+impl Tally {
+    /// Adds what was done in another world.
+    pub fn add(&mut self, other: Self) {
+        self.operations += other.operations;
+        self.steps += other.steps;
+    }
 }
 
 /// Does to a world what the bytes say.
@@ -52,6 +77,8 @@ pub mod flat {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "thin.rs"]
+    mod thin;
 
     pub use both::run;
 }
@@ -64,6 +91,8 @@ pub mod solid {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "thin.rs"]
+    mod thin;
 
     pub use both::run;
 }
@@ -77,6 +106,8 @@ pub mod flat_f64 {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "thin.rs"]
+    mod thin;
 
     pub use both::run;
 }
@@ -90,6 +121,8 @@ pub mod solid_f64 {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "thin.rs"]
+    mod thin;
 
     pub use both::run;
 }

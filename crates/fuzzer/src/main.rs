@@ -3,7 +3,7 @@
 mod watch;
 
 use fuzzer::findings::{Finding, minimised, search};
-use fuzzer::{CRATES, Run, Tally, random_bytes};
+use fuzzer::{CRATES, FAMILIES, Run, Tally, random_bytes, set_family};
 use std::collections::BTreeMap;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
@@ -18,6 +18,8 @@ Usage: fuzzer [OPTIONS]
   --operations N      stop after so many operations (default: 1000000)
   --seed N            where the seeds begin (default: 0)
   --bytes N           length of a string of random bytes (default: 2000)
+  --family NAME       closed, thin, driven, trees or crowds: worlds of one kind, each with a law (default: some
+                      of all, and mostly worlds to which anything is done)
   --replay FILE       does what the bytes of a file say, and nothing else
   -h, --help          print this
 
@@ -34,6 +36,7 @@ struct Options {
     operations: usize,
     seed: u64,
     bytes: usize,
+    family: Option<usize>,
     replay: Option<String>,
 }
 
@@ -59,6 +62,7 @@ fn parse(arguments: &[String]) -> Result<Options, String> {
         operations: 1_000_000,
         seed: 0,
         bytes: 2000,
+        family: None,
         replay: None,
     };
     let mut rest = arguments.iter();
@@ -71,6 +75,11 @@ fn parse(arguments: &[String]) -> Result<Options, String> {
             "--operations" => options.operations = number()?,
             "--seed" => options.seed = number()? as u64,
             "--bytes" => options.bytes = number()?,
+            "--family" => {
+                let family = FAMILIES.iter().position(|name| name == value);
+                let unknown = || format!("`{value}` is no family; `--help` lists them");
+                options.family = Some(family.ok_or_else(unknown)?);
+            }
             "--replay" => options.replay = Some(value.clone()),
             _ => return Err(format!("unknown option `{argument}`; `--help` lists the options")),
         }
@@ -105,7 +114,9 @@ fn run(options: &Options) -> Result<bool, String> {
     let turns =
         (options.seed..).flat_map(|seed| options.crates.iter().map(move |&which| (seed, which)));
     for (seed, (name, run)) in turns {
-        let bytes = random_bytes(seed, options.bytes);
+        let mut bytes = random_bytes(seed, options.bytes);
+        options.family.into_iter().for_each(|family| set_family(&mut bytes, family));
+        let start = Instant::now();
         match watch.during(format!("{name}-{seed}"), &bytes, || search(run, &bytes)) {
             Ok(tally) => progress.add(tally),
             Err(finding) => {
@@ -116,6 +127,7 @@ fn run(options: &Options) -> Result<bool, String> {
                 }
             }
         }
+        progress.note_time(start.elapsed(), || format!("{name}, seed {seed}"));
         progress.show(findings.len());
         if progress.tally.operations >= options.operations {
             break;
@@ -144,17 +156,30 @@ struct Progress {
     shown: Instant,
     goal: usize,
     tally: Tally,
+    /// The longest time that a sequence took, and which one it was.
+    slowest: (Duration, String),
 }
 
 impl Progress {
     fn new(goal: usize) -> Self {
         let now = Instant::now();
-        Self { start: now, shown: now, goal: goal.max(1), tally: Tally::default() }
+        Self {
+            start: now,
+            shown: now,
+            goal: goal.max(1),
+            tally: Tally::default(),
+            slowest: Default::default(),
+        }
+    }
+
+    fn note_time(&mut self, time: Duration, name: impl FnOnce() -> String) {
+        if time > self.slowest.0 {
+            self.slowest = (time, name());
+        }
     }
 
     fn add(&mut self, tally: Tally) {
-        self.tally.operations += tally.operations;
-        self.tally.steps += tally.steps;
+        self.tally.add(tally);
     }
 
     fn show(&mut self, findings: usize) {
@@ -170,6 +195,7 @@ impl Progress {
 
     fn finish(&self, findings: usize) {
         println!("{}{}", wipe(), self.line(findings));
+        println!("slowest: {} with {:.2} s", self.slowest.1, self.slowest.0.as_secs_f64());
     }
 
     fn line(&self, findings: usize) -> String {

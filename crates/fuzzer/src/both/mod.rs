@@ -2,11 +2,12 @@
 
 use super::dim;
 use super::rapier;
+use super::thin;
 
 mod bodies;
 mod bystanders;
-mod closed;
 pub mod colliders;
+mod families;
 mod joints;
 mod loading;
 mod multibodies;
@@ -27,8 +28,8 @@ mod saved;
 #[path = "../../../../tests/worlds/tree.rs"]
 mod tree;
 
-use crate::Tally;
 use crate::choices::Choices;
+use crate::{KINDS, Tally, family_of};
 
 /// Does to a world what the bytes say.
 ///
@@ -36,8 +37,8 @@ use crate::choices::Choices;
 /// If anything is not in order.
 pub fn run(bytes: &[u8]) -> Tally {
     let mut choices = Choices::new(bytes);
-    if choices.below(8) == 7 {
-        return closed::run(choices);
+    match family_of(choices.below(KINDS)) {
+        Some(family) => families::run(family, choices),
+        None => play::run(choices),
     }
-    play::run(choices)
 }

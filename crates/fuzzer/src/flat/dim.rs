@@ -10,6 +10,10 @@ pub const AXES: [JointAxis; 3] = JointAxis::ALL;
 /// How many kinds of shapes there are.
 pub const SHAPES: usize = 18;
 
+/// What the joints of a tree lock: hinges, sliders, and nothing that moves.
+pub const TREE_LOCKS: [JointAxesMask; 3] =
+    [JointAxesMask::LIN_AXES, JointAxesMask::LOCKED_PRISMATIC_AXES, JointAxesMask::all()];
+
 /// A rotation vector or angular velocity about the axis that points out of the picture.
 pub fn about_z(angle: Real) -> AngVector {
     angle

@@ -12,6 +12,16 @@ pub const AXES: [JointAxis; 6] = JointAxis::ALL;
 /// How many kinds of shapes there are.
 pub const SHAPES: usize = 22;
 
+/// What the joints of a tree lock: ball joints, universal joints, hinges, sliders, and nothing that moves.
+pub const TREE_LOCKS: [JointAxesMask; 6] = [
+    JointAxesMask::LIN_AXES,
+    JointAxesMask::LIN_AXES.union(JointAxesMask::ANG_X),
+    JointAxesMask::LIN_AXES.union(JointAxesMask::ANG_X).union(JointAxesMask::ANG_Y),
+    JointAxesMask::LIN_AXES.union(JointAxesMask::ANG_X).union(JointAxesMask::ANG_Z),
+    JointAxesMask::LOCKED_PRISMATIC_AXES,
+    JointAxesMask::all(),
+];
+
 /// A rotation vector or angular velocity about the axis that points out of the picture.
 pub fn about_z(angle: Real) -> AngVector {
     AngVector::new(0.0, 0.0, angle)

@@ -29,10 +29,11 @@ const GRAVITY: f64 = 9.81;
 /// Kinds of shapes that have a volume, in both dimensions.
 const SOLIDS: usize = 5;
 
-pub fn run(mut choices: Choices<'_>) -> Tally {
+/// Builds a world and steps it while no energy comes in.
+pub fn run(choices: &mut Choices<'_>) -> Tally {
     let mut world = PhysicsWorld::new();
     let linked = choices.coin();
-    let bodies = fill(&mut world, linked, &mut choices);
+    let bodies = fill(&mut world, linked, choices);
     let mut tally = Tally { operations: bodies.len(), steps: 0 };
     world.detect_collisions(&(), &());
     let weight: f64 = world.bodies.iter().map(|(_, body)| f64::from(body.mass()) * GRAVITY).sum();

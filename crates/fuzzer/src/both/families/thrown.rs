@@ -1,0 +1,62 @@
+//! Thin shapes that are thrown in a closed room: none passes the floor.
+//!
+//! The shapes are at least 2 cm wide along their narrowest axis, and have no tips that are thinner. The floor is a thin one of any kind. The speeds reach from
+//! 0 to 600 m/s, and most bodies tumble. `docs/guide/fast-bodies.md` states which bodies are outside of the promise: slivers, spikes
+//! and grounds a thousand times as large, pairs whose hooks decide, and bodies that others press through. So the shapes are none of these, and each body has the
+//! room for itself.
+
+use super::rapier::prelude::*;
+use super::room::{self, SIZE, is_outside};
+use super::thin::{thin_shape, turn};
+use super::values::within;
+use super::world::check;
+use crate::Tally;
+use crate::choices::Choices;
+
+/// Steps of 1/60 s: the fastest bodies cross the room some hundred times.
+const STEPS: usize = 90;
+/// A body that is pressed into a ground can be as deep as its middle. The floors are 2 cm thick: deeper, it has passed.
+const DEPTH_MAX: Real = 0.03;
+/// Ranges of the speed (m/s).
+const SPEEDS: [[f64; 2]; 3] = [[0.0, 5.0], [5.0, 40.0], [40.0, 600.0]];
+
+/// Throws one body.
+pub fn run(choices: &mut Choices<'_>) -> Tally {
+    let mut world = PhysicsWorld::new();
+    room::build(&mut world, choices);
+    let body = throw(&mut world, choices);
+    let mut tally = Tally { operations: 1, steps: 0 };
+    for _ in 0..STEPS {
+        world.step();
+        tally.steps += 1;
+        check(&world);
+        let at = world.bodies[body].center_of_mass();
+        choices.tell(|| {
+            let body = &world.bodies[body];
+            format!("step {}: at {at}, {:?}", tally.steps, body.vels())
+        });
+        assert!(!is_outside(at, DEPTH_MAX), "a body left the room: it is at {at}");
+    }
+    tally
+}
+
+fn throw(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> RigidBodyHandle {
+    let shape = thin_shape(choices);
+    let [slow, fast] = choices.pick(&SPEEDS);
+    let speed = within(choices, slow, fast);
+    let mut aside = || within(choices, -0.7, 0.7);
+    let direction = Vector::from_array(Vector::ZERO.to_array().map(|_| aside()));
+    let direction = (direction - Vector::Y).normalize_or_zero();
+    let mut place = || within(choices, -1.5, 1.5);
+    let place = Vector::from_array(Vector::ZERO.to_array().map(|_| place()));
+    let spin = choices.pick(&[0.0, 12.0]);
+    let body = RigidBodyBuilder::dynamic()
+        .translation(place + Vector::Y * (0.5 * SIZE))
+        .rotation(turn(choices, 3.0))
+        .linvel(direction * speed)
+        .angvel(turn(choices, spin))
+        .ccd_enabled(choices.once_in(4));
+    choices.tell(|| format!("{:?} at {speed} m/s along {direction}", shape.shape.shape_type()));
+    let shape = shape.restitution(within(choices, 0.0, 1.0)).friction(within(choices, 0.0, 1.0));
+    world.insert(body, shape).0
+}
