@@ -14,7 +14,7 @@ fn pair() -> (PhysicsWorld, [RigidBodyHandle; 2], [ColliderHandle; 2]) {
 }
 
 /// Each collider is listed by the body that it names, and by no other.
-fn check_attachments(world: &PhysicsWorld) {
+pub fn check_attachments(world: &PhysicsWorld) {
     for (handle, body) in world.bodies.iter() {
         for part in body.colliders() {
             let parent = world.colliders.get(*part).and_then(Collider::parent);

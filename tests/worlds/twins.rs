@@ -2,6 +2,7 @@
 //!
 //! Every mixture of sets is noticed, and the world goes on as one whose islands, pairs and trees are new: bit for bit.
 
+use super::records::check_attachments;
 use super::scene::{bits, copy, cube, step, world};
 use crate::rapier::prelude::*;
 use core::mem::swap;
@@ -102,9 +103,10 @@ fn exchanged(one: &PhysicsWorld, two: &PhysicsWorld, sets: u32) -> [PhysicsWorld
     [one, two]
 }
 
-/// The bits after some steps.
+/// The bits after some steps. No collider has a body that is gone.
 pub fn outcome(mut world: PhysicsWorld) -> Vec<String> {
     (0..3).for_each(|_| step(&mut world));
+    check_attachments(&world);
     bits(&world)
 }
 

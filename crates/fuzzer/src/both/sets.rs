@@ -57,7 +57,7 @@ fn exchange_one(old: &mut Copy, world: &mut PhysicsWorld, which: usize) {
 /// Copies, exchanges, wakes, or throws away.
 pub fn meddle(play: &mut Play<'_>) {
     let handle = play.body();
-    let manner = play.choices.below(11);
+    let manner = play.choices.below(13);
     play.choices.tell(|| format!("    way {manner}"));
     match manner {
         0 | 1 => play.copy = Some(Copy::of(&play.world)),
@@ -90,7 +90,31 @@ pub fn meddle(play: &mut Play<'_>) {
             exchange_one(old.unwrap_or(&mut empty), &mut play.world, which);
             play.witness.lose_track();
         }
+        9 | 10 => restore_records(play, handle),
         _ => play.world.wake_up(handle, play.choices.coin()),
+    }
+}
+
+/// Gives a body and a collider the records that they had some time ago. One of them may be removed before a step looks at it.
+fn restore_records(play: &mut Play<'_>, handle: RigidBodyHandle) {
+    let collider = play.collider();
+    let Play { choices, copy: Some(copy), world, .. } = play else { return };
+    if let (Some(old), Some(body)) = (copy.bodies.get(handle), world.bodies.get_mut(handle)) {
+        *body = old.clone();
+    }
+    let (is_restored, is_edited) = (choices.coin(), choices.coin());
+    if let Some(old) = copy.colliders.get(collider).filter(|_| is_restored)
+        && let Some(collider) = world.colliders.get_mut(collider)
+    {
+        *collider = old.clone();
+    }
+    if let Some(body) = world.bodies.get_mut(handle).filter(|_| is_edited) {
+        body.wake_up(true);
+    }
+    match choices.below(4) {
+        0 => drop(world.remove_body(handle)),
+        1 => drop(world.remove_collider(collider)),
+        _ => {}
     }
 }
 

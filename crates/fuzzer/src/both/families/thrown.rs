@@ -47,11 +47,12 @@ fn throw(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> RigidBodyHandle
     let mut aside = || within(choices, -0.7, 0.7);
     let direction = Vector::from_array(Vector::ZERO.to_array().map(|_| aside()));
     let direction = (direction - Vector::Y).normalize_or_zero();
+    // Nothing touches the body yet: none reaches farther than 2.1 m.
     let mut place = || within(choices, -1.5, 1.5);
     let place = Vector::from_array(Vector::ZERO.to_array().map(|_| place()));
     let spin = choices.pick(&[0.0, 12.0]);
     let body = RigidBodyBuilder::dynamic()
-        .translation(place + Vector::Y * (0.5 * SIZE))
+        .translation(place + Vector::Y * SIZE)
         .rotation(turn(choices, 3.0))
         .linvel(direction * speed)
         .angvel(turn(choices, spin))
