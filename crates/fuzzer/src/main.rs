@@ -98,16 +98,7 @@ fn run(options: &Options) -> Result<bool, String> {
         );
     }
     if let Some(file) = &options.replay {
-        let bytes = std::fs::read(file).map_err(|error| format!("{file}: {error}"))?;
-        let outcomes = options.crates.iter().map(|&(name, run)| (name, search(run, &bytes)));
-        let outcomes: Vec<_> = outcomes.collect();
-        for (name, outcome) in &outcomes {
-            match outcome {
-                Ok(tally) => println!("{name}: in order after {} steps", tally.steps),
-                Err(finding) => println!("{name}: {finding}"),
-            }
-        }
-        return Ok(outcomes.iter().all(|(_, outcome)| outcome.is_ok()));
+        return replay(options, file);
     }
     let (watch, mut progress) = (Watch::new(), Progress::new(options.operations));
     let mut findings: BTreeMap<String, usize> = BTreeMap::new();
@@ -117,7 +108,9 @@ fn run(options: &Options) -> Result<bool, String> {
         let mut bytes = random_bytes(seed, options.bytes);
         options.family.into_iter().for_each(|family| set_family(&mut bytes, family));
         let start = Instant::now();
-        match watch.during(format!("{name}-{seed}"), &bytes, || search(run, &bytes)) {
+        let outcome = watch.during(format!("{name}-{seed}"), &bytes, || search(run, &bytes));
+        progress.note_time(start.elapsed(), || format!("{name}, seed {seed}"));
+        match outcome {
             Ok(tally) => progress.add(tally),
             Err(finding) => {
                 let times = findings.entry(finding.place.clone()).or_default();
@@ -127,7 +120,6 @@ fn run(options: &Options) -> Result<bool, String> {
                 }
             }
         }
-        progress.note_time(start.elapsed(), || format!("{name}, seed {seed}"));
         progress.show(findings.len());
         if progress.tally.operations >= options.operations {
             break;
@@ -136,6 +128,20 @@ fn run(options: &Options) -> Result<bool, String> {
     progress.finish(findings.len());
     findings.iter().for_each(|(place, times)| println!("{times:>6} times {place}"));
     Ok(findings.is_empty())
+}
+
+/// Does what the bytes of a file say, in each crate. Returns whether all is in order.
+fn replay(options: &Options, file: &str) -> Result<bool, String> {
+    let bytes = std::fs::read(file).map_err(|error| format!("{file}: {error}"))?;
+    let outcomes = options.crates.iter().map(|&(name, run)| (name, search(run, &bytes)));
+    let outcomes: Vec<_> = outcomes.collect();
+    for (name, outcome) in &outcomes {
+        match outcome {
+            Ok(tally) => println!("{name}: in order after {} steps", tally.steps),
+            Err(finding) => println!("{name}: {finding}"),
+        }
+    }
+    Ok(outcomes.iter().all(|(_, outcome)| outcome.is_ok()))
 }
 
 fn report(name: &str, seed: u64, bytes: &[u8], finding: &Finding) -> Result<(), String> {
