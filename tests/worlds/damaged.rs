@@ -204,6 +204,21 @@ fn couplings_of_missing_links_are_refused() {
     }
 }
 
+/// A contact skin that the setter refuses is refused when it is loaded: its contacts would be infinitely far apart.
+#[test]
+fn skins_that_no_setter_accepts_are_refused() {
+    let world = stepped();
+    for skin in [-1.0, f64::from(f32::MAX), f64::INFINITY, f64::NAN] {
+        let mut damaged = save_all(&world)[1].clone();
+        visit(&mut damaged, "", &mut |value, path| {
+            if path.ends_with(".contact_skin") {
+                *value = Tree::Float(skin);
+            }
+        });
+        assert!(load_into(&mut copy(&world), 1, &damaged).is_err(), "a skin of {skin}");
+    }
+}
+
 /// All changes; with `STRIDE` in the environment one of so many.
 #[test]
 #[ignore = "half an hour"]

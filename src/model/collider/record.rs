@@ -8,6 +8,7 @@ use super::{
 };
 use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
+use crate::base::measure::is_margin;
 use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
 use crate::model::check::is_saved_pose;
@@ -71,10 +72,12 @@ impl Loaded for Collider {
             ensure!(is_saved_pose(&pose), "a collider is at {pose:?}");
         }
         let ColliderMaterial { friction, restitution, .. } = self.material;
-        for number in [self.contact_skin, friction, restitution] {
+        for number in [friction, restitution] {
             let is_right = number.is_finite() && number >= 0.0;
-            ensure!(is_right, "contact skin, friction or restitution of a collider is {number}");
+            ensure!(is_right, "friction or restitution of a collider is {number}");
         }
+        let skin = self.contact_skin;
+        ensure!(is_margin(skin), "the contact skin of a collider is {skin}");
         ensure!(self.mass_props.is_valid(), "a collider has the mass {:?}", self.mass_props);
         let threshold = self.contact_force_event_threshold;
         ensure!(!threshold.is_nan(), "the force threshold of a collider is {threshold}");
