@@ -5,7 +5,7 @@
 use fuzzer::findings::search;
 use fuzzer::{CRATES, random_bytes};
 
-/// For each crate: about a quarter of a minute, and a minute for all of them.
+/// For each crate: about a minute.
 const OPERATIONS: usize = 200_000;
 /// Length of a string of bytes: a world of some hundred operations.
 const BYTES: usize = 2000;

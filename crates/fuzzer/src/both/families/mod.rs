@@ -27,7 +27,7 @@ const RUNS: [Family; FAMILIES.len()] =
     [closed::run, thrown::run, driven::run, trees::run, crowds::run];
 
 /// More scenes than this take longer than a string of acts.
-const SCENES_MAX: usize = 4;
+const SCENES_MAX: usize = 2;
 
 /// Runs scenes of one family until the bytes are used up, but no more than a few.
 pub fn run(family: usize, mut choices: Choices<'_>) -> Tally {
