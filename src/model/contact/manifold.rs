@@ -245,13 +245,17 @@ impl ContactManifold {
     }
 
     /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes the present normal from the placed
-    /// one.)
+    /// one.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];
         let vectors = [data.tangent_velocity, data.warmstart_friction];
         let numbers = [data.friction, data.restitution, data.warmstart_twist];
-        directions.iter().all(|direction| is_saved_unit(direction.length_squared()))
+        let is_empty = data.points.is_empty();
+        let is_direction = |direction: &Vector| {
+            is_saved_unit(direction.length_squared()) || is_empty && *direction == Vector::ZERO
+        };
+        directions.iter().all(is_direction)
             && vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().all(|number| number.is_finite())
             && data.points.iter().all(Contact::is_sound)
