@@ -94,6 +94,11 @@ pub fn mul_inertia(inv_inertia: &AngularInertia, torque: AngVector) -> AngVector
     inv_inertia * torque
 }
 
+/// The inertia of which this is the inverse; zero if rotations are locked.
+pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
+    if *inv_inertia > 0.0 { 1.0 / *inv_inertia } else { zero_inertia() }
+}
+
 /// The inertia of a body that no torque can turn.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {

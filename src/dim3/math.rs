@@ -115,6 +115,16 @@ pub fn mul_inertia(inv_inertia: &AngularInertia, torque: AngVector) -> AngVector
     inv_inertia.mul_vec(torque)
 }
 
+/// The inertia of which this is the inverse; zero if an axis is locked.
+pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
+    // The determinant of the inverse itself might overflow.
+    let trace = inv_inertia.m11 + inv_inertia.m22 + inv_inertia.m33;
+    let scale = 1.0 / trace;
+    let (inverse, i) = ((*inv_inertia * scale).inverse_unchecked() * scale, inv_inertia);
+    let is_valid = i.m11 > 0.0 && i.m22 > 0.0 && i.m33 > 0.0 && inverse.m11.is_finite();
+    if is_valid { inverse } else { zero_inertia() }
+}
+
 /// The inertia of a body that no torque can turn.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {

@@ -21,6 +21,7 @@ mod world;
 
 mod bodies;
 mod builders;
+mod bursts;
 mod colliders;
 mod bounds;
 mod crowds;

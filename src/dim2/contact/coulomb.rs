@@ -4,7 +4,7 @@
 //! times the sum of the normal impulses is the exact cone already.
 
 use crate::base::wide::{Lane, Wide};
-use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim2::math::MAX_MANIFOLD_POINTS;
 
 /// Nothing. In 3D: the rows of each point.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ impl CoulombBlock {
     pub const EMPTY: Self = Self;
 
     /// Nothing.
-    pub fn scale_impulses(&mut self, _factor: Real) {}
+    pub fn scale_impulses(&mut self, _factors: &Lane) {}
 
     /// No impulses: the manifold has one as a whole. (Points of links have some, whatever the dimension.)
     pub fn keep<W: Wide>(&self, impulses: &mut [[Lane; 1]; MAX_MANIFOLD_POINTS]) {

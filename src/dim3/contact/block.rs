@@ -1,7 +1,7 @@
 //! The memory of contact constraints: what the passes read and write.
 
 use crate::base::wide::{LANES, Lane, Wide};
-use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim3::math::MAX_MANIFOLD_POINTS;
 use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::{WideVector, cross};
 
@@ -138,11 +138,11 @@ impl ContactBlock {
         }
     }
 
-    /// Scales the impulses with which the next substep starts.
-    pub fn scale_impulses(&mut self, factor: Real) {
+    /// Multiplies the impulses with which the next substep starts by a factor of each lane.
+    pub fn scale_impulses(&mut self, factors: &Lane) {
         let normal = self.points.iter_mut().map(|point| &mut point.impulse);
         for lane in normal.chain(&mut self.friction.impulse) {
-            for impulse in &mut lane.0 {
+            for (impulse, factor) in lane.0.iter_mut().zip(factors.0) {
                 *impulse *= factor;
             }
         }

@@ -16,7 +16,7 @@ use super::friction::{self, tangent_mass, to_cone};
 use super::prepare::{Pair, Point};
 use super::rows::{Frame, push};
 use crate::base::wide::{Lane, Wide};
-use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim3::math::MAX_MANIFOLD_POINTS;
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::WideVector;
 use crate::model::contact::ContactInput;
@@ -57,10 +57,10 @@ impl CoulombBlock {
         }
     }
 
-    /// Multiplies all impulses.
-    pub fn scale_impulses(&mut self, factor: Real) {
+    /// Multiplies all impulses by a factor of each lane.
+    pub fn scale_impulses(&mut self, factors: &Lane) {
         for impulse in self.0.iter_mut().flat_map(|rows| &mut rows.impulse) {
-            impulse.0.iter_mut().for_each(|value| *value *= factor);
+            impulse.0.iter_mut().zip(factors.0).for_each(|(value, factor)| *value *= factor);
         }
     }
 

@@ -6,9 +6,10 @@ use super::keep::keep;
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use super::overflow::OverflowOrder;
+use super::recovery::{Recovery, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, LANES, Simd, Wide};
+use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim::contact::{self, ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
@@ -19,7 +20,7 @@ use crate::model::contact::{
 };
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
-use core::sync::atomic::{AtomicUsize, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
@@ -53,6 +54,8 @@ pub(super) struct SolverContacts {
     overflow: OverflowOrder,
     impacts: Impacts,
     point_count: usize,
+    /// Is a contact deep enough for its correction to throw bodies?
+    has_deep_overlap: bool,
 }
 
 impl SolverContacts {
@@ -194,7 +197,7 @@ impl SolverContacts {
     pub fn prepare(
         &mut self,
         bodies: &mut SolverBodies,
-        params: &IntegrationParameters,
+        (params, pass): (&IntegrationParameters, &ContactPass),
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
@@ -205,16 +208,53 @@ impl SolverContacts {
         let (poses, states) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (deep, has_deep_overlap) = (deep_overlap(pass), AtomicBool::new(false));
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Prepare { range, lanes, blocks, poses, states, prediction });
+            if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
+                has_deep_overlap.store(true, Ordering::Relaxed);
+            }
         });
+        self.has_deep_overlap = has_deep_overlap.into_inner();
+    }
+
+    /// Notes the islands in which overlap is deep, if there are any. Returns whether there may be.
+    pub fn note_deep_overlaps(
+        &self,
+        recovery: &mut Recovery,
+        bodies: &SolverBodies,
+        pass: &ContactPass,
+    ) -> bool {
+        recovery.clear();
+        if self.has_deep_overlap {
+            recovery.begin(bodies);
+            let deep = deep_overlap(pass);
+            // Blocks that no colour fills hold what they held in an earlier step.
+            for index in self.layout.colors().iter().flat_map(Clone::clone) {
+                recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
+            }
+        }
+        self.has_deep_overlap
     }
 
     /// Lets a substep start with this share of the last one's impulses, as the bodies do.
     pub fn scale_impulses(&mut self, factor: Real) {
         if factor != 1.0 {
-            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
-            self.coulomb.iter_mut().for_each(|rows| rows.scale_impulses(factor));
+            let factors = Lane::splat(factor);
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(&factors));
+            self.coulomb.iter_mut().for_each(|rows| rows.scale_impulses(&factors));
+        }
+    }
+
+    /// Has bodies return the energy that the correction of overlap gave them, and contacts the impulses.
+    pub fn return_gains(&mut self, recovery: &mut Recovery, bodies: &mut SolverBodies) {
+        if !recovery.limit(bodies) {
+            return;
+        }
+        for (index, block) in self.blocks.iter_mut().enumerate() {
+            if let Some(factors) = recovery.kept_by(block) {
+                block.scale_impulses(&factors);
+                self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
+            }
         }
     }
 
@@ -405,14 +445,18 @@ struct Prepare<'a> {
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
     prediction: Real,
+    /// The overlap from which on contacts are reported.
+    deep: Real,
 }
 
 impl Kernel for Prepare<'_> {
-    type Output = ();
+    /// Is one of the contacts deep?
+    type Output = bool;
 
     #[inline(always)]
-    fn run<W: Wide>(self) {
+    fn run<W: Wide>(self) -> bool {
         let Self { poses, states, prediction, .. } = self;
+        let mut least = W::zero();
         for index in self.range {
             // SAFETY: each block belongs to one task, and the constraints of one colour share no body
             // that is not read-only.
@@ -421,8 +465,12 @@ impl Kernel for Prepare<'_> {
                 let input = &self.lanes[index].input;
                 let surroundings = contact::Surroundings { poses, states: &states };
                 contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
+                for point in &block.points {
+                    least = least.min(W::load(&point.separation));
+                }
             }
         }
+        W::any(least.lt(W::splat(-self.deep)))
     }
 }
 

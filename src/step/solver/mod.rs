@@ -25,13 +25,14 @@ mod keep;
 mod layout;
 mod multibodies;
 mod overflow;
+mod recovery;
 #[cfg(test)]
 mod tests;
 
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
 use crate::dim::math::{Real, Vector};
-use crate::model::body::RigidBodySet;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
 use crate::model::event::JointBreakEvent;
@@ -48,6 +49,7 @@ use groups::Groups;
 use impacts::Around;
 use joints::{SolverJoints, Sources};
 use multibodies::{SolverMultibodies, Surroundings};
+use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -64,6 +66,7 @@ struct Constraints {
     joints: SolverJoints,
     contacts: SolverContacts,
     multibodies: SolverMultibodies,
+    recovery: Recovery,
 }
 
 /// What the solver reads and writes.
@@ -109,7 +112,7 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.velocity_assembly_time.resume();
         states.enter(group, groups);
         let pass = JointPass::new(params, params.dt / group.substeps as Real);
-        let Constraints { joints, contacts, multibodies } = constraints;
+        let Constraints { joints, contacts, multibodies, .. } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
         let from = Sources { islands, world: bodies, bodies: states, multibodies };
@@ -122,7 +125,8 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         counters.velocity_assembly_time.pause();
 
         let place = (&*narrow_phase, &*bodies);
-        let conditions = Conditions { gravity, params, place, simd, tasks };
+        let order = &groups.order()[group.members.clone()];
+        let conditions = Conditions { gravity, params, place, order, simd, tasks };
         solve_group(group.substeps, &conditions, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
@@ -192,7 +196,7 @@ fn store_constraints(
 ) {
     let World { narrow_phase, set, trees, islands, bodies } = world;
     (counters.nconstraints, counters.ncontacts) = (0, 0);
-    for Constraints { joints, contacts, multibodies } in constraints {
+    for Constraints { joints, contacts, multibodies, .. } in constraints {
         contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
@@ -209,6 +213,8 @@ struct Conditions<'a> {
     params: &'a IntegrationParameters,
     /// Where contacts and bodies are.
     place: (&'a NarrowPhase, &'a RigidBodySet),
+    /// The bodies that are solved.
+    order: &'a [RigidBodyHandle],
     simd: Simd,
     tasks: Tasks<'a>,
 }
@@ -221,8 +227,8 @@ fn solve_group(
     constraints: &mut Constraints,
     counters: &mut SolverCounters,
 ) {
-    let Constraints { joints, contacts, multibodies } = constraints;
-    let &Conditions { gravity, params, place, simd, tasks } = conditions;
+    let Constraints { joints, contacts, multibodies, recovery } = constraints;
+    let &Conditions { gravity, params, place, order, simd, tasks } = conditions;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
@@ -231,7 +237,12 @@ fn solve_group(
     let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
     joints.warm_start(states, simd, tasks);
-    contacts.prepare(states, params, simd, tasks);
+    contacts.prepare(states, (params, &pass), simd, tasks);
+    if contacts.note_deep_overlaps(recovery, states, &pass) {
+        let links = order.iter().filter(|link| multibodies.moves(link.into_raw_parts().0));
+        let links = links.map(|&link| place.1[link].link.island);
+        joints.islands(states).chain(links).for_each(|island| recovery.leave_out(island));
+    }
     multibodies.warm_start(states);
     counters.velocity_assembly_time.pause();
 
@@ -269,6 +280,7 @@ fn solve_group(
         joints.relax(states, &joint_pass, simd, tasks);
         contacts.relax(states, &pass, simd, tasks);
         multibodies.relax(states, &pass, params);
+        contacts.return_gains(recovery, states);
     }
     counters.nlimited_bodies += limited;
     counters.velocity_resolution_time.pause();

@@ -108,7 +108,7 @@ pub unsafe fn rub<W: Wide>(
     block.friction.impulse = Default::default();
     let mut fresh = coulomb.map(|rows| rows.clone());
     if let Some(rows) = &mut fresh {
-        rows.scale_impulses(0.0);
+        rows.scale_impulses(&Lane::ZERO);
     }
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };

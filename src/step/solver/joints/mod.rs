@@ -247,6 +247,11 @@ impl SolverJoints {
         direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))
     }
 
+    /// The islands of all joints, most of them more than once.
+    pub fn islands(&self, bodies: &SolverBodies) -> impl Iterator<Item = u32> {
+        self.members.iter().map(|member| bodies.island_of(member.bodies))
+    }
+
     /// The bodies of the joints that are solved exactly, those that do not move included; some more than once.
     pub fn held(&self) -> impl Iterator<Item = u32> {
         let exact = self.members.iter().filter(|member| self.direct.contains(member.slot));

@@ -1,0 +1,70 @@
+//! Bodies that were created inside each other part without being thrown.
+
+use crate::dim::{cuboid, vec};
+use crate::suite::physics::stage::Dice;
+use rapier::prelude::*;
+
+/// A shape's name, and its collider.
+type Named = (&'static str, ColliderBuilder);
+
+/// Shapes of about one unit.
+fn shapes() -> [Named; 3] {
+    [
+        ("box", cuboid(0.5, 0.5)),
+        ("ball", ColliderBuilder::ball(0.5)),
+        ("capsule", ColliderBuilder::capsule_x(0.4, 0.3)),
+    ]
+}
+
+/// Bodies without weight whose centres are within `spread` of one point.
+fn heap(shape: &ColliderBuilder, count: usize, spread: Real) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    world.gravity = Vector::ZERO;
+    let mut dice = Dice(count as u64);
+    for _ in 0..count {
+        let at = vec(dice.within(-spread, spread), dice.within(-spread, spread));
+        world.insert(RigidBodyBuilder::dynamic().translation(at), shape.clone());
+    }
+    world
+}
+
+fn largest(world: &PhysicsWorld, length: impl Fn(&RigidBody) -> Real) -> Real {
+    world.bodies.iter().map(|(_, body)| length(body)).fold(0.0, Real::max)
+}
+
+/// Bodies at rest have no energy, contacts without restitution add none, and nothing else acts: undoing overlap moves bodies and
+/// must leave them at rest. The relax pass does not converge on thousands of contacts: 50 coincident boxes left with 49 m/s and 1000 balls with
+/// 302 m/s, though the corrective velocity is 4 m/s. Overlap that is too small to be watched may still add up.
+fn judge(counts: &[usize]) {
+    println!("{:>8} {:>8} {:>8} {:>10} {:>10}", "shape", "spread", "bodies", "fastest", "radius");
+    for (name, shape) in shapes() {
+        for spread in [0.0, 0.3] {
+            for &count in counts {
+                let mut world = heap(&shape, count, spread);
+                let mut fastest: Real = 0.0;
+                for _ in 0..60 {
+                    world.step();
+                    fastest = fastest.max(largest(&world, |body| body.linvel().length()));
+                }
+                let radius = largest(&world, |body| body.translation().length());
+                println!("{name:>8} {spread:>8} {count:>8} {fastest:>10.3} {radius:>10.2}");
+                let limit = 0.25 * world.integration_parameters.max_corrective_velocity();
+                assert!(fastest < limit, "{count} of {name} leave with {fastest}");
+                // Capsules whose axes coincide have no direction in which to part.
+                let parts = spread > 0.0 || name != "capsule";
+                assert!(radius > 1.0 || !parts, "{count} of {name} stay within {radius}");
+            }
+        }
+    }
+}
+
+#[test]
+fn coincident_bodies_are_not_thrown() {
+    judge(&[10, 50, 150]);
+}
+
+#[test]
+#[ignore = "half a minute"]
+fn crowds_of_coincident_bodies_are_not_thrown() {
+    judge(&[500, 1000, 2000]);
+}
