@@ -25,7 +25,7 @@
 //! Bodies that contacts slow down, such as a pile around the overlapping bodies, keep their velocities.
 //!
 //! ## Where
-//! The bound costs a pass over the bodies. It is applied in islands with an overlap that is corrected with a noticeable velocity. Islands
+//! The bound does not conserve momentum. It is applied in islands with more deep contacts than bodies in these, which a blow does not cause. Islands
 //! that something drives are left out: joints, multibodies, moving kinematic bodies, dominance and moving surfaces all do work.
 
 use super::bodies::SolverBodies;
@@ -48,7 +48,9 @@ pub(super) fn deep_overlap(pass: &ContactPass) -> Real {
 /// The energies of one island.
 #[derive(Copy, Clone, Debug, Default)]
 struct IslandEnergy {
-    has_deep_overlap: bool,
+    /// The numbers of its deep contacts, and of the bodies that have some.
+    deep_contacts: usize,
+    deep_bodies: usize,
     /// Does anything but contacts change its energy?
     is_driven: bool,
     /// What all its bodies together gained in the substep.
@@ -58,10 +60,14 @@ struct IslandEnergy {
 }
 
 impl IslandEnergy {
+    /// Returns whether its deep contacts form loops, in which one relax iteration does not converge.
+    fn is_watched(&self) -> bool {
+        self.deep_contacts > self.deep_bodies && !self.is_driven
+    }
+
     /// The fraction of its gain that a body keeps, if it has to return any.
     fn kept(&self) -> Option<Real> {
-        let must_return = self.has_deep_overlap && !self.is_driven && self.gain > 0.0;
-        must_return.then(|| 1.0 - (self.gain / self.positive).min(1.0))
+        (self.gain > 0.0).then(|| 1.0 - (self.gain / self.positive).min(1.0))
     }
 }
 
@@ -84,6 +90,8 @@ impl Recovery {
     pub fn begin(&mut self, bodies: &SolverBodies) {
         self.islands.clear();
         self.islands.resize(bodies.island_bound(), IslandEnergy::default());
+        self.scales.clear();
+        self.scales.resize(bodies.states.len(), 1.0);
         self.is_active = true;
     }
 
@@ -106,10 +114,15 @@ impl Recovery {
             let pair = input.bodies.map(|side| side[lane]);
             let island = bodies.island_of(pair);
             let Some(energy) = self.islands.get_mut(island as usize) else { continue };
-            energy.has_deep_overlap |= block
-                .points
-                .iter()
-                .any(|point| point.mass.0[lane] > 0.0 && point.separation.0[lane] < -deep);
+            if block.points.iter().any(|it| it.mass.0[lane] > 0.0 && it.separation.0[lane] < -deep)
+            {
+                energy.deep_contacts += 1;
+                for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
+                    let scale = &mut self.scales[body as usize];
+                    energy.deep_bodies += usize::from(*scale == 1.0);
+                    *scale = 0.0;
+                }
+            }
             energy.is_driven |= is_driven(pair, lane, input, bodies);
         }
     }
@@ -166,7 +179,7 @@ impl Recovery {
 
     fn watched(&mut self, island: u32) -> Option<&mut IslandEnergy> {
         let energy = self.islands.get_mut(island as usize)?;
-        (energy.has_deep_overlap && !energy.is_driven).then_some(energy)
+        energy.is_watched().then_some(energy)
     }
 }
 
