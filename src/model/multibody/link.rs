@@ -18,6 +18,9 @@ pub struct MultibodyLink {
     pub(crate) parent: Option<usize>,
     pub(crate) body: RigidBodyHandle,
     pub(crate) handle: Option<MultibodyJointHandle>,
+    /// Links of the same group do not touch each other; 0: no group. They are of a multibody
+    /// without self-contacts that was merged into this one.
+    pub(super) exclusion_group: u32,
     /// Where the link's degrees of freedom begin among the multibody's.
     pub(crate) first_dof: usize,
     /// The axes that are degrees of freedom. For a root: along and about the axes of the world, at its centre of mass.
@@ -41,6 +44,7 @@ impl MultibodyLink {
             parent,
             body,
             handle: None,
+            exclusion_group: 0,
             first_dof: 0,
             pose: Pose::IDENTITY,
             mass: no_mass(),

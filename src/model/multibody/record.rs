@@ -100,6 +100,7 @@ impl Multibody {
 
     /// Adds all links of another multibody. Its root becomes a child of `parent`, held by `joint`.
     pub(super) fn append(&mut self, mut other: Self, parent: usize, joint: MultibodyJoint) {
+        self.merge_self_contacts(&mut other);
         let offset = self.links.len();
         for (id, mut link) in (offset..).zip(other.links) {
             (link.id, link.parent) = match link.parent {
@@ -125,6 +126,33 @@ impl Multibody {
             ..*coupling
         }));
         self.renumber();
+    }
+
+    /// Applies the self-contact settings of both multibodies to the whole, before the links of `other` are added.
+    ///
+    /// A single body has no setting, so the other one holds for all links. Otherwise the setting of `self` holds, and links of
+    /// `other` that did not touch each other still do not: they become an exclusion group.
+    fn merge_self_contacts(&mut self, other: &mut Self) {
+        if self.links.len() == 1 {
+            self.self_contacts_enabled = other.self_contacts_enabled;
+            return;
+        }
+        let last = self.links.iter().map(|link| link.exclusion_group).max().unwrap_or(0);
+        for link in &mut other.links {
+            link.exclusion_group = match link.exclusion_group {
+                _ if !other.self_contacts_enabled => last.saturating_add(1),
+                0 => 0,
+                group => group.saturating_add(last),
+            };
+        }
+    }
+
+    /// Disables self-contacts if all links are in one exclusion group.
+    pub(super) fn simplify_exclusions(&mut self) {
+        let group = self.links.first().map_or(0, |link| link.exclusion_group);
+        if group != 0 && self.links.iter().all(|link| link.exclusion_group == group) {
+            self.set_self_contacts_enabled(false);
+        }
     }
 
     // ---- Links ----
@@ -176,24 +204,31 @@ impl Multibody {
         branch
     }
 
-    /// Do the colliders of its links touch each other?
+    /// Returns whether the colliders of its links touch each other. Links of a merged multibody that had this disabled do not
+    /// touch each other even then.
     pub fn self_contacts_enabled(&self) -> bool {
         self.self_contacts_enabled
     }
 
-    /// Says whether the colliders of its links touch each other (default: yes). Those of a link and its parent do only if
-    /// their joint's [`contacts_enabled`](GenericJoint::contacts_enabled) says so, too.
+    /// Sets whether the colliders of its links touch each other (default: yes). Those of a link and its parent also need their
+    /// joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
+    ///
+    /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is `false`, the child's links still do not
+    /// touch each other. A later call decides for all links.
     pub fn set_self_contacts_enabled(&mut self, enabled: bool) {
         self.self_contacts_enabled = enabled;
+        self.links.iter_mut().for_each(|link| link.exclusion_group = 0);
     }
 
-    /// Do the colliders of two links touch each other?
+    /// Returns whether the colliders of two links touch each other.
     pub(crate) fn may_touch(&self, link1: usize, link2: usize) -> bool {
+        let [group1, group2] = [link1, link2].map(|link| self.links[link].exclusion_group);
+        let is_excluded = group1 != 0 && group1 == group2;
         let parts = |child: usize, parent: usize| {
             let link = &self.links[child];
             link.parent == Some(parent) && !link.joint.data.contacts_enabled
         };
-        self.self_contacts_enabled && !parts(link1, link2) && !parts(link2, link1)
+        self.self_contacts_enabled && !is_excluded && !parts(link1, link2) && !parts(link2, link1)
     }
 
     // ---- Degrees of freedom ----

@@ -53,6 +53,7 @@ impl Multibody {
         for (part, kept) in parts.iter_mut().zip(kept) {
             part.lists = lists.select(&kept);
             part.renumber();
+            part.simplify_exclusions();
         }
         for coupling in couplings {
             let [(part, link1), (other, link2)] =

@@ -75,6 +75,69 @@ fn trees_merge_and_split() {
     assert!(set.is_empty() && set.multibodies().count() == 0);
 }
 
+/// Which pairs of links touch, by body.
+fn touching(set: &MultibodyJointSet, bodies: &[u32]) -> Vec<[u32; 2]> {
+    let pairs = bodies.iter().flat_map(|&one| bodies.iter().map(move |&two| [one, two]));
+    let touch = |&[one, two]: &[u32; 2]| {
+        let [place1, place2] =
+            [one, two].map(|slot| set.rigid_body_link(body(slot)).expect("it is a link"));
+        let multibody = set.get_multibody(place1.multibody).expect("it is there");
+        one < two
+            && place1.multibody == place2.multibody
+            && multibody.may_touch(place1.id, place2.id)
+    };
+    pairs.filter(touch).collect()
+}
+
+/// Sets whether the links of the multibody of a body touch each other.
+fn set_self_contacts(set: &mut MultibodyJointSet, slot: u32, enabled: bool) {
+    let index = set.rigid_body_link(body(slot)).expect("it is a link").multibody;
+    set.get_multibody_mut(index).expect("it is there").set_self_contacts_enabled(enabled);
+}
+
+/// Each merged multibody keeps its links apart if it did before; links of different ones touch if the parent's do.
+#[test]
+fn self_contacts_survive_merging() {
+    // 0 - 1, and 2 - 3, and 4 - 5 are merged, and the second and third have no self-contacts.
+    let (mut set, _) = tree(&[None, Some(0), None, Some(2), None, Some(4)]);
+    set_self_contacts(&mut set, 2, false);
+    set_self_contacts(&mut set, 4, false);
+    let tail = set.insert(body(3), body(4), hinge(), true).expect("it fits");
+    assert!(touching(&set, &[2, 3, 4, 5]).is_empty(), "neither multibody has self-contacts");
+    set.remove(tail, true);
+    let first = set.insert(body(1), body(2), hinge(), true).expect("it fits");
+    let second = set.insert(body(1), body(4), hinge(), true).expect("it fits");
+    let all: [u32; 6] = core::array::from_fn(|k| k as u32);
+    let expected: Vec<_> = all
+        .iter()
+        .flat_map(|&one| all.iter().map(move |&two| [one, two]))
+        .filter(|pair| pair[0] < pair[1] && ![[2, 3], [4, 5]].contains(pair))
+        .collect();
+    assert_eq!(touching(&set, &all), expected);
+    // Parts have the setting that they came with.
+    set.remove(first, true);
+    assert!(touching(&set, &[2, 3]).is_empty());
+    set.remove(second, true);
+    assert!(touching(&set, &[4, 5]).is_empty());
+    assert_eq!(touching(&set, &[0, 1]), [[0, 1]]);
+}
+
+/// A body that is no link takes the setting of the multibody that it joins, as parent or as child; what the user sets after a
+/// merge holds for all.
+#[test]
+fn single_bodies_take_the_setting_of_their_multibody() {
+    let (mut set, _) = tree(&[None, Some(0)]);
+    set_self_contacts(&mut set, 0, false);
+    set.insert(body(1), body(2), hinge(), true).expect("it fits");
+    set.insert(body(3), body(0), hinge(), true).expect("it fits");
+    assert!(touching(&set, &[0, 1, 2, 3]).is_empty());
+    let (mut set, _) = tree(&[None, Some(0), None, Some(2)]);
+    set_self_contacts(&mut set, 2, false);
+    set.insert(body(1), body(2), hinge(), true).expect("it fits");
+    set_self_contacts(&mut set, 0, true);
+    assert_eq!(touching(&set, &[0, 1, 2, 3]).len(), 6, "a later setting decides for all");
+}
+
 /// Numbers of degrees of freedom stay with them.
 #[test]
 fn numbers_follow_their_degrees_of_freedom() {
