@@ -29,7 +29,7 @@
 //!
 //! # Promises
 //!
-//! * The same world and the same calls give the same bits, whatever the number of threads and the width of
+//! * The same world and the same calls give the same bits on every machine, whatever the number of threads and the width of
 //!   the processor's registers.
 //! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with an
 //!   error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle panics.
@@ -39,9 +39,8 @@
 //! # Features
 //!
 //! `f64` computes in double precision, `parallel` on several threads, `serde-serialize` makes data
-//! types serialisable, `debug-render` draws debug lines. `enhanced-determinism` takes sines and
-//! cosines from a portable library. `dim2`, `f32`, `std` and `simd-stable` are accepted for compatibility
-//! and have no effect.
+//! types serialisable, `debug-render` draws debug lines. `dim2`, `f32`, `std`, `simd-stable` and
+//! `enhanced-determinism` are accepted for compatibility and have no effect.
 
 // No value panics: whoever knows better says why (docs/panics.md).
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]

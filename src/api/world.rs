@@ -16,6 +16,7 @@ use crate::model::multibody::{
     Multibody, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet, MultibodyLink,
 };
 use crate::model::params::IntegrationParameters;
+use crate::model::state_hash::combined_hash;
 use crate::model::tree::BroadPhaseBvh;
 
 /// A whole simulation: bodies, colliders, and all that a step needs.
@@ -109,6 +110,31 @@ impl PhysicsWorld {
             events,
             true,
         );
+    }
+
+    /// A hash of the simulated state: of all bodies, colliders, joints and pairs with their handles. Equal bits give equal hashes on every machine, so
+    /// two runs compare one number per step.
+    ///
+    /// The hashes of the sets and of single elements ([`RigidBody::hash`]) locate a difference.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// let run = || {
+    ///     let mut world = PhysicsWorld::new();
+    ///     world.insert(RigidBodyBuilder::dynamic().rotation(vector![0.3, 0.2, 0.1]), ColliderBuilder::ball(0.5));
+    ///     (0..10).map(|_| { world.step(); world.hash() }).collect::<Vec<u64>>()
+    /// };
+    /// assert_eq!(run(), run());
+    /// ```
+    pub fn hash(&self) -> u64 {
+        let sets = [
+            self.bodies.hash(),
+            self.colliders.hash(),
+            self.impulse_joints.hash(),
+            self.multibody_joints.hash(),
+            self.narrow_phase.hash(),
+        ];
+        combined_hash(sets)
     }
 
     /// Adds a body with one collider.

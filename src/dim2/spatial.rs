@@ -35,6 +35,12 @@ pub fn ang_components(a: AngVector) -> [Real; ANG_DIM] {
     [a]
 }
 
+/// The components of a rotation: the cosine and the sine of its angle.
+#[inline]
+pub fn rotation_components(rotation: &Rotation) -> [Real; 2] {
+    [rotation.re, rotation.im]
+}
+
 /// How the direction `b` changes as it turns at `a`: the axis of the plane does not turn.
 #[inline]
 pub fn ang_cross(_: AngVector, _: AngVector) -> AngVector {

@@ -35,6 +35,12 @@ pub fn ang_components(a: AngVector) -> [Real; ANG_DIM] {
     a.to_array()
 }
 
+/// The components of a rotation: those of its unit quaternion, the scalar last.
+#[inline]
+pub fn rotation_components(rotation: &Rotation) -> [Real; 4] {
+    rotation.to_array()
+}
+
 /// How the direction `b` changes as it turns at `a` (rad/s).
 #[inline]
 pub fn ang_cross(a: AngVector, b: AngVector) -> AngVector {

@@ -17,5 +17,6 @@ pub mod joint;
 pub mod multibody;
 pub mod params;
 pub(crate) mod stamp;
+pub(crate) mod state_hash;
 pub(crate) mod structure;
 pub mod tree;

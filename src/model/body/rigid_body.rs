@@ -81,7 +81,7 @@ pub struct RigidBody {
     pub(crate) next_pose: Pose,
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
-    pub(super) push: (Vector, AngVector),
+    pub(crate) push: (Vector, AngVector),
     /// Of the note of an edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) edit: EditMark,

@@ -1,0 +1,39 @@
+//! Functions that JavaScript calls: see `run.mjs`. Strings are handed over as a pointer and a length.
+
+use crate::{EXPECTED, Settings, line, scenes};
+use std::sync::Mutex;
+
+/// The text that the last call left.
+static TEXT: Mutex<String> = Mutex::new(String::new());
+
+fn leave(text: String) -> usize {
+    let mut place = TEXT.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    *place = text;
+    place.len()
+}
+
+/// The number of scenes.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_count() -> usize {
+    scenes().len()
+}
+
+/// Runs a scene, leaves its line of hashes as the text, and returns the length of the text in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_run(index: usize) -> usize {
+    let scenes = scenes();
+    let Some(scene) = scenes.get(index) else { return leave(String::new()) };
+    leave(line(scene, scene.run(Settings { threads: 1, wide: true })))
+}
+
+/// Leaves the expected hashes as the text, and returns its length in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_expected() -> usize {
+    leave(EXPECTED.into())
+}
+
+/// Where the text begins.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_text() -> *const u8 {
+    TEXT.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).as_ptr()
+}
