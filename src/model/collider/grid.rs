@@ -1,14 +1,35 @@
-//! Grids that are small enough.
+//! Grids: their limits, and voxels that are the same on every machine.
 
 use super::InvalidCollider;
 use super::check::check_length;
 use crate::dim::math::{DIM, Real, Vector};
+use parry::math::IVector;
+use parry::shape::Voxels;
 
 /// Grid coordinates beyond this are refused: in single precision, cells this far from the origin
 /// could not be told from their neighbours.
 const COORDINATE_MAX: Real = 4_194_304.0;
 /// Cells that a grid over a whole shape may have: some 300 megabytes while it is filled.
 const CELLS_MAX: Real = 67_108_864.0;
+
+/// Voxels whose tree of chunks is the same on every machine.
+///
+/// parry's constructors insert chunks in the order of a hash map, which depends on the machine, and the order in which voxels are visited follows from it. Setting cells
+/// one by one inserts chunks in the order of the cells. The cells are sorted, so voxels that are saved and loaded are visited in the same order as before.
+pub(super) fn voxels_of(voxel_size: Vector, mut cells: Vec<IVector>) -> Voxels {
+    cells.sort_unstable_by_key(IVector::to_array);
+    let mut voxels = Voxels::new(voxel_size, &[]);
+    for cell in cells {
+        voxels.set_voxel(cell, true);
+    }
+    voxels
+}
+
+/// The cells of voxels that are filled.
+pub(super) fn filled_cells(voxels: &Voxels) -> Vec<IVector> {
+    let filled = voxels.voxels().filter(|voxel| !voxel.state.is_empty());
+    filled.map(|voxel| voxel.grid_coords).collect()
+}
 
 /// Refuses an empty list of cells, cells without size, and cells too far from the origin.
 pub(super) fn check_cells(

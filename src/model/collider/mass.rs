@@ -1,11 +1,13 @@
 //! The mass of a collider: from a density, a mass, or given mass properties.
 
+use super::grid::filled_cells;
 use super::spread::MassSpread;
 use crate::base::measure::is_margin;
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
 use crate::dim::math::Real;
 use crate::dim::shapes;
 use parry::mass_properties::MassProperties;
+use parry::math::IVector;
 use parry::shape::{Shape, TypedShape, Voxels};
 
 /// The source of a collider's mass.
@@ -80,9 +82,13 @@ pub(super) fn volume_properties(shape: &dyn Shape, density: Real) -> MassPropert
 
 fn of_voxels(voxels: &Voxels, density: Real) -> MassProperties {
     let cell = MassProperties::from_cuboid(density, voxels.voxel_size() * 0.5);
-    let filled = voxels.voxels().filter(|voxel| !voxel.state.is_empty());
-    let cells: Vec<_> =
-        filled.map(|voxel| MassProperties { local_com: voxel.center, ..cell }).collect();
+    // The sum must not depend on the order of the voxels' tree, which edits change.
+    let mut cells = filled_cells(voxels);
+    cells.sort_unstable_by_key(IVector::to_array);
+    let cells: Vec<_> = cells
+        .into_iter()
+        .map(|at| MassProperties { local_com: voxels.voxel_center(at), ..cell })
+        .collect();
     total_mass(&cells)
 }
 

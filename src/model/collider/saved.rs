@@ -7,6 +7,7 @@
 //! Whatever was loaded is [judged](super::check) as if the user had made it.
 
 use super::check::{check_elements, check_parts, check_points, check_shape};
+use super::grid::filled_cells;
 use super::{ColliderBuilder, InvalidCollider};
 use crate::base::fault::Fault;
 use crate::dim::math::{Pose, Vector};
@@ -74,9 +75,7 @@ impl SavedShape {
             },
             TypedShape::HeightField(field) => Self::HeightField(SavedField::of(field)),
             TypedShape::Voxels(voxels) => {
-                let filled = voxels.voxels().filter(|voxel| !voxel.state.is_empty());
-                let cells = filled.map(|voxel| voxel.grid_coords).collect();
-                Self::Voxels { size: voxels.voxel_size(), cells }
+                Self::Voxels { size: voxels.voxel_size(), cells: filled_cells(voxels) }
             }
             TypedShape::Compound(compound) => {
                 Self::Compound { parts: compound.shapes().to_vec(), flags: compound.flags().bits() }

@@ -218,7 +218,7 @@ impl ColliderBuilder {
     pub fn voxels(voxel_size: Vector, grid_coordinates: &[IVector]) -> Self {
         Self::of(
             grid::check_cells(voxel_size, grid_coordinates.iter().map(|c| ivect_to_vect(*c)))
-                .map(|()| SharedShape::new(Voxels::new(voxel_size, grid_coordinates))),
+                .map(|()| SharedShape::new(grid::voxels_of(voxel_size, grid_coordinates.to_vec()))),
         )
     }
 
@@ -227,7 +227,11 @@ impl ColliderBuilder {
         let checked = check_points("points", points).and_then(|()| {
             grid::check_cells(voxel_size, points.iter().map(|point| *point / voxel_size))
         });
-        Self::of(checked.map(|()| SharedShape::new(Voxels::from_points(voxel_size, points))))
+        Self::of(checked.map(|()| {
+            let voxels = Voxels::new(voxel_size, &[]);
+            let cells = points.iter().map(|&point| voxels.voxel_at_point(point)).collect();
+            SharedShape::new(grid::voxels_of(voxel_size, cells))
+        }))
     }
 
     /// The boxes of a grid that a surface passes through and, depending on `fill_mode`, those that it
@@ -242,12 +246,15 @@ impl ColliderBuilder {
             .and_then(|()| check_length("voxel_size", voxel_size))
             .and_then(|()| grid::check_fineness(vertices, voxel_size));
         Self::of(checked.and_then(|()| {
-            guarded(|| SharedShape::voxelized_mesh(vertices, indices, voxel_size, fill_mode)).ok_or(
-                InvalidCollider::Degenerate {
-                    shape: "mesh",
-                    reason: "the geometry library cannot turn it into voxels",
-                },
-            )
+            let shape =
+                guarded(|| SharedShape::voxelized_mesh(vertices, indices, voxel_size, fill_mode));
+            let voxels = shape.as_ref().and_then(|shape| shape.as_voxels());
+            let voxels = voxels.ok_or(InvalidCollider::Degenerate {
+                shape: "mesh",
+                reason: "the geometry library cannot turn it into voxels",
+            })?;
+            let cells = grid::filled_cells(voxels);
+            Ok(SharedShape::new(grid::voxels_of(voxels.voxel_size(), cells)))
         }))
     }
 }
