@@ -63,6 +63,27 @@ fn coincident_bodies_are_not_thrown() {
     judge(&[10, 50, 150]);
 }
 
+/// A world that shrinks before bodies are created inside each other: constraints of removed bodies must not be looked at.
+#[test]
+fn coincident_bodies_may_follow_a_crowd() {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(cuboid(50.0, 0.5), None);
+    let drop = |world: &mut PhysicsWorld, at: Vector| {
+        world.insert(RigidBodyBuilder::dynamic().translation(at), cuboid(0.5, 0.5)).0
+    };
+    let crowd: Vec<_> = (0..80_u8)
+        .map(|k| drop(&mut world, vec(Real::from(k % 40) * 1.1 - 22.0, 1.0 + Real::from(k / 40))))
+        .collect();
+    (0..10).for_each(|_| world.step());
+    for body in crowd {
+        world.remove_body(body);
+    }
+    let newcomers: Vec<_> = (0..8).map(|_| drop(&mut world, vec(0.0, 1.0))).collect();
+    (0..60).for_each(|_| world.step());
+    let is_near = |body: &RigidBody| body.translation().length() < 20.0;
+    assert!(newcomers.iter().all(|&body| is_near(&world.bodies[body])));
+}
+
 #[test]
 #[ignore = "half a minute"]
 fn crowds_of_coincident_bodies_are_not_thrown() {

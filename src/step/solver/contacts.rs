@@ -250,7 +250,9 @@ impl SolverContacts {
         if !recovery.limit(bodies) {
             return;
         }
-        for (index, block) in self.blocks.iter_mut().enumerate() {
+        // Blocks that no colour fills name bodies of an earlier step.
+        for index in self.layout.colors().iter().flat_map(Clone::clone) {
+            let block = &mut self.blocks[index];
             if let Some(factors) = recovery.kept_by(block) {
                 block.scale_impulses(&factors);
                 self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
