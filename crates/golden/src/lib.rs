@@ -25,6 +25,9 @@ pub struct Settings {
     pub wide: bool,
 }
 
+/// Runs all steps of a scene and returns the hash of the run.
+pub type Run = fn(Settings) -> u64;
+
 /// A scene of one crate.
 #[derive(Copy, Clone)]
 pub struct Scene {
@@ -32,7 +35,7 @@ pub struct Scene {
     pub engine: &'static str,
     /// The scene's name.
     pub name: &'static str,
-    run: fn(Settings) -> u64,
+    run: Run,
 }
 
 impl Scene {
@@ -47,7 +50,7 @@ pub const EXPECTED: &str = include_str!("hashes.txt");
 
 /// All scenes of all crates.
 pub fn scenes() -> Vec<Scene> {
-    let engines: [(&str, &[(&str, fn(Settings) -> u64)]); 4] = [
+    let engines: [(&str, &[(&str, Run)]); 4] = [
         ("rapier2d", &flat::SCENES),
         ("rapier3d", &solid::SCENES),
         ("rapier2d-f64", &flat_f64::SCENES),

@@ -8,11 +8,11 @@ mod piles;
 mod queries;
 
 use super::rapier::prelude::*;
-use crate::{Fold, Settings};
+use crate::{Fold, Run, Settings};
 use std::sync::Mutex;
 
 /// All scenes under their names.
-pub const SCENES: [(&str, fn(Settings) -> u64); 10] = [
+pub const SCENES: [(&str, Run); 10] = [
     ("heap", |settings| run(settings, 200, piles::heap)),
     ("pyramid", |settings| run(settings, 150, piles::pyramid)),
     ("joints", |settings| run(settings, 200, joints::impulse_joints)),
