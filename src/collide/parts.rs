@@ -3,6 +3,7 @@
 //! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
 //! only part. Parts that are far from the other shape are never looked at.
 
+use super::seams::FACE;
 use super::voxels::{for_each_voxel, with_voxel};
 use crate::base::bvh::SlabProbe;
 use crate::dim::collide::{
@@ -49,6 +50,13 @@ impl<'a> Part<'a> {
             (corner - point).dot(normal).abs() < tolerance
         };
         as_flat(self.shape).is_some_and(|flat| flat_corners(flat).into_iter().all(is_near))
+    }
+
+    /// Is it flat, and does it look another way than a direction in its shape's frame?
+    pub fn looks_aside(&self, direction: Vector) -> bool {
+        let Some(flat) = as_flat(self.shape).and_then(Flat::new) else { return false };
+        let normal = self.pose.map_or(flat.normal(), |pose| pose.rotation * flat.normal());
+        normal.dot(direction).abs() < FACE
     }
 
     /// Place of the part in the frame of its shape.

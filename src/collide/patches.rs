@@ -41,6 +41,8 @@ pub(super) struct Patch {
     pub normal: Vector,
     /// Distance at the deepest point.
     pub dist: Real,
+    /// Does no part meet the other with its rim alone? A [`Flat`] does, if it does not look along the normal.
+    is_broad: bool,
     /// Where its points are.
     points: Range<usize>,
     /// The number of the [floor](super::floors) that it is on.
@@ -122,19 +124,20 @@ impl Patches {
         &mut self,
         pair: &ShapePair<'_>,
         raw: &RawManifold,
-        [part1, part2]: &[Part<'_>; 2],
+        parts: &[Part<'_>; 2],
         floor: Option<u32>,
     ) -> bool {
         let at = self.list.len();
         self.list.push(Patch {
-            parts: [part1.id, part2.id],
+            parts: parts.each_ref().map(|part| part.id),
             normal: Vector::ZERO,
             dist: 0.0,
+            is_broad: true,
             points: 0..0,
             floor,
             pieces: 0..0,
         });
-        if !self.replace(at, raw, part1, part2) {
+        if !self.replace(at, pair, raw, parts) {
             self.list.pop();
             return false;
         }
@@ -210,10 +213,11 @@ impl Patches {
     pub fn replace(
         &mut self,
         index: usize,
+        pair: &ShapePair<'_>,
         raw: &RawManifold,
-        part1: &Part<'_>,
-        part2: &Part<'_>,
+        parts: &[Part<'_>; 2],
     ) -> bool {
+        let [part1, part2] = parts;
         let Some(unit) = unit_normal(raw) else { return false };
         let start = self.points.len();
         for point in &raw.points {
@@ -228,6 +232,9 @@ impl Patches {
         }
         let patch = &mut self.list[index];
         patch.normal = part1.pose.map_or(unit, |pose| pose.rotation * unit);
+        let normals = [patch.normal, pair.pos12.rotation.inverse() * patch.normal];
+        let meets_with_rim = |(part, normal): (&Part<'_>, Vector)| part.looks_aside(normal);
+        patch.is_broad = !parts.iter().zip(normals).any(meets_with_rim);
         patch.dist = raw.points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
         patch.points = start..self.points.len();
         true
@@ -251,7 +258,8 @@ impl Patches {
         self.merged.clear();
         self.merged.extend(self.list.iter().map(|patch| patch.points.is_empty()));
         while let Some(deepest) = self.deepest_unmerged() {
-            let (first, parts) = (self.list[deepest].normal, self.list[deepest].parts);
+            let first = self.list[deepest].normal;
+            let parts = self.list[self.namesake(deepest)].parts;
             let mut normal = Vector::ZERO;
             self.gathered.clear();
             for (patch, merged) in self.list.iter().zip(&mut self.merged) {
@@ -267,6 +275,21 @@ impl Patches {
             drop_doubles(&mut self.gathered);
             push_manifold(&self.gathered, normal, parts, pos12, out);
         }
+    }
+
+    /// The patch after whose parts a manifold is named, of those that will be put together with the deepest: the deepest
+    /// that is no rim, if any. The wall of a step reaches up to the step and is touched there; but it does not go on
+    /// beneath the body, and whoever asks what the body stands on must not find that it ends there.
+    fn namesake(&self, deepest: usize) -> usize {
+        let first = &self.list[deepest];
+        if first.is_broad {
+            return deepest;
+        }
+        let depth = |index: &usize| self.list[*index].dist;
+        let is_with = |patch: &Patch| patch.is_broad && patch.normal.dot(first.normal) > SAME_WAY;
+        let is_candidate = |&index: &usize| !self.merged[index] && is_with(&self.list[index]);
+        let broad = (0..self.list.len()).filter(is_candidate);
+        broad.min_by(|a, b| depth(a).total_cmp(&depth(b))).unwrap_or(deepest)
     }
 
     fn deepest_unmerged(&self) -> Option<usize> {

@@ -41,7 +41,7 @@ use parry::shape::Shape;
 use smallvec::SmallVec;
 
 /// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
-const FACE: Real = 0.9998;
+pub(super) const FACE: Real = 0.9998;
 /// The plane of a contact is that of the obstacle's face if their normals differ by no more than this
 /// squared length (0.17 degrees): bodies that lie on a face are level to about that.
 const LEVEL: Real = 9.0e-6;
@@ -232,6 +232,13 @@ impl Facet<'_> {
         id == other.body.1 || is_above()
     }
 
+    /// Is it in the plane of another?
+    fn is_flush(&self, other: &Self, tolerance: Real) -> bool {
+        let offset = other.plane.dot(self.place - other.place);
+        let is_parallel = other.plane.distance_squared(self.plane) < PARALLEL;
+        is_parallel && offset.abs() < tolerance
+    }
+
     /// Is it with a face that looks along a direction that the obstacle meets the body?
     fn is_with_face_along(&self, direction: Vector) -> bool {
         match self.face {
@@ -352,8 +359,17 @@ impl Search<'_> {
         self.others(index).find(|&other| {
             let other = &self.facets[other];
             facet.is_behind(other, tolerance)
-                && !(facet.dist < other.dist && other.is_behind(facet, tolerance))
+                && !(facet.dist < other.dist && self.is_all_behind(other, facet))
         })
+    }
+
+    /// Are all obstacles in the plane of a contact behind another? Of a floor of tiles, the tile that the body leaves
+    /// ends behind its own side wall, the floor does not.
+    fn is_all_behind(&self, contact: &Facet<'_>, other: &Facet<'_>) -> bool {
+        let is_seam = |index: usize| self.seams.iter().any(|seam| seam.index == index);
+        let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_seam(*index));
+        let mut in_plane = contacts.filter(|(_, facet)| facet.is_flush(contact, self.tolerance));
+        in_plane.all(|(_, facet)| facet.is_behind(other, self.tolerance))
     }
 
     /// A contact whose obstacles hide all points of a facet. They may be different ones; then any.
@@ -397,12 +413,7 @@ fn distinct_planes(
     let mut planes = SmallVec::<[usize; MAX_PLANES]>::new();
     for &index in order {
         let facet = &facets[index];
-        let is_known = planes.iter().any(|&plane| {
-            let plane: &Facet<'_> = &facets[plane];
-            let offset = plane.plane.dot(facet.place - plane.place);
-            let is_parallel = plane.plane.distance_squared(facet.plane) < PARALLEL;
-            is_parallel && offset.abs() < tolerance
-        });
+        let is_known = planes.iter().any(|&plane| facet.is_flush(&facets[plane], tolerance));
         if !is_known {
             planes.push(index);
         }

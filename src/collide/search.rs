@@ -176,7 +176,7 @@ impl Search<'_> {
                 is_too_deep = raw.points.iter().any(|point| point.dist < seam.least_dist);
                 is_carried = !raw.points.is_empty()
                     && !is_too_deep
-                    && self.patches.replace(index, raw, &part1, &part2);
+                    && self.patches.replace(index, self.pair, raw, &[part1, part2]);
             });
         });
         // An edge that seemed hidden, and is not.

@@ -64,7 +64,7 @@ pub(super) fn support_manifold(
     let is_bent = local_n1 != normal;
     if is_bent {
         add_features(pos12, cores, normals, points, raw);
-        raw.points.retain(|point| dist >= 0.0 || point.dist >= BENT_DEPTH * dist);
+        raw.points.retain(|point| point.dist >= BENT_DEPTH * dist.min(0.0));
     } else {
         let shapes = cores.map(|core| core.part);
         let sharp = cores.map(|core| core.shape);
