@@ -7,6 +7,8 @@
 
 mod collision_pipeline;
 mod physics_pipeline;
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
 mod world;
 mod world_queries;
 

@@ -2,6 +2,8 @@
 
 pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;
+#[cfg(feature = "serde-serialize")]
+pub use super::snapshot::{SnapshotError, apply_snapshot_delta, snapshot_delta};
 pub use super::world::PhysicsWorld;
 pub use crate::base::tasks::{Threads, ThreadsError};
 pub use crate::base::timer::Timer;

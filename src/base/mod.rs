@@ -34,3 +34,5 @@ pub mod random;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;
 pub(crate) mod pool;
+#[cfg(feature = "serde-serialize")]
+pub(crate) mod plain_shape;

@@ -18,6 +18,8 @@ mod damaged;
 #[cfg(feature = "serde-serialize")]
 mod saved;
 #[cfg(feature = "serde-serialize")]
+mod snapshots;
+#[cfg(feature = "serde-serialize")]
 mod sets;
 #[cfg(feature = "serde-serialize")]
 mod tree;
