@@ -8,6 +8,8 @@
 mod collision_pipeline;
 mod physics_pipeline;
 #[cfg(feature = "serde-serialize")]
+mod recording;
+#[cfg(feature = "serde-serialize")]
 mod snapshot;
 mod world;
 mod world_queries;

@@ -3,7 +3,7 @@
 //! A snapshot is a [header](header) and the nine parts of a world, one after the other, in the [format](codec) of this room. Each part checks itself when it is
 //! read; references between the sets are checked by the first step (`src/model/structure/check/`).
 
-mod codec;
+pub(super) mod codec;
 mod delta;
 mod error;
 mod header;
