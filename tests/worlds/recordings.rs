@@ -25,10 +25,9 @@ fn a_replay_repeats_every_edit() {
         ("parameters", |world| world.integration_parameters.num_solver_iterations = 2),
         ("detection", |world| world.detect_collisions(&(), &())),
         ("a joint", |world| {
-            let mut bodies = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
-            let pair = bodies.next().zip(bodies.next()).map(|((one, _), (two, _))| (one, two));
-            let (one, two) = pair.expect("there are two");
-            world.insert_impulse_joint(one, two, RopeJointBuilder::new(1.0));
+            let dynamic = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
+            let bodies: Vec<_> = dynamic.map(|(handle, _)| handle).take(2).collect();
+            world.insert_impulse_joint(bodies[0], bodies[1], RopeJointBuilder::new(1.0));
         }),
     ];
     for (name, edit) in EDITS.into_iter().chain(more) {
@@ -47,8 +46,8 @@ fn a_replay_repeats_every_edit() {
 struct Ghosts;
 
 impl PhysicsHooks for Ghosts {
-    fn filter_contact_pair(&self, _: &PairFilterContext<'_>) -> Option<SolverFlags> {
-        None
+    fn filter_contact_pair(&self, _: &PairFilterContext<'_>) -> bool {
+        false
     }
 }
 

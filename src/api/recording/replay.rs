@@ -58,6 +58,16 @@ impl<'a> Replay<'a> {
         self.steps
     }
 
+    /// Number of steps that are left to take: of a file that was cut off, those that are whole.
+    pub fn steps_left(&self) -> usize {
+        let (mut frames, mut steps) = (self.frames, 0);
+        while let Ok((_, rest)) = read_frame(frames, steps) {
+            frames = rest;
+            steps += 1;
+        }
+        steps
+    }
+
     /// Returns whether the recording has edits in front of the last step.
     pub fn was_edited(&self) -> bool {
         self.edited
