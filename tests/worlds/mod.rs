@@ -19,6 +19,8 @@ mod damaged;
 #[cfg(feature = "serde-serialize")]
 mod recordings;
 #[cfg(feature = "serde-serialize")]
+mod samples;
+#[cfg(feature = "serde-serialize")]
 mod saved;
 #[cfg(feature = "serde-serialize")]
 mod snapshots;

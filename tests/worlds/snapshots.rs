@@ -89,8 +89,10 @@ fn forged_snapshots_never_panic() {
     let mut original = world();
     (0..10).for_each(|_| step(&mut original));
     let saved = snapshot(&original);
-    let (mut state, mut refused, mut loaded) = (2, 0, 0);
-    for round in 0..2_000 {
+    let rounds = std::env::var("FORGERIES").ok().and_then(|rounds| rounds.parse().ok());
+    let rounds = rounds.unwrap_or(2_000);
+    let (mut state, mut refused, mut loaded) = (rounds as u64, 0, 0);
+    for round in 0..rounds {
         let mut parts = saved[28..].to_vec();
         for _ in 0..1 + round % 3 {
             let at = random(&mut state) % parts.len();
@@ -112,7 +114,8 @@ fn forged_snapshots_never_panic() {
             None => refused += 1,
         }
     }
-    assert!(refused > 200 && loaded > 200, "{refused} refused, {loaded} loaded");
+    assert!(refused.min(loaded) > rounds / 10, "{refused} refused, {loaded} loaded");
+    println!("{refused} forged snapshots were refused, {loaded} loaded and stepped");
 }
 
 #[test]

@@ -36,6 +36,7 @@ const SHIFTED_BYTES_MIN: usize = 32;
 ///     let body = RigidBodyBuilder::dynamic().translation(vector![3.0 * i as Real, 0.0, 0.0]).sleeping(i > 0);
 ///     world.insert(body, ColliderBuilder::ball(0.5));
 /// }
+/// world.step();
 /// let base = world.to_snapshot()?;
 /// world.step();
 /// let next = world.to_snapshot()?;
