@@ -17,7 +17,7 @@ const source = (name) => join(here, "src", name);
 execFileSync(process.execPath, [join(here, "generate.mjs"), source("functions.ts")]);
 
 const alias = Object.fromEntries(
-    ["dim", "rigid_body", "collider_desc", "shape"].map((name) => [`#${name}`, source(`${name}${dimension}.ts`)]),
+    ["dim", "rigid_body", "collider_desc", "shape", "world"].map((name) => [`#${name}`, source(`${name}${dimension}.ts`)]),
 );
 alias["#entry"] = source(`rapier${dimension}.ts`);
 

@@ -16,9 +16,18 @@ import {
 import type { RigidBody } from "#rigid_body";
 import type { ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, InteractionGroups } from "./enums.js";
 import { RapierError } from "./error.js";
+import {
+    ColliderShapeCastHit,
+    PointProjection,
+    type Ray,
+    RayIntersection,
+    ShapeCastHit,
+    ShapeContact,
+    putRay,
+} from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, raw, realsCopy } from "./raw.js";
 import type { RealArray } from "./real.js";
-import { Code, SIZES, type Shape, putSizes, read } from "./shape.js";
+import { Code, SIZES, type Shape, putPose, putSizes, read } from "./shape.js";
 import type { World } from "./world.js";
 
 /** Identifies a collider of a world: slot and generation as the bits of a double. */
@@ -289,6 +298,106 @@ export class Collider {
     setMassProperties(...properties: MassProperties): void {
         putMassProperties(0, properties);
         raw.collider_set_mass_properties(this.world.id, this.handle, properties[0]);
+    }
+
+    // ---- Queries ----
+
+    /** Returns whether a point is inside the collider. */
+    containsPoint(point: Vector): boolean {
+        putVector(0, point);
+        return raw.subject_contains_point(this.world.id, this.handle) !== 0;
+    }
+
+    /** The point of the collider that is nearest to a point. */
+    projectPoint(point: Vector, solid: boolean, target?: PointProjection): PointProjection | null {
+        putVector(0, point);
+        return PointProjection.read(raw.subject_project_point(this.world.id, this.handle, +solid) !== 0, target);
+    }
+
+    /** Returns whether a ray hits the collider. */
+    intersectsRay(ray: Ray, maxToi: number): boolean {
+        putRay(ray);
+        return raw.subject_intersects_ray(this.world.id, this.handle, maxToi) !== 0;
+    }
+
+    /** The time at which a ray hits the collider, or -1. */
+    castRay(ray: Ray, maxToi: number, solid: boolean): number {
+        putRay(ray);
+        return raw.subject_cast_ray(this.world.id, this.handle, maxToi, +solid);
+    }
+
+    /** The hit of a ray on the collider, or null. */
+    castRayAndGetNormal(ray: Ray, maxToi: number, solid: boolean, target?: RayIntersection): RayIntersection | null {
+        putRay(ray);
+        return raw.subject_cast_ray_and_get_normal(this.world.id, this.handle, maxToi, +solid) ? RayIntersection.read(target) : null;
+    }
+
+    /** The hit of the collider and a shape, both moving, or null. */
+    castShape(
+        collider1Vel: Vector,
+        shape2: Shape,
+        shape2Pos: Vector,
+        shape2Rot: Rotation,
+        shape2Vel: Vector,
+        targetDistance: number,
+        maxToi: number,
+        stopAtPenetration: boolean,
+        target?: ShapeCastHit,
+    ): ShapeCastHit | null {
+        return shape2.use((other) => {
+            putPose(10, shape2Pos, shape2Rot);
+            putVector(0, collider1Vel);
+            putVector(1, shape2Vel);
+            const { world, handle } = this;
+            const hits = raw.subjects_cast(world.id, handle, 0, other, targetDistance, maxToi, +stopAtPenetration);
+            return hits ? ShapeCastHit.read(target) : null;
+        });
+    }
+
+    /** The hit of the collider and another one, both moving, or null. */
+    castCollider(
+        collider1Vel: Vector,
+        collider2: Collider,
+        collider2Vel: Vector,
+        targetDistance: number,
+        maxToi: number,
+        stopAtPenetration: boolean,
+        target?: ColliderShapeCastHit,
+    ): ColliderShapeCastHit | null {
+        putVector(0, collider1Vel);
+        putVector(1, collider2Vel);
+        const [one, other] = [this.world.id, collider2.world.id];
+        const hits = raw.subjects_cast(one, this.handle, other, collider2.handle, targetDistance, maxToi, +stopAtPenetration);
+        return hits ? ColliderShapeCastHit.readOf(collider2, target) : null;
+    }
+
+    /** Returns whether the collider and a shape touch. */
+    intersectsShape(shape2: Shape, shapePos2: Vector, shapeRot2: Rotation): boolean {
+        return shape2.use((other) => {
+            putPose(10, shapePos2, shapeRot2);
+            return raw.subjects_intersect(this.world.id, this.handle, 0, other) !== 0;
+        });
+    }
+
+    /** The contact of the collider and a shape, or null if they are farther apart than the prediction. */
+    contactShape(
+        shape2: Shape,
+        shape2Pos: Vector,
+        shape2Rot: Rotation,
+        prediction: number,
+        target?: ShapeContact,
+    ): ShapeContact | null {
+        return shape2.use((other) => {
+            putPose(10, shape2Pos, shape2Rot);
+            return raw.subjects_contact(this.world.id, this.handle, 0, other, prediction) ? ShapeContact.read(target) : null;
+        });
+    }
+
+    /** The contact of the collider and another one, or null if they are farther apart than the prediction. */
+    contactCollider(collider2: Collider, prediction: number, target?: ShapeContact): ShapeContact | null {
+        const other = collider2.world.id;
+        const near = raw.subjects_contact(this.world.id, this.handle, other, collider2.handle, prediction);
+        return near ? ShapeContact.read(target) : null;
     }
 
     // ---- Shape ----

@@ -5,3 +5,4 @@ export { FeatureType, JointAxesMask, JointAxis, JointType, PidAxesMask, Polyline
 export { RigidBody, RigidBodyDesc } from "#rigid_body";
 export { ColliderDesc } from "#collider_desc";
 export * from "#shape";
+export { World } from "#world";

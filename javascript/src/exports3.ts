@@ -5,3 +5,5 @@ export { FeatureType, JointAxesMask, JointAxis, JointType, PidAxesMask, Polyline
 export { RigidBody, RigidBodyDesc } from "#rigid_body";
 export { ColliderDesc } from "#collider_desc";
 export * from "#shape";
+export { World } from "#world";
+export { DynamicRayCastVehicleController } from "./vehicle_controller.js";

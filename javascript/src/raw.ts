@@ -156,6 +156,12 @@ export function integersCopy(): Uint32Array {
     return new Uint32Array(raw.memory.buffer, raw.integers_address(), raw.integers_len()).slice();
 }
 
+/** Writes a list for the next call. */
+export function putList(numbers: ArrayLike<number>): void {
+    const address = raw.list_reserve(numbers.length);
+    new Float64Array(raw.memory.buffer, address, numbers.length).set(numbers);
+}
+
 /** Writes real numbers for the next call. */
 export function putReals(numbers: ArrayLike<number>): void {
     const address = raw.reals_reserve(numbers.length);
@@ -240,7 +246,6 @@ const imported = {
     visit: (collider: number): number => guarded(() => Number(visitor!(collider))),
     hook: (kind: number, collider1: number, collider2: number, body1: number, body2: number): number =>
         guarded(() => hook!(kind, collider1, collider2, body1, body2)),
-    now: (): number => performance.now(),
 };
 
 /** Runs a call of the module with callbacks. An exception of a callback is thrown after it. */

@@ -32,7 +32,7 @@ export class RigidBodySet {
     remove(handle: RigidBodyHandle): void {
         const groups = listCopy(raw.body_remove(this.world.id, handle));
         this.map.delete(handle);
-        const sets = [this.world.colliders];
+        const sets = [this.world.colliders, this.world.impulseJoints, this.world.multibodyJoints];
         let at = 0;
         for (const set of sets) {
             const end = at + 1 + groups[at]!;

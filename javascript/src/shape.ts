@@ -12,12 +12,14 @@ import {
     getVector,
     pushRotation,
     pushVector,
+    putRotation,
     putVector,
     rotationAt,
     vectorAt,
     vectorOf,
 } from "#dim";
 import { RapierError } from "./error.js";
+import { PointProjection, type Ray, RayIntersection, ShapeCastHit, ShapeContact, putRay } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, putNumber, putReals, raw, realsCopy } from "./raw.js";
 import type { RealArray } from "./real.js";
 
@@ -65,6 +67,12 @@ export function putSizes(radius: number, halfHeight = 0, borderRadius = 0): void
     putNumber(SIZES, 2, borderRadius);
 }
 
+/** Writes the pose of a shape. */
+export function putPose(place: number, position: Vector, rotation: Rotation): void {
+    putVector(place, position);
+    putRotation(place + 1, rotation);
+}
+
 /** A geometric shape. */
 export abstract class Shape {
     /** The kind of the shape. */
@@ -72,6 +80,114 @@ export abstract class Shape {
 
     /** @internal Makes the shape in the module. Returns its number. */
     abstract register(): number;
+
+    /** The hit of this shape and another one, both moving. */
+    castShape(
+        shapePos1: Vector,
+        shapeRot1: Rotation,
+        shapeVel1: Vector,
+        shape2: Shape,
+        shapePos2: Vector,
+        shapeRot2: Rotation,
+        shapeVel2: Vector,
+        targetDistance: number,
+        maxToi: number,
+        stopAtPenetration: boolean,
+        target?: ShapeCastHit,
+    ): ShapeCastHit | null {
+        return this.use((one) =>
+            shape2.use((other) => {
+                putPose(8, shapePos1, shapeRot1);
+                putPose(10, shapePos2, shapeRot2);
+                putVector(0, shapeVel1);
+                putVector(1, shapeVel2);
+                const hits = raw.subjects_cast(0, one, 0, other, targetDistance, maxToi, +stopAtPenetration);
+                return hits ? ShapeCastHit.read(target) : null;
+            }),
+        );
+    }
+
+    /** Returns whether this shape and another one touch. */
+    intersectsShape(shapePos1: Vector, shapeRot1: Rotation, shape2: Shape, shapePos2: Vector, shapeRot2: Rotation): boolean {
+        return this.use((one) =>
+            shape2.use((other) => {
+                putPose(8, shapePos1, shapeRot1);
+                putPose(10, shapePos2, shapeRot2);
+                return raw.subjects_intersect(0, one, 0, other) !== 0;
+            }),
+        );
+    }
+
+    /** The contact of this shape and another one, or null if they are farther apart than the prediction. */
+    contactShape(
+        shapePos1: Vector,
+        shapeRot1: Rotation,
+        shape2: Shape,
+        shapePos2: Vector,
+        shapeRot2: Rotation,
+        prediction: number,
+        target?: ShapeContact,
+    ): ShapeContact | null {
+        return this.use((one) =>
+            shape2.use((other) => {
+                putPose(8, shapePos1, shapeRot1);
+                putPose(10, shapePos2, shapeRot2);
+                return raw.subjects_contact(0, one, 0, other, prediction) ? ShapeContact.read(target) : null;
+            }),
+        );
+    }
+
+    /** Returns whether a point is inside the shape. */
+    containsPoint(shapePos: Vector, shapeRot: Rotation, point: Vector): boolean {
+        return this.use((number) => {
+            putPose(8, shapePos, shapeRot);
+            putVector(0, point);
+            return raw.subject_contains_point(0, number) !== 0;
+        });
+    }
+
+    /** The point of the shape that is nearest to a point. */
+    projectPoint(shapePos: Vector, shapeRot: Rotation, point: Vector, solid: boolean, target?: PointProjection): PointProjection {
+        return this.use((number) => {
+            putPose(8, shapePos, shapeRot);
+            putVector(0, point);
+            return PointProjection.read(raw.subject_project_point(0, number, +solid) !== 0, target);
+        });
+    }
+
+    /** Returns whether a ray hits the shape. */
+    intersectsRay(ray: Ray, shapePos: Vector, shapeRot: Rotation, maxToi: number): boolean {
+        return this.use((number) => {
+            putPose(8, shapePos, shapeRot);
+            putRay(ray);
+            return raw.subject_intersects_ray(0, number, maxToi) !== 0;
+        });
+    }
+
+    /** The time at which a ray hits the shape, or -1. */
+    castRay(ray: Ray, shapePos: Vector, shapeRot: Rotation, maxToi: number, solid: boolean): number {
+        return this.use((number) => {
+            putPose(8, shapePos, shapeRot);
+            putRay(ray);
+            return raw.subject_cast_ray(0, number, maxToi, +solid);
+        });
+    }
+
+    /** The hit of a ray on the shape. Null if there is none. */
+    castRayAndGetNormal(
+        ray: Ray,
+        shapePos: Vector,
+        shapeRot: Rotation,
+        maxToi: number,
+        solid: boolean,
+        target?: RayIntersection,
+    ): RayIntersection {
+        return this.use((number) => {
+            putPose(8, shapePos, shapeRot);
+            putRay(ray);
+            return raw.subject_cast_ray_and_get_normal(0, number, maxToi, +solid) ? RayIntersection.read(target) : null!;
+        });
+    }
 
     /** @internal Runs work with the shape in the module. */
     use<R>(work: (shape: number) => R): R {

@@ -1,17 +1,67 @@
-import { type Vector, VectorOps, putVector } from "#dim";
+import { type PidAxesMask, type Rotation, type Vector, putVector } from "#dim";
 import type { ColliderDesc } from "#collider_desc";
 import type { RigidBody, RigidBodyDesc } from "#rigid_body";
+import { KinematicCharacterController } from "./character_controller.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import { ColliderSet } from "./collider_set.js";
+import { DebugRenderBuffers, DebugRenderPipeline } from "./debug_render.js";
+import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { RapierError } from "./error.js";
 import type { EventQueue } from "./event_queue.js";
+import type { ColliderShapeCastHit, PointColliderProjection, Ray, RayColliderHit, RayColliderIntersection } from "./geometry_results.js";
 import { type PhysicsHooks, hookOf, presentHooks } from "./hooks.js";
 import { IntegrationParameters } from "./integration_parameters.js";
 import { IslandManager } from "./island_manager.js";
+import {
+    type ImpulseJoint,
+    type ImpulseJointHandle,
+    ImpulseJointSet,
+    type JointData,
+    type MultibodyJoint,
+    type MultibodyJointHandle,
+    MultibodyJointSet,
+} from "./joint.js";
+import { NarrowPhase, type TempContactManifold } from "./narrow_phase.js";
 import { Owner } from "./owner.js";
-import { raw, withCallbacks } from "./raw.js";
+import { PidController } from "./pid_controller.js";
+import { BroadPhase, type Filter } from "./query.js";
+import { putList, putReals, raw, withCallbacks } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import { RigidBodySet } from "./rigid_body_set.js";
+import type { Shape } from "./shape.js";
+import { BodyViews } from "./views.js";
+
+/** What `World.changeBodies` changes. */
+export type BodyChange =
+    | "translation"
+    | "rotation"
+    | "linvel"
+    | "angvel"
+    | "nextTranslation"
+    | "nextRotation"
+    | "addForce"
+    | "applyImpulse";
+
+/** The changes in the order of crates/wasm/src/batch.rs. */
+const BODY_CHANGES: readonly BodyChange[] = [
+    "translation",
+    "rotation",
+    "linvel",
+    "angvel",
+    "nextTranslation",
+    "nextRotation",
+    "addForce",
+    "applyImpulse",
+];
+
+/** What a query leaves out, as its last arguments. */
+type ObjectFilter = [
+    filterFlags?: QueryFilterFlags,
+    filterGroups?: InteractionGroups,
+    filterExcludeCollider?: Collider,
+    filterExcludeRigidBody?: RigidBody,
+    filterPredicate?: (collider: Collider) => boolean,
+];
 
 /** A simulation: bodies, colliders, joints, and all that a step needs. */
 export class World extends Owner {
@@ -19,23 +69,44 @@ export class World extends Owner {
     gravity: Vector;
     integrationParameters: IntegrationParameters;
     islands: IslandManager;
+    broadPhase: BroadPhase;
+    narrowPhase: NarrowPhase;
     bodies: RigidBodySet;
     colliders: ColliderSet;
+    impulseJoints: ImpulseJointSet;
+    multibodyJoints: MultibodyJointSet;
+    debugRenderPipeline: DebugRenderPipeline;
+    /** The character controllers of the world. */
+    characterControllers = new Set<KinematicCharacterController>();
+    /** The PID controllers of the world. */
+    pidControllers = new Set<PidController>();
+    private bodyViews: BodyViews | undefined;
 
     constructor(gravity: Vector) {
         super(raw.world_new(), (id) => raw.world_free(id));
         this.gravity = gravity;
         this.integrationParameters = new IntegrationParameters(this);
         this.islands = new IslandManager(this);
+        this.broadPhase = new BroadPhase(this);
+        this.narrowPhase = new NarrowPhase(this);
         this.bodies = new RigidBodySet(this);
         this.colliders = new ColliderSet(this);
+        this.impulseJoints = new ImpulseJointSet(this);
+        this.multibodyJoints = new MultibodyJointSet(this);
+        this.debugRenderPipeline = new DebugRenderPipeline(this);
     }
 
     /** Frees the world with all that is in it. A second call does nothing. */
     override free(): void {
         super.free();
+        for (const controllers of [this.characterControllers, this.pidControllers]) {
+            controllers.forEach((controller: Owner) => controller.free());
+            controllers.clear();
+        }
         this.bodies.clear();
         this.colliders.clear();
+        this.impulseJoints.clear();
+        this.multibodyJoints.clear();
     }
 
     // ---- Steps ----
@@ -174,30 +245,230 @@ export class World extends Owner {
         this.bodies.forEachActiveRigidBody(this.islands, f);
     }
 
+    // ---- Joints ----
+
+    /** Joins two bodies by an impulse joint. */
+    createImpulseJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): ImpulseJoint {
+        this.own(parent1, "rigid body");
+        this.own(parent2, "rigid body");
+        return this.impulseJoints.createJoint(this.bodies, params, parent1.handle, parent2.handle, wakeUp);
+    }
+
+    /** Makes the second body a child of the first one, in a multibody. */
+    createMultibodyJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): MultibodyJoint {
+        this.own(parent1, "rigid body");
+        this.own(parent2, "rigid body");
+        return this.multibodyJoints.createJoint(params, parent1.handle, parent2.handle, wakeUp);
+    }
+
+    /** The impulse joint of a handle. Null if the handle finds none. */
+    getImpulseJoint(handle: ImpulseJointHandle): ImpulseJoint {
+        return this.impulseJoints.get(handle)!;
+    }
+
+    /** The multibody joint of a handle. Null if the handle finds none. */
+    getMultibodyJoint(handle: MultibodyJointHandle): MultibodyJoint {
+        return this.multibodyJoints.get(handle)!;
+    }
+
+    /** Removes an impulse joint. */
+    removeImpulseJoint(joint: ImpulseJoint, wakeUp: boolean): void {
+        this.own(joint, "impulse joint");
+        this.impulseJoints.remove(joint.handle, wakeUp);
+    }
+
+    /** Removes a multibody joint. */
+    removeMultibodyJoint(joint: MultibodyJoint, wakeUp: boolean): void {
+        this.own(joint, "multibody joint");
+        this.multibodyJoints.remove(joint.handle, wakeUp);
+    }
+
+    // ---- Controllers ----
+
+    /** Creates a character controller. The offset is the gap that it keeps to everything. */
+    createCharacterController(offset: number): KinematicCharacterController {
+        const controller = new KinematicCharacterController(this, offset);
+        this.characterControllers.add(controller);
+        return controller;
+    }
+
+    /** Removes a character controller, and frees it. */
+    removeCharacterController(controller: KinematicCharacterController): void {
+        this.characterControllers.delete(controller);
+        controller.free();
+    }
+
+    /** Creates a PID controller. It serves one body. */
+    createPidController(kp: number, ki: number, kd: number, axes: PidAxesMask): PidController {
+        const controller = new PidController(this, kp, ki, kd, axes);
+        this.pidControllers.add(controller);
+        return controller;
+    }
+
+    /** Removes a PID controller, and frees it. */
+    removePidController(controller: PidController): void {
+        this.pidControllers.delete(controller);
+        controller.free();
+    }
+
+    // ---- Batches and views ----
+
+    /** Poses, velocities and sleep flags of all bodies as views of the engine's memory. From the first use on, each step writes them. */
+    get views(): BodyViews {
+        this.bodyViews ??= new BodyViews(this);
+        return this.bodyViews;
+    }
+
+    /** Changes many bodies at once: none if one of the values cannot be used. The values stand side by side, in the order of the bodies. */
+    changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
+        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => body.handle));
+        putReals(values);
+        raw.bodies_change(this.id, BODY_CHANGES.indexOf(change), +wakeUp);
+    }
+
+    // ---- Debug lines and times ----
+
+    /** The world as lines. */
+    debugRender(filterFlags?: QueryFilterFlags, filterPredicate?: (collider: Collider) => boolean): DebugRenderBuffers {
+        const { bodies, colliders, impulseJoints, multibodyJoints, narrowPhase, debugRenderPipeline: pipeline } = this;
+        pipeline.render(bodies, colliders, impulseJoints, multibodyJoints, narrowPhase, filterFlags, filterPredicate);
+        return new DebugRenderBuffers(pipeline.vertices, pipeline.colors);
+    }
+
+    // ---- Queries ----
+
+    /** What a query leaves out, with colliders and bodies as objects. */
+    private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
+        const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
+        return [flags, groups, collider?.handle, body?.handle, accept];
+    }
+
+    /** The first collider that a ray hits. */
+    castRay(ray: Ray, maxToi: number, solid: boolean, ...filter: ObjectFilter): RayColliderHit | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castRay(narrowPhase, bodies, colliders, ray, maxToi, solid, ...this.filter(filter));
+    }
+
+    /** The first collider that a ray hits, with the normal there. */
+    castRayAndGetNormal(ray: Ray, maxToi: number, solid: boolean, ...filter: ObjectFilter): RayColliderIntersection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castRayAndGetNormal(narrowPhase, bodies, colliders, ray, maxToi, solid, ...this.filter(filter));
+    }
+
+    /** Shows all colliders that a ray hits to a callback, until it returns false. */
+    intersectionsWithRay(
+        ray: Ray,
+        maxToi: number,
+        solid: boolean,
+        callback: (intersect: RayColliderIntersection) => boolean,
+        ...filter: ObjectFilter
+    ): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        broadPhase.intersectionsWithRay(narrowPhase, bodies, colliders, ray, maxToi, solid, callback, ...this.filter(filter));
+    }
+
+    /** A collider that a shape touches. */
+    intersectionWithShape(shapePos: Vector, shapeRot: Rotation, shape: Shape, ...filter: ObjectFilter): Collider | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const found = broadPhase.intersectionWithShape(narrowPhase, bodies, colliders, shapePos, shapeRot, shape, ...this.filter(filter));
+        return found === null ? null : colliders.get(found);
+    }
+
+    /** The collider nearest to a point. */
+    projectPoint(point: Vector, solid: boolean, ...filter: ObjectFilter): PointColliderProjection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.projectPoint(narrowPhase, bodies, colliders, point, solid, ...this.filter(filter));
+    }
+
+    /** The collider whose surface is nearest to a point, with the feature there. */
+    projectPointAndGetFeature(point: Vector, ...filter: ObjectFilter): PointColliderProjection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.projectPointAndGetFeature(narrowPhase, bodies, colliders, point, ...this.filter(filter));
+    }
+
+    /** Shows all colliders that hold a point to a callback, until it returns false. */
+    intersectionsWithPoint(point: Vector, callback: (collider: Collider) => boolean, ...filter: ObjectFilter): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        broadPhase.intersectionsWithPoint(narrowPhase, bodies, colliders, point, this.visitor(callback), ...this.filter(filter));
+    }
+
+    /** The first collider in the way of a shape. */
+    castShape(
+        shapePos: Vector,
+        shapeRot: Rotation,
+        shapeVel: Vector,
+        shape: Shape,
+        targetDistance: number,
+        maxToi: number,
+        stopAtPenetration: boolean,
+        ...filter: ObjectFilter
+    ): ColliderShapeCastHit | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castShape(
+            narrowPhase,
+            bodies,
+            colliders,
+            shapePos,
+            shapeRot,
+            shapeVel,
+            shape,
+            targetDistance,
+            maxToi,
+            stopAtPenetration,
+            ...this.filter(filter),
+        );
+    }
+
+    /** Shows all colliders that a shape touches to a callback, until it returns false. */
+    intersectionsWithShape(
+        shapePos: Vector,
+        shapeRot: Rotation,
+        shape: Shape,
+        callback: (collider: Collider) => boolean,
+        ...filter: ObjectFilter
+    ): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const visitor = this.visitor(callback);
+        broadPhase.intersectionsWithShape(narrowPhase, bodies, colliders, shapePos, shapeRot, shape, visitor, ...this.filter(filter));
+    }
+
+    /** Shows all colliders whose boxes overlap a box to a callback, until it returns false. */
+    collidersWithAabbIntersectingAabb(aabbCenter: Vector, aabbHalfExtents: Vector, callback: (handle: Collider) => boolean): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const visitor = this.visitor(callback);
+        broadPhase.collidersWithAabbIntersectingAabb(narrowPhase, bodies, colliders, aabbCenter, aabbHalfExtents, visitor);
+    }
+
+    private visitor(callback: (collider: Collider) => boolean): (handle: ColliderHandle) => boolean {
+        return (handle) => callback(this.colliders.get(handle)!);
+    }
+
+    // ---- Contacts ----
+
+    /** Calls a function with each collider that has a contact pair with a collider. */
+    contactPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
+        this.narrowPhase.contactPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+    }
+
+    /** Calls a function with each collider that intersects a collider, one of them a sensor. */
+    intersectionPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
+        this.narrowPhase.intersectionPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+    }
+
+    /** Calls a function with each manifold of a pair. `flipped` says that the manifold has the colliders in the other order. */
+    contactPair(collider1: Collider, collider2: Collider, f: (manifold: TempContactManifold, flipped: boolean) => void): void {
+        this.narrowPhase.contactPair(collider1.handle, collider2.handle, this.bodies, f);
+    }
+
+    /** Returns whether two colliders, one of them a sensor, intersect. */
+    intersectionPair(collider1: Collider, collider2: Collider): boolean {
+        return this.narrowPhase.intersectionPair(collider1.handle, collider2.handle);
+    }
+
     /** @internal Refuses objects of other worlds. */
     own(object: { readonly world: World }, what: string): void {
         if (object.world !== this) {
             throw new RapierError("StaleHandle", `the ${what} belongs to another world`);
-        }
-    }
-}
-
-/** A world with the gravity of the earth along -y. */
-export class PhysicsWorld extends World {
-    constructor(gravity?: Vector) {
-        const earth = VectorOps.zeros();
-        earth.y = -9.81;
-        super(gravity ?? earth);
-    }
-
-    /** Creates a body with one collider. */
-    insert(body: RigidBodyDesc, collider: ColliderDesc): [RigidBody, Collider] {
-        const inserted = this.createRigidBody(body);
-        try {
-            return [inserted, this.createCollider(collider, inserted)];
-        } catch (error) {
-            this.removeRigidBody(inserted);
-            throw error;
         }
     }
 }

@@ -25,7 +25,7 @@ test("SIMD and scalar code give the same hash", async () => {
     const [simd, scalar] = await Promise.all([hash("simd", "1000"), hash("scalar", "1000")]);
     assert.match(simd, /^[0-9a-f]{16}$/);
     assert.equal(simd, scalar);
-    assert.notEqual(simd, await hash("simd", "999"));
+    assert.notEqual(simd, await hash("simd", "100"));
 });
 
 test("native code gives the same hash", { skip: process.env.RAPIER_NATIVE === "0" && "left out by RAPIER_NATIVE=0" }, async () => {

@@ -15,8 +15,6 @@ mod imported {
         pub safe fn visit(collider: f64) -> u32;
         /// Calls a hook. The kind is 0 for contact pairs, 1 for intersection pairs, 2 for the modification of contacts.
         pub safe fn hook(kind: u32, collider1: f64, collider2: f64, body1: f64, body2: f64) -> u32;
-        /// The time in milliseconds.
-        pub safe fn now() -> f64;
     }
 }
 
@@ -36,9 +34,6 @@ mod imported {
     pub fn hook(_kind: u32, _collider1: f64, _collider2: f64, _body1: f64, _body2: f64) -> u32 {
         1
     }
-    pub fn now() -> f64 {
-        0.0
-    }
 }
 
-pub use imported::{accepts, fail, hook, now, visit, warn};
+pub use imported::{accepts, fail, hook, visit, warn};

@@ -30,6 +30,15 @@ mod body_mass;
 mod collider;
 mod shape;
 mod voxels;
+mod query;
+mod subject;
+mod contact;
+mod joint;
+mod controller;
+#[cfg(not(feature = "dim2"))]
+mod vehicle;
+mod debug;
+mod batch;
 mod events;
 mod hooks;
 mod mirror;

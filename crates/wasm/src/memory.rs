@@ -209,6 +209,12 @@ pub fn put_bytes(bytes: Vec<u8>) -> u32 {
     list.len() as u32
 }
 
+/// The list that JavaScript wrote.
+pub fn list() -> Vec<f64> {
+    // SAFETY: the reference ends with the statement.
+    core::mem::take(unsafe { LIST.get() })
+}
+
 /// The real numbers that JavaScript wrote.
 pub fn reals() -> Vec<Real> {
     // SAFETY: the reference ends with the statement.
@@ -333,6 +339,14 @@ exports! {
     fn bytes_address() -> usize {
         // SAFETY: the reference ends with the statement.
         unsafe { BYTES.get().as_ptr() as usize }
+    }
+
+    /// Makes room for a list that JavaScript writes next. Returns the address.
+    fn list_reserve(count: usize) -> usize {
+        // SAFETY: the reference ends with the block.
+        let list = unsafe { LIST.get() };
+        *list = vec![0.0; count];
+        list.as_ptr() as usize
     }
 
     /// Makes room for real numbers that JavaScript writes next. Returns the address.

@@ -13,7 +13,8 @@ use crate::rapier::parry::shape::{Compound, PolylineFlags};
 use crate::rapier::parry::transformation::vhacd::VHACDParameters;
 use crate::registry::Registry;
 
-/// The kinds of shapes: the numbers of `ShapeCode` in TypeScript.
+/// The kinds of shapes: the numbers of `Code` in TypeScript.
+#[allow(dead_code, reason = "two dimensions have fewer shapes")]
 pub mod kind {
     pub const BALL: u32 = 0;
     pub const CUBOID: u32 = 1;
