@@ -219,3 +219,64 @@ fn determinism_next_to_strangers() {
     // takes the slot of the last one removed in both worlds.
     assert_eq!(alone[..], among_others[..alone.len()]);
 }
+
+/// The bits of some bodies.
+fn bits_of(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vec<u64> {
+    bodies.iter().map(|&body| world.bodies[body].hash()).collect()
+}
+
+/// The bodies that a function adds to a world.
+fn added(world: &mut PhysicsWorld, add: impl FnOnce(&mut PhysicsWorld)) -> Vec<RigidBodyHandle> {
+    let before: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
+    add(world);
+    let all = world.bodies.iter().map(|(handle, _)| handle);
+    all.filter(|handle| !before.contains(handle)).collect()
+}
+
+/// A heap that falls far away changes no bit of another one, although it comes and goes, sleeps and wakes while the other one moves.
+#[test]
+fn determinism_among_strangers() {
+    let run = |strangers: bool| {
+        let mut world = PhysicsWorld::new();
+        let watched = added(&mut world, |world| heap(world, Vector::ZERO));
+        let mut others = Vec::new();
+        let mut hashes = Vec::new();
+        for step in 0..STEPS {
+            if strangers && step == 20 {
+                others = added(&mut world, |world| heap(world, vec(2000.0, 0.0)));
+            }
+            if strangers && step > 60 && step % 10 == 0 {
+                others.drain(..5).for_each(|body| drop(world.remove_body(body)));
+                let ball = RigidBodyBuilder::dynamic().translation(vec(2000.0, 20.0));
+                world.insert(ball.linvel(vec(0.0, -90.0)), ColliderBuilder::ball(0.5));
+            }
+            world.step();
+            hashes.push(bits_of(&world, &watched));
+        }
+        hashes
+    };
+    let (alone, among) = (run(false), run(true));
+    let first = (0..STEPS).find(|&step| alone[step] != among[step]);
+    assert_eq!(first, None, "the first step that differs");
+}
+
+/// The same of joints, links, bullets and sleepers.
+#[test]
+fn determinism_of_joints_among_strangers() {
+    let run = |strangers: bool| {
+        let mut world = workshop();
+        let watched: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
+        if strangers {
+            heap(&mut world, vec(2000.0, 0.0));
+            net(&mut world, vec(-2000.0, 9.0));
+        }
+        let run = |_| {
+            world.step();
+            bits_of(&world, &watched)
+        };
+        (0..STEPS).map(run).collect::<Vec<_>>()
+    };
+    let (alone, among) = (run(false), run(true));
+    let first = (0..STEPS).find(|&step| alone[step] != among[step]);
+    assert_eq!(first, None, "the first step that differs");
+}

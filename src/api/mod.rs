@@ -7,6 +7,10 @@
 
 mod collision_pipeline;
 mod physics_pipeline;
+#[cfg(feature = "serde-serialize")]
+mod recording;
+#[cfg(feature = "serde-serialize")]
+mod snapshot;
 mod world;
 mod world_queries;
 

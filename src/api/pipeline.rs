@@ -2,6 +2,13 @@
 
 pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;
+#[cfg(feature = "serde-serialize")]
+pub use super::recording::{
+    Difference, Divergence, Recorder, RecordingError, Replay, ReplayError, Replayed,
+    compare_recordings,
+};
+#[cfg(feature = "serde-serialize")]
+pub use super::snapshot::{SnapshotError, apply_snapshot_delta, snapshot_delta};
 pub use super::world::PhysicsWorld;
 pub use crate::base::tasks::{Threads, ThreadsError};
 pub use crate::base::timer::Timer;
@@ -22,3 +29,4 @@ pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
 };
 pub use crate::query::{QueryFilter, QueryFilterFlags, QueryPipeline, QueryPredicate, QueryView};
+pub use crate::step::StepStage;

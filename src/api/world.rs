@@ -16,7 +16,7 @@ use crate::model::multibody::{
     Multibody, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet, MultibodyLink,
 };
 use crate::model::params::IntegrationParameters;
-use crate::model::state_hash::combined_hash;
+use crate::model::state_hash::{WorldSets, world_hash};
 use crate::model::tree::BroadPhaseBvh;
 
 /// A whole simulation: bodies, colliders, and all that a step needs.
@@ -51,6 +51,54 @@ pub struct PhysicsWorld {
 impl Default for PhysicsWorld {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// Copies all state of a world. The copy continues bit for bit as the original does.
+///
+/// `clone_from` reuses the memory of an earlier copy: this is the fast way to save a world and to return to it, for rollback.
+/// It asks for no memory unless a list has grown since. Pipelines hold buffers and settings and no state: a clone has new ones, and `clone_from` keeps
+/// those of the target.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let mut world = PhysicsWorld::new();
+/// world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+/// let mut saved = world.clone();
+/// (0..10).for_each(|_| world.step());
+/// let first = world.hash();
+/// world.clone_from(&saved); // back
+/// (0..10).for_each(|_| world.step());
+/// assert_eq!(world.hash(), first);
+/// saved.clone_from(&world); // saves again, into the same memory
+/// ```
+impl Clone for PhysicsWorld {
+    fn clone(&self) -> Self {
+        Self {
+            gravity: self.gravity,
+            integration_parameters: self.integration_parameters,
+            islands: self.islands.clone(),
+            broad_phase: self.broad_phase.clone(),
+            narrow_phase: self.narrow_phase.clone(),
+            bodies: self.bodies.clone(),
+            colliders: self.colliders.clone(),
+            impulse_joints: self.impulse_joints.clone(),
+            multibody_joints: self.multibody_joints.clone(),
+            physics_pipeline: PhysicsPipeline::new(),
+            collision_pipeline: CollisionPipeline::new(),
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.gravity = source.gravity;
+        self.integration_parameters = source.integration_parameters;
+        self.islands.clone_from(&source.islands);
+        self.broad_phase.clone_from(&source.broad_phase);
+        self.narrow_phase.clone_from(&source.narrow_phase);
+        self.bodies.clone_from(&source.bodies);
+        self.colliders.clone_from(&source.colliders);
+        self.impulse_joints.clone_from(&source.impulse_joints);
+        self.multibody_joints.clone_from(&source.multibody_joints);
     }
 }
 
@@ -127,14 +175,13 @@ impl PhysicsWorld {
     /// assert_eq!(run(), run());
     /// ```
     pub fn hash(&self) -> u64 {
-        let sets = [
-            self.bodies.hash(),
-            self.colliders.hash(),
-            self.impulse_joints.hash(),
-            self.multibody_joints.hash(),
-            self.narrow_phase.hash(),
-        ];
-        combined_hash(sets)
+        world_hash(&WorldSets {
+            bodies: &self.bodies,
+            colliders: &self.colliders,
+            impulse_joints: &self.impulse_joints,
+            multibody_joints: &self.multibody_joints,
+            narrow_phase: &self.narrow_phase,
+        })
     }
 
     /// Adds a body with one collider.

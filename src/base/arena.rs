@@ -6,6 +6,7 @@
 
 use super::disjoint::DisjointMut;
 use super::fault::{Fault, ensure};
+use super::in_place::clone_in_place;
 use super::loading::{Loaded, check_when_loaded};
 use super::wide::prefetch_front;
 
@@ -43,7 +44,7 @@ impl Index {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 // With a tag of its own the generation stands in front: whoever looks into a slot reads it, and the front of the value.
 #[repr(u32)]
@@ -52,8 +53,32 @@ enum Slot<T> {
     Taken { generation: u32, value: T },
 }
 
+impl<T: Clone> Clone for Slot<T> {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Free { generation, next } => Self::Free { generation: *generation, next: *next },
+            Self::Taken { generation, value } => {
+                Self::Taken { generation: *generation, value: value.clone() }
+            }
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        match (self, source) {
+            (
+                Self::Taken { generation, value },
+                Self::Taken { generation: source_generation, value: source },
+            ) => {
+                *generation = *source_generation;
+                value.clone_from(source);
+            }
+            (slot, source) => *slot = source.clone(),
+        }
+    }
+}
+
 /// A list with holes, whose elements are found by generational [`Index`].
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct Arena<T> {
@@ -61,6 +86,8 @@ pub struct Arena<T> {
     first_free: Option<u32>,
     len: usize,
 }
+
+clone_in_place!(Arena<T> { slots, first_free, len });
 
 check_when_loaded!(Arena<T>, T: Sized);
 

@@ -4,6 +4,7 @@
 //! not a few bits in 512 numbers. The alternative, a list from which the last takes the place of what goes, is
 //! in another order after each change, and who follows it into memory jumps about.
 
+use super::in_place::clone_in_place;
 use core::ops::Range;
 
 const BITS: u32 = u64::BITS;
@@ -13,7 +14,7 @@ const PAGE: usize = 8;
 /// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
 ///
 /// Saved as its words alone: which of them are filled follows from them.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(from = "Vec<u64>", into = "Vec<u64>"))]
 pub struct IdSet {
@@ -21,6 +22,8 @@ pub struct IdSet {
     /// A bit for each word: is anything in it?
     filled: Vec<u64>,
 }
+
+clone_in_place!(IdSet { words, filled });
 
 impl From<Vec<u64>> for IdSet {
     fn from(words: Vec<u64>) -> Self {

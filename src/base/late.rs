@@ -20,6 +20,10 @@ impl<T: Clone> Clone for Late<T> {
     fn clone(&self) -> Self {
         Self::new(self.get().clone())
     }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.get_mut().clone_from(source.get());
+    }
 }
 
 #[cfg(feature = "serde-serialize")]

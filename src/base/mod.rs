@@ -14,6 +14,7 @@ pub(crate) mod guard;
 pub(crate) mod hash;
 pub(crate) mod held;
 pub(crate) mod id_set;
+pub(crate) mod in_place;
 pub(crate) mod late;
 pub(crate) mod loading;
 pub(crate) mod marks;
@@ -34,3 +35,5 @@ pub mod random;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;
 pub(crate) mod pool;
+#[cfg(feature = "serde-serialize")]
+pub(crate) mod plain_shape;

@@ -2,7 +2,24 @@
 
 use super::math::{Real, Vector};
 use crate::base::fault::{Fault, ensure};
-use parry::shape::{ConvexPolygon, HeightField, TypedShape};
+use crate::base::plain_shape::plain_shapes;
+use parry::shape::{
+    Ball, Capsule, ConvexPolygon, Cuboid, HalfSpace, HeightField, RoundConvexPolygon, RoundCuboid,
+    RoundTriangle, Segment, SharedShape, Triangle, TypedShape,
+};
+
+plain_shapes!(
+    Ball,
+    Cuboid,
+    Capsule,
+    Segment,
+    Triangle,
+    HalfSpace,
+    ConvexPolygon,
+    RoundCuboid,
+    RoundTriangle,
+    RoundConvexPolygon
+);
 
 /// A height field without what follows from its heights.
 #[derive(serde::Serialize, serde::Deserialize)]

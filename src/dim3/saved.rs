@@ -2,10 +2,30 @@
 
 use super::math::{Real, Vector};
 use crate::base::fault::{Fault, ensure};
+use crate::base::plain_shape::plain_shapes;
 use parry::shape::{
-    ConvexPolyhedron, HeightField, HeightFieldCellStatus, HeightFieldFlags, TypedShape,
+    Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, HeightField,
+    HeightFieldCellStatus, HeightFieldFlags, RoundCone, RoundConvexPolyhedron, RoundCuboid,
+    RoundCylinder, RoundTriangle, Segment, SharedShape, Triangle, TypedShape,
 };
 use parry::utils::Array2;
+
+plain_shapes!(
+    Ball,
+    Cuboid,
+    Capsule,
+    Segment,
+    Triangle,
+    HalfSpace,
+    ConvexPolyhedron,
+    Cylinder,
+    Cone,
+    RoundCuboid,
+    RoundTriangle,
+    RoundCylinder,
+    RoundCone,
+    RoundConvexPolyhedron
+);
 
 /// A height field without what follows from its heights.
 #[derive(serde::Serialize, serde::Deserialize)]

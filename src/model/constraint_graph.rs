@@ -17,6 +17,7 @@
 //!
 //! Sources: Catto, "SIMD Matters" (box2d.org, 2024) for the incremental graph.
 
+use crate::base::in_place::clone_in_place;
 use crate::model::contact::PairId;
 
 /// Colours for constraints between two dynamic bodies.
@@ -43,7 +44,7 @@ pub(crate) struct ColorSlot {
 }
 
 /// See the [module](self). A constraint is a manifold, or the slot of a joint.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct ConstraintGraph<C = ManifoldRef> {
     /// The constraints of each colour; the overflow is last.
@@ -51,6 +52,8 @@ pub(crate) struct ConstraintGraph<C = ManifoldRef> {
     /// Colours that already hold a constraint of the body in this slot, one bit each.
     colors_of_body: Vec<u64>,
 }
+
+clone_in_place!(ConstraintGraph<C> { colors, colors_of_body });
 
 impl<C: Copy> Default for ConstraintGraph<C> {
     fn default() -> Self {

@@ -66,12 +66,32 @@ fn hash_all(elements: impl Iterator<Item = ((u32, u32), u64)>) -> u64 {
 }
 
 /// Combines hashes in their order.
-pub(crate) fn combined_hash(hashes: impl IntoIterator<Item = u64>) -> u64 {
+fn combined_hash(hashes: impl IntoIterator<Item = u64>) -> u64 {
     let mut hasher = StateHasher::default();
     for hash in hashes {
         hasher.word(hash);
     }
     hasher.finish()
+}
+
+/// The sets that a hash of a world covers.
+pub(crate) struct WorldSets<'a> {
+    pub bodies: &'a RigidBodySet,
+    pub colliders: &'a ColliderSet,
+    pub impulse_joints: &'a ImpulseJointSet,
+    pub multibody_joints: &'a MultibodyJointSet,
+    pub narrow_phase: &'a NarrowPhase,
+}
+
+/// A hash of all sets.
+pub(crate) fn world_hash(world: &WorldSets<'_>) -> u64 {
+    combined_hash([
+        world.bodies.hash(),
+        world.colliders.hash(),
+        world.impulse_joints.hash(),
+        world.multibody_joints.hash(),
+        world.narrow_phase.hash(),
+    ])
 }
 
 impl RigidBody {

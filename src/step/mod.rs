@@ -5,6 +5,7 @@
 //! [`notes`].
 
 mod notes;
+mod trace;
 
 // In the order in which they run.
 mod user_changes;
@@ -31,6 +32,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
+use crate::model::state_hash::WorldSets;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use broad_phase::NeighborLimits;
@@ -38,6 +40,8 @@ use narrow_phase::{NarrowPhaseScratch, Surroundings};
 use notes::StepNotes;
 use quarantine::{Conditions, Quarantine, WayBack, World};
 use solver::SolverScratch;
+use trace::StageTrace;
+pub use trace::StepStage;
 use user_changes::{Digest, Resync, Resynced};
 
 /// A world, taken apart.
@@ -68,6 +72,7 @@ pub(crate) struct StepScratch {
     continuous: continuous::ContinuousScratch,
     advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
+    trace: StageTrace,
 }
 
 /// One step of the world. The parameters must be valid.
@@ -92,6 +97,7 @@ fn step_with(
     parts.counters.step_time.resume();
     scratch.notes.clear();
     scratch.quarantine.open();
+    scratch.trace.clear();
     let Resynced { parted, stamp, .. } = parts.resync().before_step(joints, multibodies);
     // Hooks may panic. What the step has found by then is told all the same.
     let mut panic = HeldPanic::default();
@@ -128,7 +134,9 @@ fn simulate(
         return HeldPanic::default();
     }
     let panic = follow_bodies(tasks, parts, multibodies, scratch);
+    scratch.trace.add(StepStage::Finalize, &parts.sets(joints, multibodies));
     put_to_sleep(parts, scratch);
+    scratch.trace.add(StepStage::Sleep, &parts.sets(joints, multibodies));
     parts.validate();
     panic
 }
@@ -145,11 +153,14 @@ fn solve(
     let edits = multibodies.settle(parts.bodies);
     take_in_user_changes(parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
+    scratch.trace.add(StepStage::UserChanges, &parts.sets(joints, multibodies));
     find_contacts(tasks, parts, scratch);
+    scratch.trace.add(StepStage::CollisionDetection, &parts.sets(joints, multibodies));
     find_approaches(parts, scratch);
     parts.validate();
     if parts.params.dt > 0.0 {
         move_bodies(tasks, parts, joints, multibodies, scratch);
+        scratch.trace.add(StepStage::Solver, &parts.sets(joints, multibodies));
     }
     scratch.notes.lost.is_empty()
 }
@@ -352,6 +363,16 @@ impl StepScratch {
         self.threads = threads;
     }
 
+    /// Hashes the world after each stage, or no longer.
+    pub fn trace_stages(&mut self, enabled: bool) {
+        self.trace.enable(enabled);
+    }
+
+    /// The hashes of the last step.
+    pub fn stage_hashes(&self) -> &[(StepStage, u64)] {
+        self.trace.hashes()
+    }
+
     /// Lets the solver use the widest instructions that the machine has, or those that every machine
     /// has.
     pub fn set_wide_instructions(&mut self, wide: bool) {
@@ -393,6 +414,17 @@ impl<'a> StepParts<'a> {
             joints,
             multibodies,
         }
+    }
+
+    /// What a hash covers.
+    fn sets<'w>(
+        &'w self,
+        impulse_joints: &'w ImpulseJointSet,
+        multibody_joints: &'w MultibodyJointSet,
+    ) -> WorldSets<'w> {
+        let (bodies, colliders) = (&*self.bodies, &*self.colliders);
+        let narrow_phase = &*self.narrow_phase;
+        WorldSets { bodies, colliders, impulse_joints, multibody_joints, narrow_phase }
     }
 
     /// The parts that know of each other, and the trees.

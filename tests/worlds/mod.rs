@@ -8,6 +8,7 @@
 use crate::rapier;
 
 mod records;
+mod rollback;
 mod scene;
 mod twins;
 // Saving is a feature.
@@ -16,7 +17,11 @@ mod damage;
 #[cfg(feature = "serde-serialize")]
 mod damaged;
 #[cfg(feature = "serde-serialize")]
+mod recordings;
+#[cfg(feature = "serde-serialize")]
 mod saved;
+#[cfg(feature = "serde-serialize")]
+mod snapshots;
 #[cfg(feature = "serde-serialize")]
 mod sets;
 #[cfg(feature = "serde-serialize")]

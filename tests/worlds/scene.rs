@@ -117,18 +117,9 @@ pub fn bits(world: &PhysicsWorld) -> Vec<String> {
     world.bodies.iter().map(of).collect()
 }
 
-/// A copy of all sets.
+/// A copy of all state.
 pub fn copy(world: &PhysicsWorld) -> PhysicsWorld {
-    PhysicsWorld {
-        bodies: world.bodies.clone(),
-        colliders: world.colliders.clone(),
-        islands: world.islands.clone(),
-        broad_phase: world.broad_phase.clone(),
-        narrow_phase: world.narrow_phase.clone(),
-        impulse_joints: world.impulse_joints.clone(),
-        multibody_joints: world.multibody_joints.clone(),
-        ..PhysicsWorld::new()
-    }
+    world.clone()
 }
 
 /// Steps a world and checks that all numbers are finite, and that each awake body is listed once.

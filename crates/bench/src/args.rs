@@ -34,6 +34,8 @@ pub struct Options {
     pub profile: bool,
     /// Ask questions instead of taking steps.
     pub queries: bool,
+    /// Save and restore worlds instead of taking steps.
+    pub saving: bool,
     /// Let worlds grow instead of running scenes.
     pub growth: bool,
     /// What grows.
@@ -109,6 +111,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
         write: false,
         profile: false,
         queries: false,
+        saving: false,
         growth: false,
         curves: Vec::new(),
         bodies_max: BODIES_MAX,
@@ -121,6 +124,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
             "--write" => options.write = true,
             "--profile" => options.profile = true,
             "--queries" => options.queries = true,
+            "--saving" => options.saving = true,
             "--growth" => options.growth = true,
             "--curve" => options.curves.push(find_curve(value()?)?),
             "--bodies-max" => options.bodies_max = number(argument, value()?)?,
@@ -190,6 +194,7 @@ Usage: bench [OPTIONS]
   --rounds N        turns of each engine, each in a fresh world; the median counts (default: 3)
   --profile         the stages of this engine's step instead
   --queries         rays and shapes a second instead of steps
+  --saving          worlds that are saved and restored instead of steps
   --growth          worlds that grow instead of scenes; --scene 3d or 2d chooses a dimension. All curves run with the
                     first number of threads, but that over threads with all, or with 1 to all there are if one is given
   --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)

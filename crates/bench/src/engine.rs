@@ -86,6 +86,22 @@ pub trait Engine {
         None
     }
 
+    /// The whole world as bytes, in the way that the engine's authors recommend; `None` if it cannot be saved.
+    fn save(&self) -> Option<Vec<u8>> {
+        None
+    }
+
+    /// Restores a world from bytes, and drops it. Returns whether there was one.
+    fn load(&self, bytes: &[u8]) -> bool {
+        let _ = bytes;
+        false
+    }
+
+    /// Saves the world in memory, where an earlier save lies, and returns to it: the milliseconds that both take; `None` if it cannot.
+    fn save_and_return(&mut self) -> Option<f64> {
+        None
+    }
+
     /// Bytes that it holds outside the reach of Rust's allocator.
     fn foreign_bytes(&self) -> usize {
         0

@@ -13,8 +13,8 @@
 //! own defaults have them, the same compiler profile. The first step counts as making the world.
 //!
 //! All engines are linked into one program. This engine and Rapier share the geometry crate, and
-//! cargo gives both the sum of the features they ask for: this engine asks for none beyond the
-//! defaults, so Rapier gets the geometry that it would get alone. With the feature `simd8` both get
+//! cargo gives both the sum of the features they ask for: this engine asks for none that changes what a step executes
+//! (saving adds code that no step calls), so Rapier gets the geometry that it would get alone. With the feature `simd8` both get
 //! the geometry crate's eight lanes.
 
 #![expect(
@@ -37,6 +37,7 @@ mod pool;
 mod profile;
 mod queries;
 mod report;
+mod saving;
 mod solid;
 mod units;
 
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         Ok(Request::Help) => args::print_help(&scenes),
         Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
         Ok(Request::Run(options)) if options.queries => queries::run(&scenes, &options),
+        Ok(Request::Run(options)) if options.saving => saving::run(&scenes, &options),
         Ok(Request::Run(options)) if options.growth => growth::run(&scenes, &options),
         Ok(Request::Run(options)) => run(&scenes, &options),
         Err(error) => {

@@ -92,11 +92,24 @@ impl Scene {
 
     /// Runs the script, then takes a step.
     pub fn step(&mut self) {
+        self.step_by(|world, hooks, events| world.step_with_events(hooks, events));
+    }
+
+    /// The same as [`Self::step`], with another function that steps the world: a recorder's.
+    pub fn step_by<T>(
+        &mut self,
+        step: impl FnOnce(&mut PhysicsWorld, &dyn PhysicsHooks, &dyn EventHandler) -> T,
+    ) -> T {
         if let Some(script) = &mut self.script {
             script(&mut self.world, self.steps_taken);
         }
-        self.world.step_with_events(self.hooks.as_ref(), self.events.as_ref());
         self.steps_taken += 1;
+        step(&mut self.world, self.hooks.as_ref(), self.events.as_ref())
+    }
+
+    /// The hooks that take part in each step.
+    pub fn step_hooks(&self) -> &dyn PhysicsHooks {
+        self.hooks.as_ref()
     }
 
     /// Takes several steps.

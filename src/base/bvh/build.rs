@@ -25,6 +25,8 @@ impl Clone for BuildScratch {
     fn clone(&self) -> Self {
         Self::default()
     }
+
+    fn clone_from(&mut self, _: &Self) {}
 }
 
 /// Boxes that stand next to each other in the list of all, and the box around them.

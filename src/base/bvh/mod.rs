@@ -33,6 +33,7 @@ pub use build::BuildScratch;
 pub use nearest::nearest;
 pub use probe::{BoxProbe, PointProbe, Probe, SlabProbe};
 
+use crate::base::in_place::clone_in_place;
 use crate::base::wide::prefetch;
 use core::ops::{Add, Mul};
 use node::{Node, Place};
@@ -40,7 +41,7 @@ use parry::bounding_volume::Aabb;
 use parry::math::{DIM, Real};
 
 /// Numbered boxes, in a tree.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct BoxTree {
@@ -53,6 +54,8 @@ pub struct BoxTree {
     /// Boxes that came since the tree was built as a whole, were put elsewhere, or had those above them grow.
     wear: usize,
 }
+
+clone_in_place!(BoxTree { nodes, free, places, len, wear });
 
 impl BoxTree {
     /// Number of boxes.

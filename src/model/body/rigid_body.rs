@@ -10,6 +10,7 @@ use super::{
     RigidBodyType,
 };
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite};
@@ -28,7 +29,7 @@ use parry::mass_properties::MassProperties;
 //
 // The order of the fields is fixed (`repr(C)`): what each step reads of every awake body and writes back to it stands together at the
 // front, up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). What few bodies use comes last.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 #[repr(C)]
@@ -94,6 +95,42 @@ pub struct RigidBody {
     /// Whatever the user wants to find again. The engine never reads it.
     pub user_data: u128,
 }
+
+clone_in_place!(RigidBody {
+    pose,
+    linvel,
+    angvel,
+    force,
+    torque,
+    linear_damping,
+    angular_damping,
+    gravity_scale,
+    extent,
+    thickness,
+    soft_ccd_prediction,
+    substep,
+    activation,
+    changes,
+    link,
+    body_type,
+    dominance,
+    enabled,
+    ccd_enabled,
+    ccd_active,
+    pressed,
+    gyroscopic_forces_enabled,
+    pushed,
+    colliders,
+    mprops,
+    rest,
+    next_pose,
+    additional_solver_iterations,
+    push,
+    edit,
+    quarantine,
+    warned_without_mass,
+    user_data
+});
 
 check_when_loaded!(RigidBody);
 

@@ -3,6 +3,7 @@
 use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::base::tasks::{Gather, Tasks};
 use crate::model::collider::{ColliderChanges, ColliderSet};
 use crate::model::edit_mark::{EditMarks, first_notes};
@@ -24,7 +25,7 @@ pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyL
 ///
 /// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
 /// Iteration is in the order of the slots: the same insertions and removals give the same order.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodySet {
     bodies: Arena<RigidBody>,
@@ -32,8 +33,10 @@ pub struct RigidBodySet {
     pub(crate) stamp: WorldStamp,
 }
 
+clone_in_place!(RigidBodySet { bodies, notes, stamp });
+
 /// What is remembered of changes.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Notes {
     /// Bodies that the user may have changed since the last step, each once.
@@ -44,6 +47,8 @@ struct Notes {
     marks: EditMarks,
     removed: Vec<RemovedBody>,
 }
+
+clone_in_place!(Notes { modified, places, marks, removed });
 
 impl Notes {
     /// The user may be about to change a body.

@@ -63,6 +63,12 @@ impl Clone for Journal {
     fn clone(&self) -> Self {
         Self::default()
     }
+
+    fn clone_from(&mut self, _: &Self) {
+        self.id = unique_number();
+        self.first = 0;
+        self.slots.clear();
+    }
 }
 
 #[cfg(test)]

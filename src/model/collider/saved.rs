@@ -4,6 +4,7 @@
 //! range panics in some later query. Here, shapes made of many parts are saved as the lists that they were made of, and made again; the same
 //! lists give the same tree. Convex hulls keep parry's form, because another construction might number the faces differently: their indices are
 //! checked. (Of a compound with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the default.)
+//! The saved form is not recursive, so damaged data cannot exhaust the stack.
 //! Whatever was loaded is [judged](super::check) as if the user had made it.
 
 use super::check::{check_elements, check_parts, check_points, check_shape};
@@ -11,7 +12,7 @@ use super::grid::filled_cells;
 use super::{ColliderBuilder, InvalidCollider};
 use crate::base::fault::Fault;
 use crate::dim::math::{Pose, Vector};
-use crate::dim::saved::{SavedField, check_hull};
+use crate::dim::saved::{PlainShape, SavedField, check_hull};
 use parry::math::IVector;
 use parry::shape::{
     Compound, CompoundFlags, Polyline, PolylineFlags, SharedShape, TriMeshFlags, TypedShape,
@@ -21,32 +22,17 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 #[derive(Serialize, Deserialize)]
 enum SavedShape {
-    /// A shape that is made of a few numbers, or a convex hull.
-    Plain(SharedShape),
-    TriMesh {
-        vertices: Vec<Vector>,
-        indices: Vec<[u32; 3]>,
-        flags: u16,
-    },
-    Polyline {
-        vertices: Vec<Vector>,
-        indices: Vec<[u32; 2]>,
-        flags: u8,
-    },
+    Plain(PlainShape),
+    TriMesh { vertices: Vec<Vector>, indices: Vec<[u32; 3]>, flags: u16 },
+    Polyline { vertices: Vec<Vector>, indices: Vec<[u32; 2]>, flags: u8 },
     HeightField(SavedField),
-    Voxels {
-        size: Vector,
-        cells: Vec<IVector>,
-    },
-    Compound {
-        parts: Vec<(Pose, SharedShape)>,
-        flags: u8,
-    },
+    Voxels { size: Vector, cells: Vec<IVector> },
+    Compound { parts: Vec<(Pose, PlainShape)>, flags: u8 },
 }
 
 /// Saves a shape.
 pub fn serialize<S: Serializer>(shape: &SharedShape, serializer: S) -> Result<S::Ok, S::Error> {
-    SavedShape::of(shape).serialize(serializer)
+    SavedShape::of(shape).map_err(serde::ser::Error::custom)?.serialize(serializer)
 }
 
 /// Loads a shape.
@@ -61,8 +47,8 @@ impl From<InvalidCollider> for Fault {
 }
 
 impl SavedShape {
-    fn of(shape: &SharedShape) -> Self {
-        match shape.as_typed_shape() {
+    fn of(shape: &SharedShape) -> Result<Self, Fault> {
+        Ok(match shape.as_typed_shape() {
             TypedShape::TriMesh(mesh) => Self::TriMesh {
                 vertices: mesh.vertices().to_vec(),
                 indices: mesh.indices().to_vec(),
@@ -78,18 +64,17 @@ impl SavedShape {
                 Self::Voxels { size: voxels.voxel_size(), cells: filled_cells(voxels) }
             }
             TypedShape::Compound(compound) => {
-                Self::Compound { parts: compound.shapes().to_vec(), flags: compound.flags().bits() }
+                let parts = compound.shapes().iter().map(|(pose, part)| Ok((*pose, plain(part)?)));
+                let parts = parts.collect::<Result<_, Fault>>()?;
+                Self::Compound { parts, flags: compound.flags().bits() }
             }
-            _ => Self::Plain(shape.clone()),
-        }
+            _ => Self::Plain(plain(shape)?),
+        })
     }
 
     fn restore(self) -> Result<SharedShape, Fault> {
         let shape = match self {
-            Self::Plain(shape) => {
-                check_plain(&shape)?;
-                shape
-            }
+            Self::Plain(shape) => restore_plain(shape)?,
             Self::TriMesh { vertices, indices, flags } => {
                 let flags = TriMeshFlags::from_bits_truncate(flags);
                 super::shapes::trimesh_shape(vertices, indices, flags)?
@@ -105,7 +90,8 @@ impl SavedShape {
                 ColliderBuilder::voxels(size, &cells).try_build()?.shared_shape().clone()
             }
             Self::Compound { parts, flags } => {
-                parts.iter().try_for_each(|(_, part)| check_plain(part))?;
+                let parts = parts.into_iter().map(|(pose, part)| Ok((pose, restore_plain(part)?)));
+                let parts = parts.collect::<Result<Vec<_>, Fault>>()?;
                 check_parts(&parts)?;
                 let flags = CompoundFlags::from_bits_truncate(flags);
                 SharedShape::new(Compound::with_flags(parts, flags, None))
@@ -116,16 +102,18 @@ impl SavedShape {
     }
 }
 
-/// Refuses shapes that are saved in another form, and hulls whose parts name others that are not there.
-fn check_plain(shape: &SharedShape) -> Result<(), Fault> {
-    match shape.as_typed_shape() {
-        TypedShape::TriMesh(_)
-        | TypedShape::Polyline(_)
-        | TypedShape::HeightField(_)
-        | TypedShape::Voxels(_)
-        | TypedShape::Compound(_) => {
-            Err(Fault::new(format_args!("a shape is saved in a form that is not its own")))
-        }
-        typed => check_hull(typed),
-    }
+/// # Errors
+/// If the shape is the user's own: nothing describes how to save it.
+fn plain(shape: &SharedShape) -> Result<PlainShape, Fault> {
+    let kind = shape.shape_type();
+    PlainShape::of(shape.as_typed_shape())
+        .ok_or_else(|| Fault::new(format_args!("a shape of type {kind:?} cannot be saved")))
+}
+
+/// # Errors
+/// If the indices of a hull are out of range.
+fn restore_plain(shape: PlainShape) -> Result<SharedShape, Fault> {
+    let shape = shape.into_shared();
+    check_hull(shape.as_typed_shape())?;
+    Ok(shape)
 }

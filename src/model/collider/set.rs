@@ -4,6 +4,7 @@ use super::journal::{Bookmark, Journal};
 use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
 use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::dim::math::Pose;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::edit_mark::{EditMarks, first_notes};
@@ -25,7 +26,7 @@ pub(crate) struct RemovedCollider {
 ///
 /// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
 /// Iteration is in the order of the slots: the same insertions and removals give the same order.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderSet {
     colliders: Arena<Collider>,
@@ -33,8 +34,10 @@ pub struct ColliderSet {
     pub(crate) stamp: WorldStamp,
 }
 
+clone_in_place!(ColliderSet { colliders, notes, stamp });
+
 /// What is remembered of changes.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Notes {
     /// Colliders that the user may have changed since the last step, each once.
@@ -45,6 +48,8 @@ struct Notes {
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     journal: Journal,
 }
+
+clone_in_place!(Notes { modified, marks, removed, journal });
 
 impl Notes {
     /// The user may be about to change a collider. `count` is the number of colliders.

@@ -161,17 +161,19 @@ impl Default for ContactLanes {
 
 impl Clone for ContactLanes {
     fn clone(&self) -> Self {
-        let told = self.told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire)));
-        Self {
-            blocks: self.blocks.clone(),
-            reports: self.reports.clone(),
-            are_rough: self.are_rough,
-            starts: self.starts.clone(),
-            rooms: self.rooms,
-            turn: self.turn,
-            told: told.collect(),
-            telling: Mutex::default(),
-        }
+        let mut copy = Self::default();
+        copy.clone_from(self);
+        copy
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let Self { blocks, reports, are_rough, starts, rooms, turn, told, telling: _ } = source;
+        self.blocks.clone_from(blocks);
+        self.reports.clone_from(reports);
+        self.starts.clone_from(starts);
+        (self.are_rough, self.rooms, self.turn) = (*are_rough, *rooms, *turn);
+        self.told.clear();
+        self.told.extend(told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire))));
     }
 }
 

@@ -34,6 +34,15 @@ impl Clone for NarrowPhase {
             stamp: self.stamp,
         }
     }
+
+    fn clone_from(&mut self, source: &Self) {
+        source.settle_all_shared();
+        let Self { contacts, intersections, lanes, stamp } = source;
+        self.contacts.clone_from(contacts);
+        self.intersections.clone_from(intersections);
+        self.lanes.clone_from(lanes);
+        self.stamp = *stamp;
+    }
 }
 
 impl core::fmt::Debug for NarrowPhase {

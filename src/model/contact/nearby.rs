@@ -6,6 +6,7 @@
 //! comes out depends on what is kept: of these pieces, those count that reach into the box of the moment, in the order
 //! of the tree.
 
+use crate::base::in_place::clone_in_place;
 use crate::base::wide::{LANES, prefetch};
 use crate::dim::collide::{FlatBlock, FlatShape, flat_lane, set_flat_lane};
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -14,7 +15,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 const MAX_KEPT: usize = 1024;
 
 /// Flat pieces of a shape, in blocks of as many as a register has lanes.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Nearby {
     /// The box, in the frame of the shape, that none are missing from.
     region: Aabb,
@@ -24,6 +25,8 @@ pub(crate) struct Nearby {
     /// Were there too many to keep?
     is_crowded: bool,
 }
+
+clone_in_place!(Nearby { region, ids, blocks, is_crowded });
 
 impl Default for Nearby {
     fn default() -> Self {

@@ -5,6 +5,7 @@ use super::manifold::ContactManifold;
 use super::nearby::Nearby;
 use super::placement::Placement;
 use super::store::Pair;
+use crate::base::in_place::clone_in_place;
 use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
@@ -14,7 +15,7 @@ use smallvec::SmallVec;
 ///
 /// A pair lives as long as the colliders' enlarged boxes overlap. Its manifolds persist from step to
 /// step: they carry the impulses with which the next step starts.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactPair {
     /// The first collider.
@@ -38,6 +39,18 @@ pub struct ContactPair {
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) nearby: Option<Box<Nearby>>,
 }
+
+clone_in_place!(ContactPair {
+    collider1,
+    collider2,
+    manifolds,
+    has_any_active_contact,
+    start_event_emitted,
+    attached,
+    pose12,
+    placement,
+    nearby
+});
 
 impl Default for ContactPair {
     fn default() -> Self {

@@ -20,6 +20,7 @@ use super::lanes::ContactLanes;
 use crate::base::disjoint::DisjointMut;
 use crate::base::fault::{Fault, ensure};
 use crate::base::id_set::IdSet;
+use crate::base::in_place::clone_in_place;
 use crate::base::late::Late;
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::base::tasks::{Gather, Tasks};
@@ -86,13 +87,15 @@ impl Place {
 }
 
 /// The pairs of one collider.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Partners {
     pub ids: Vec<PairId>,
     /// The slot of the other one of each.
     slots: Vec<u32>,
 }
+
+clone_in_place!(Partners { ids, slots });
 
 /// The parts of a store that differ in who may write them.
 pub(crate) struct StoreParts<'a, P> {
@@ -123,7 +126,7 @@ impl PairSlots<'_> {
 }
 
 /// All pairs of one kind. See the [module](self).
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub(crate) struct PairStore<P> {
@@ -139,6 +142,8 @@ pub(crate) struct PairStore<P> {
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     renewed: IdSet,
 }
+
+clone_in_place!(PairStore<P> { pairs, states, places, free, of_collider, awake, reporting, strong, renewed });
 
 impl<P> Default for PairStore<P> {
     fn default() -> Self {

@@ -1,5 +1,6 @@
 //! The list of awake bodies.
 
+use crate::base::in_place::clone_in_place;
 use crate::model::body::RigidBodyHandle;
 use core::ops::Deref;
 
@@ -7,12 +8,14 @@ use core::ops::Deref;
 /// worlds have few or none: no stage visits all bodies to find them.
 ///
 /// A body stores its position in the list. Each change returns the positions whose bodies must be updated.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct AwakeBodies {
     bodies: Vec<RigidBodyHandle>,
     kinematic: usize,
 }
+
+clone_in_place!(AwakeBodies { bodies, kinematic });
 
 impl AwakeBodies {
     /// The kinematic bodies.

@@ -4,11 +4,12 @@
 
 use super::link::NONE;
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::model::body::RigidBodyHandle;
 use std::collections::BTreeSet;
 
 /// Which bodies belong together.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyGroups {
     /// All groups, with holes.
@@ -17,6 +18,8 @@ pub(crate) struct BodyGroups {
     /// By body slot: its group.
     of_body: Vec<u32>,
 }
+
+clone_in_place!(BodyGroups { groups, free, of_body });
 
 impl BodyGroups {
     /// The bodies of the group of the body in a slot; none if it has no group.

@@ -5,6 +5,7 @@ use super::groups::BodyGroups;
 use super::link::NONE;
 use super::motion::BodyMotion;
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
@@ -14,7 +15,7 @@ use crate::model::stamp::WorldStamp;
 ///
 /// Islands persist: they merge at once when two of them touch, and are split lazily, when one whose
 /// links were cut wants to sleep. Finding them anew each step would cost all awake contacts.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Island {
     /// Dynamic bodies; each one's link says at which position it stands here.
@@ -27,13 +28,15 @@ pub(crate) struct Island {
     pub split_at: u32,
 }
 
+clone_in_place!(Island { bodies, is_cut, sleeping, split_at });
+
 /// Knows which bodies are awake and which move and sleep together.
 ///
 /// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once
 /// each of them has been slow for its
 /// [`time_until_sleep`](crate::model::body::RigidBodyActivation::time_until_sleep), and wake together.
 /// Sleeping bodies cost nothing per step.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IslandManager {
     /// Awake dynamic and kinematic bodies. A body's position here is its index in the solver.
@@ -57,6 +60,20 @@ pub struct IslandManager {
     pub(crate) strained: bool,
     pub(crate) stamp: WorldStamp,
 }
+
+clone_in_place!(IslandManager {
+    awake,
+    islands,
+    free,
+    graph,
+    joint_graph,
+    joints,
+    groups,
+    step,
+    motion,
+    strained,
+    stamp
+});
 
 impl IslandManager {
     /// Knows no body.

@@ -5,6 +5,7 @@
 
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ColorSlot;
@@ -106,7 +107,7 @@ fn can_be_joined(joint: &ImpulseJoint, bodies: &RigidBodySet) -> bool {
 }
 
 /// All joints that the step has taken in.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct JointLinks {
     /// By joint slot.
@@ -118,6 +119,8 @@ pub(crate) struct JointLinks {
     /// Joints that were looked at, and whether one of their bodies takes no part: to be told so.
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
 }
+
+clone_in_place!(JointLinks { links, of_body, orphans, blocked });
 
 impl JointLinks {
     /// The joint in a slot.

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::base::arena::{Arena, SharedArena};
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::model::body::RigidBodyHandle;
 use crate::model::stamp::WorldStamp;
@@ -37,7 +38,7 @@ struct Note {
 /// Iteration is in the order of the slots: the same insertions and removals give the same order.
 ///
 /// A joint goes when one of its bodies is removed, at the latest in the next step or update.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct ImpulseJointSet {
@@ -51,6 +52,8 @@ pub struct ImpulseJointSet {
     removed: Vec<(ImpulseJointHandle, bool)>,
     pub(crate) stamp: WorldStamp,
 }
+
+clone_in_place!(ImpulseJointSet { joints, modified, removed, stamp } unless_equal { of_body });
 
 impl ImpulseJointSet {
     /// An empty set.

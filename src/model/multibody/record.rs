@@ -2,6 +2,7 @@
 
 use super::{MultibodyDofCoupling, MultibodyJoint, MultibodyLink};
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
@@ -19,7 +20,7 @@ pub(crate) struct Dof {
 }
 
 /// What is known of a degree of freedom.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DofLists {
     pub velocities: Vec<Real>,
@@ -30,6 +31,15 @@ pub(crate) struct DofLists {
     /// Impulses of the frictions in the last substep. The next step starts with them.
     pub friction_impulses: Vec<Real>,
 }
+
+clone_in_place!(DofLists {
+    velocities,
+    accelerations,
+    damping,
+    armature,
+    frictions,
+    friction_impulses
+});
 
 /// Bodies that joints hold together as a tree. Made by [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
 ///
@@ -47,7 +57,7 @@ pub(crate) struct DofLists {
 ///
 /// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are valid and
 /// enabled. Otherwise the bodies move as if nothing joined them.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct Multibody {
@@ -61,6 +71,16 @@ pub struct Multibody {
     /// The energy that impulses left beyond what they should (J), which is bounded as well.
     pub(crate) impulse_error: Real,
 }
+
+clone_in_place!(Multibody {
+    links,
+    dofs,
+    lists,
+    couplings,
+    self_contacts_enabled,
+    flight_error,
+    impulse_error
+});
 
 impl Default for Multibody {
     fn default() -> Self {

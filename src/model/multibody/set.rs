@@ -5,6 +5,7 @@ use super::{
 };
 use crate::base::arena::Arena;
 use crate::base::fault::{Fault, ensure};
+use crate::base::in_place::clone_in_place;
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
@@ -39,7 +40,7 @@ pub(crate) struct MultibodyEdits {
 /// assert_eq!((pendulum.ndofs(), link), (1, 1));
 /// assert!((world.bodies[bob].translation().length() - 1.0).abs() < 1.0e-4, "it swings, and stays on its rod");
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct MultibodyJointSet {
@@ -56,6 +57,8 @@ pub struct MultibodyJointSet {
     cut: Vec<(RigidBodyHandle, bool)>,
     pub(crate) stamp: WorldStamp,
 }
+
+clone_in_place!(MultibodyJointSet { multibodies, joints, link_counts, modified, cut, stamp } unless_equal { of_body });
 
 impl MultibodyJointSet {
     /// An empty set.

@@ -22,6 +22,7 @@ pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};
 
 use crate::base::bvh::{BoxProbe, BoxTree};
+use crate::base::in_place::clone_in_place;
 use crate::dim::math::Real;
 use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::stamp::WorldStamp;
@@ -31,7 +32,7 @@ use parry::bounding_volume::Aabb;
 pub type DefaultBroadPhase = BroadPhaseBvh;
 
 /// The enlarged boxes of all colliders.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct BroadPhaseBvh {
     trees: Trees,
@@ -51,6 +52,18 @@ pub struct BroadPhaseBvh {
     groups: Option<InteractionGroups>,
     pub(crate) stamp: WorldStamp,
 }
+
+clone_in_place!(BroadPhaseBvh {
+    trees,
+    moved,
+    moved_bits,
+    sizes,
+    fixed_meet,
+    has_sensors,
+    sensor_bits,
+    groups,
+    stamp
+});
 
 impl BroadPhaseBvh {
     /// Knows no collider.

@@ -2,6 +2,7 @@
 
 use super::TreeKind;
 use crate::base::bvh::{BoxTree, BuildScratch};
+use crate::base::in_place::clone_in_place;
 use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
@@ -13,7 +14,7 @@ const REBUILD_WEAR: usize = 8;
 pub(crate) type AllBoxes<'a> = [&'a BoxTree; TreeKind::ALL.len()];
 
 /// Boxes of colliders, by slot. Each stands in one tree.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Trees {
     /// By kind.
@@ -22,14 +23,18 @@ pub(crate) struct Trees {
     scratch: BuildScratch,
 }
 
+clone_in_place!(Trees { trees, scratch });
+
 /// One tree and how much it grew.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Tree {
     boxes: BoxTree,
     /// Number of boxes when the tree was last built as a whole.
     built: usize,
 }
+
+clone_in_place!(Tree { boxes, built });
 
 impl Trees {
     /// The boxes of one kind.

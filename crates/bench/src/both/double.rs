@@ -4,6 +4,8 @@
 mod contacts;
 #[path = "running.rs"]
 mod running;
+#[path = "snapshots.rs"]
+mod saving;
 #[path = "transcribe.rs"]
 mod transcribe;
 

@@ -6,6 +6,8 @@
 
 #[path = "running.rs"]
 mod running;
+#[path = "serialized.rs"]
+mod saving;
 #[path = "transcribe.rs"]
 mod transcribe;
 

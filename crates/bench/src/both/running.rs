@@ -8,7 +8,7 @@ use super::super::template::Template;
 use super::super::vector_of;
 use super::engine::parry::query::ShapeCastOptions;
 use super::engine::prelude::*;
-use super::{count_contacts, numbers};
+use super::{count_contacts, numbers, saving};
 use crate::engine::{Counts, Engine, Probes, Stats};
 use std::borrow::Cow;
 
@@ -49,6 +49,18 @@ impl Engine for Running<'_> {
             overlap: overlap(self.template, &poses),
             separation: largest_separation(self.template, &poses),
         }
+    }
+
+    fn save(&self) -> Option<Vec<u8>> {
+        saving::save(&self.world)
+    }
+
+    fn load(&self, bytes: &[u8]) -> bool {
+        saving::load(bytes)
+    }
+
+    fn save_and_return(&mut self) -> Option<f64> {
+        saving::save_and_return(&mut self.world)
     }
 
     fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {

@@ -4,6 +4,8 @@
 mod contacts;
 #[path = "running.rs"]
 mod running;
+#[path = "snapshots.rs"]
+mod saving;
 
 use super::ours as engine;
 use super::same as numbers;

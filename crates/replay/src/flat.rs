@@ -1,0 +1,9 @@
+//! Recording and replaying in 2D.
+
+use examples2d as examples;
+use rapier2d as rapier;
+
+#[path = "both.rs"]
+mod both;
+
+pub use both::{compare, play, record};

@@ -1,0 +1,140 @@
+//! Runs that are recorded, replayed and compared.
+
+use super::saved::EDITS;
+use super::scene::{at, cube, world};
+use crate::rapier::prelude::*;
+
+/// A recording of some steps, with an edit in front of one of them.
+fn record(steps: usize, edited: usize, edit: fn(&mut PhysicsWorld)) -> (Vec<u8>, PhysicsWorld) {
+    let mut world = world();
+    let mut recorder = Recorder::new(&world, "one of everything").expect("it can be saved");
+    for k in 0..steps {
+        if k == edited {
+            edit(&mut world);
+        }
+        recorder.step(&mut world).expect("it can be saved");
+    }
+    assert_eq!(recorder.steps(), steps);
+    (recorder.into_bytes(), world)
+}
+
+#[test]
+fn a_replay_repeats_every_edit() {
+    let more: [(&str, fn(&mut PhysicsWorld)); 4] = [
+        ("gravity", |world| world.gravity = Vector::X),
+        ("parameters", |world| world.integration_parameters.num_solver_iterations = 2),
+        ("detection", |world| world.detect_collisions(&(), &())),
+        ("a joint", |world| {
+            let dynamic = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
+            let bodies: Vec<_> = dynamic.map(|(handle, _)| handle).take(2).collect();
+            world.insert_impulse_joint(bodies[0], bodies[1], RopeJointBuilder::new(1.0));
+        }),
+    ];
+    for (name, edit) in EDITS.into_iter().chain(more) {
+        let (recording, world) = record(25, 12, edit);
+        let mut replay = Replay::new(&recording).expect("it was recorded");
+        assert_eq!(replay.title(), "one of everything");
+        while replay.step().unwrap_or_else(|error| panic!("{name}: {error}")) == Replayed::Step {
+            let is_edited = replay.steps() == 13 && name != "nothing";
+            assert_eq!(replay.was_edited(), is_edited, "{name}: step {}", replay.steps());
+        }
+        assert_eq!((replay.steps(), replay.world().hash()), (25, world.hash()), "{name}");
+    }
+}
+
+/// Lets nothing touch.
+struct Ghosts;
+
+impl PhysicsHooks for Ghosts {
+    fn filter_contact_pair(&self, _: &PairFilterContext<'_>) -> bool {
+        false
+    }
+}
+
+/// Two boxes, one of which falls onto the ground.
+fn drop_box(hooks: &dyn PhysicsHooks) -> (Vec<u8>, RigidBodyHandle) {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
+    let far = RigidBodyBuilder::dynamic().translation(at(50.0, 50.0));
+    world.insert(far, cube(0.5));
+    let falling = RigidBodyBuilder::dynamic().translation(at(0.0, 0.8)).build();
+    let hooked = cube(0.5).active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS);
+    let (falling, _) = world.insert(falling, hooked);
+    let recorder = Recorder::new(&world, "a box falls").expect("it can be saved");
+    let mut recorder = recorder.with_stage_hashes();
+    for _ in 0..60 {
+        recorder.step_with_events(&mut world, hooks, &()).expect("it can be saved");
+    }
+    (recorder.into_bytes(), falling)
+}
+
+/// Hooks are not recorded: a replay without them leaves the run at the first contact, and stops.
+#[test]
+fn a_divergence_names_step_stage_and_body() {
+    let (recording, falling) = drop_box(&Ghosts);
+    let mut replay = Replay::new(&recording).expect("it was recorded");
+    let error = loop {
+        match replay.step() {
+            Ok(step) => assert_eq!(step, Replayed::Step, "the replay should diverge"),
+            Err(error) => break error,
+        }
+    };
+    let ReplayError::Diverged(divergence) = error else { panic!("{error}") };
+    // It falls 0.3 units in √(2 · 0.3 / 9.81) = 0.247 s; the contact is known a little earlier.
+    assert!((10..=15).contains(&divergence.step), "{divergence}");
+    assert!(divergence.stage >= Some(StepStage::CollisionDetection), "{divergence}");
+    let with_body = divergence.body.is_none_or(|body| body == falling);
+    assert!(with_body, "{divergence}");
+
+    let mut replay = Replay::new(&recording).expect("it was recorded");
+    let mut step = || replay.step_with_events(&Ghosts, &()).expect("the hooks are the same");
+    while step() == Replayed::Step {}
+}
+
+#[test]
+fn recordings_are_compared() {
+    let compare = |one: &[u8], two: &[u8]| compare_recordings(one, two).expect("both are whole");
+    let (one, _) = record(20, 5, EDITS[1].1);
+    assert_eq!(compare(&one, &record(20, 5, EDITS[1].1).0), None);
+    assert_eq!(compare(&one, &record(20, 6, EDITS[1].1).0), Some(Difference::Edits { step: 5 }));
+    assert_eq!(compare(&one, &record(15, 5, EDITS[1].1).0), Some(Difference::Length { steps: 15 }));
+    let (ghosts, _) = drop_box(&Ghosts);
+    let (solid, _) = drop_box(&());
+    assert_eq!(compare(&one, &ghosts), Some(Difference::Start));
+    match compare(&solid, &ghosts) {
+        Some(Difference::Step { step, stage: Some(_), body }) => {
+            // The falling box is the second body.
+            assert!((10..=15).contains(&step) && body.is_none_or(|body| body == 1), "{body:?}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn recordings_that_are_cut_off_or_changed_are_refused() {
+    let (recording, _) = record(6, 3, EDITS[1].1);
+    let run = |bytes: &[u8]| {
+        let mut replay = Replay::new(bytes).map_err(ReplayError::from)?;
+        while replay.step()? == Replayed::Step {}
+        Ok::<_, ReplayError>(replay.steps())
+    };
+    assert_eq!(run(&recording), Ok(6));
+    let mut ends = 0;
+    for length in (0..recording.len()).rev().step_by(37) {
+        // The file may be cut off between two steps.
+        ends += usize::from(run(&recording[..length]).is_ok_and(|steps| steps < 6));
+        let _ = compare_recordings(&recording, &recording[..length]);
+    }
+    assert!(ends <= 6, "{ends} of the shorter files were whole");
+    assert!(matches!(Replay::new(b"a text"), Err(RecordingError::NotARecording)));
+    let mut newer = recording.clone();
+    newer[8] = 9;
+    let refused = Replay::new(&newer).err();
+    assert!(matches!(refused, Some(RecordingError::Format { found: 9, .. })), "{refused:?}");
+    for at in (0..recording.len()).step_by(53) {
+        let mut damaged = recording.clone();
+        damaged[at] ^= 0x10;
+        // Most damage is found. A hash of a body may be wrong: it is compared only after a divergence.
+        let _ = run(&damaged);
+    }
+}

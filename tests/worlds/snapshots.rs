@@ -1,0 +1,173 @@
+//! Snapshots of worlds as bytes.
+
+use super::saved::EDITS;
+use super::scene::{step, world};
+use crate::rapier::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+fn snapshot(world: &PhysicsWorld) -> Vec<u8> {
+    world.to_snapshot().expect("the world has no shape of the user's own")
+}
+
+/// SplitMix64 (Steele, Lea, Flood 2014).
+fn random(state: &mut u64) -> usize {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    (z >> 13) as usize
+}
+
+#[test]
+fn a_world_that_is_restored_at_any_step_continues_as_the_original_does() {
+    for (name, edit) in EDITS {
+        let mut original = world();
+        for k in 0..40 {
+            if k == 15 {
+                edit(&mut original);
+            }
+            let saved = snapshot(&original);
+            let mut restored = PhysicsWorld::from_snapshot(&saved).expect("it was saved");
+            assert!(saved == snapshot(&restored), "{name}: saved again at step {k}");
+            step(&mut original);
+            step(&mut restored);
+            assert_eq!(original.hash(), restored.hash(), "{name}: step {k}");
+            assert!(snapshot(&original) == snapshot(&restored), "{name}: bytes after step {k}");
+        }
+    }
+}
+
+#[test]
+fn gravity_and_parameters_are_part_of_a_snapshot() {
+    let mut world = world();
+    world.gravity = Vector::X * 3.0;
+    world.integration_parameters.num_solver_iterations = 7;
+    let restored = PhysicsWorld::from_snapshot(&snapshot(&world)).expect("it was saved");
+    assert_eq!(restored.gravity, world.gravity);
+    assert_eq!(restored.integration_parameters, world.integration_parameters);
+}
+
+#[test]
+fn snapshots_that_are_cut_off_or_changed_are_refused() {
+    let mut world = world();
+    (0..10).for_each(|_| step(&mut world));
+    let saved = snapshot(&world);
+    for length in (0..saved.len()).step_by(101).chain(saved.len() - 30..saved.len()) {
+        assert!(PhysicsWorld::from_snapshot(&saved[..length]).is_err(), "{length} bytes");
+    }
+    let mut state = 1;
+    for _ in 0..500 {
+        let mut damaged = saved.clone();
+        let at = random(&mut state) % saved.len();
+        damaged[at] ^= 1 << (random(&mut state) % 8);
+        let refused = PhysicsWorld::from_snapshot(&damaged).err().expect("a bit has changed");
+        let is_header = !matches!(refused, SnapshotError::Damaged { .. });
+        assert!(at >= 28 || is_header || (20..28).contains(&at), "byte {at}: {refused}");
+    }
+}
+
+/// Puts a header in front of changed parts, as a forger would: the checksum is that of the parts.
+fn sealed(parts: &[u8]) -> Vec<u8> {
+    let mut bytes = vec![0; 28];
+    bytes.extend_from_slice(parts);
+    let mut forged = snapshot(&PhysicsWorld::new());
+    forged.truncate(12);
+    forged.extend((parts.len() as u64).to_le_bytes());
+    forged.extend([0; 8]);
+    forged.extend_from_slice(parts);
+    // The refusal names the checksum that is missing.
+    match PhysicsWorld::from_snapshot(&forged) {
+        Err(SnapshotError::Damaged { found, .. }) => {
+            forged[20..28].copy_from_slice(&found.to_le_bytes());
+        }
+        other => panic!("the checksum is wrong: {:?}", other.err()),
+    }
+    forged
+}
+
+/// Bytes that are forged, checksum included, are refused, or make a world that steps.
+#[test]
+fn forged_snapshots_never_panic() {
+    let mut original = world();
+    (0..10).for_each(|_| step(&mut original));
+    let saved = snapshot(&original);
+    let (mut state, mut refused, mut loaded) = (2, 0, 0);
+    for round in 0..2_000 {
+        let mut parts = saved[28..].to_vec();
+        for _ in 0..1 + round % 3 {
+            let at = random(&mut state) % parts.len();
+            match random(&mut state) % 4 {
+                0 => parts[at] = random(&mut state) as u8,
+                1 => parts[at] ^= 1 << (random(&mut state) % 8),
+                2 => drop(parts.drain(at..parts.len().min(at + random(&mut state) % 40))),
+                _ => parts.insert(at, 0xff),
+            }
+        }
+        let forged = sealed(&parts);
+        let outcome = catch_unwind(AssertUnwindSafe(|| {
+            let mut world = PhysicsWorld::from_snapshot(&forged).ok()?;
+            (0..3).for_each(|_| world.step());
+            Some(())
+        }));
+        match outcome.unwrap_or_else(|_| panic!("round {round} panicked")) {
+            Some(()) => loaded += 1,
+            None => refused += 1,
+        }
+    }
+    assert!(refused > 200 && loaded > 200, "{refused} refused, {loaded} loaded");
+}
+
+#[test]
+fn errors_name_what_is_wrong() {
+    let refused = |bytes: &[u8]| PhysicsWorld::from_snapshot(bytes).err().expect("it is changed");
+    let saved = snapshot(&world());
+    let with = |at: usize, byte: u8| {
+        let mut changed = saved.clone();
+        changed[at] = byte;
+        refused(&changed)
+    };
+    assert_eq!(refused(b"not a snapshot at all, but a text"), SnapshotError::NotASnapshot);
+    assert_eq!(with(8, 200), SnapshotError::Format { found: 200 });
+    assert_eq!(with(10, 7), SnapshotError::Dimension { found: 7 });
+    assert!(matches!(with(11, 2), SnapshotError::Precision { found: 16, .. }));
+    let refused = refused(&sealed(&[0; 4]));
+    assert!(refused.to_string().starts_with("gravity: the data ends (at byte 4)"), "{refused}");
+}
+
+#[test]
+fn deltas_lead_from_one_step_to_the_next() {
+    for (name, edit) in EDITS {
+        let mut world = world();
+        (0..20).for_each(|_| step(&mut world));
+        let mut base = snapshot(&world);
+        for k in 0..6 {
+            if k == 2 {
+                edit(&mut world);
+            }
+            step(&mut world);
+            let next = snapshot(&world);
+            let delta = snapshot_delta(&base, &next).expect("both are snapshots");
+            assert!(delta.len() < next.len(), "{name}: {} of {} bytes", delta.len(), next.len());
+            assert!(apply_snapshot_delta(&base, &delta).expect("it was just made") == next);
+            base = next;
+        }
+    }
+}
+
+#[test]
+fn deltas_of_other_snapshots_and_damaged_ones_are_refused() {
+    let mut world = world();
+    let base = snapshot(&world);
+    step(&mut world);
+    let next = snapshot(&world);
+    let delta = snapshot_delta(&base, &next).expect("both are snapshots");
+    assert!(matches!(apply_snapshot_delta(&next, &delta), Err(SnapshotError::Base { .. })));
+    assert!(snapshot_delta(&base, b"no snapshot").is_err());
+    let mut state = 3;
+    for _ in 0..500 {
+        let mut damaged = delta.clone();
+        let at = random(&mut state) % damaged.len();
+        damaged[at] ^= 1 << (random(&mut state) % 8);
+        assert!(apply_snapshot_delta(&base, &damaged).is_err(), "byte {at}");
+        damaged.truncate(at);
+        assert!(apply_snapshot_delta(&base, &damaged).is_err(), "{at} bytes");
+    }
+}
