@@ -66,6 +66,7 @@ export { ContactModification, type PhysicsHooks } from "./hooks.js";
 export { IntegrationParameters } from "./integration_parameters.js";
 export { IslandManager } from "./island_manager.js";
 export { CharacterCollision, KinematicCharacterController } from "./character_controller.js";
+export { CCDSolver, PhysicsPipeline, SerializationPipeline } from "./pipelines.js";
 export { PidController } from "./pid_controller.js";
 export { DebugRenderBuffers, DebugRenderPipeline } from "./debug_render.js";
 export { BodyViews, bodyIndex } from "./views.js";

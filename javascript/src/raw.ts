@@ -242,6 +242,7 @@ const imported = {
         const message = text(address, length);
         guarded(() => (warn(message), 0));
     },
+    now: (): number => performance.now(),
     accepts: (collider: number): number => guarded(() => Number(accept!(collider))),
     visit: (collider: number): number => guarded(() => Number(visitor!(collider))),
     hook: (kind: number, collider1: number, collider2: number, body1: number, body2: number): number =>

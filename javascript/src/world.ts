@@ -1,4 +1,4 @@
-import { type PidAxesMask, type Rotation, type Vector, putVector } from "#dim";
+import { type PidAxesMask, type Rotation, type Vector, getVector, putVector } from "#dim";
 import type { ColliderDesc } from "#collider_desc";
 import type { RigidBody, RigidBodyDesc } from "#rigid_body";
 import { KinematicCharacterController } from "./character_controller.js";
@@ -23,13 +23,38 @@ import {
 } from "./joint.js";
 import { NarrowPhase, type TempContactManifold } from "./narrow_phase.js";
 import { Owner } from "./owner.js";
+import { CCDSolver, PhysicsPipeline, SerializationPipeline } from "./pipelines.js";
 import { PidController } from "./pid_controller.js";
 import { BroadPhase, type Filter } from "./query.js";
-import { putList, putReals, raw, withCallbacks } from "./raw.js";
+import { bytesCopy, listCopy, putBytes, putList, putReals, raw, withCallbacks } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import { RigidBodySet } from "./rigid_body_set.js";
 import type { Shape } from "./shape.js";
 import { BodyViews } from "./views.js";
+
+/** The number of a restored world. */
+export interface RestoredWorld {
+    /** @internal */
+    readonly id: number;
+}
+
+/** The constructor of a kind of world. */
+export type WorldClass<T> = new (gravity: Vector, restored?: RestoredWorld) => T;
+
+/** The object of a world that is in the module. */
+function adopt<T extends World>(kind: WorldClass<T>, id: number): T {
+    raw.world_gravity(id);
+    const world = new kind(getVector(0), { id });
+    listCopy(raw.bodies_list(id)).forEach((handle) => world.bodies.adopt(handle));
+    listCopy(raw.colliders_list(id)).forEach((handle) => {
+        const parent = raw.collider_parent(id, handle);
+        world.colliders.adopt(handle, Number.isNaN(parent) ? null : parent);
+    });
+    [world.impulseJoints, world.multibodyJoints].forEach((joints, set) => {
+        listCopy(raw.joints_list(id, set)).forEach((handle) => joints.adopt(handle));
+    });
+    return world;
+}
 
 /** What `World.changeBodies` changes. */
 export type BodyChange =
@@ -75,6 +100,9 @@ export class World extends Owner {
     colliders: ColliderSet;
     impulseJoints: ImpulseJointSet;
     multibodyJoints: MultibodyJointSet;
+    ccdSolver: CCDSolver;
+    physicsPipeline: PhysicsPipeline;
+    serializationPipeline: SerializationPipeline;
     debugRenderPipeline: DebugRenderPipeline;
     /** The character controllers of the world. */
     characterControllers = new Set<KinematicCharacterController>();
@@ -82,8 +110,9 @@ export class World extends Owner {
     pidControllers = new Set<PidController>();
     private bodyViews: BodyViews | undefined;
 
-    constructor(gravity: Vector) {
-        super(raw.world_new(), (id) => raw.world_free(id));
+    /** A snapshot passes the number of its world as a second argument. */
+    constructor(gravity: Vector, restored?: RestoredWorld) {
+        super(restored?.id ?? raw.world_new(), (id) => raw.world_free(id));
         this.gravity = gravity;
         this.integrationParameters = new IntegrationParameters(this);
         this.islands = new IslandManager(this);
@@ -93,6 +122,9 @@ export class World extends Owner {
         this.colliders = new ColliderSet(this);
         this.impulseJoints = new ImpulseJointSet(this);
         this.multibodyJoints = new MultibodyJointSet(this);
+        this.ccdSolver = new CCDSolver();
+        this.physicsPipeline = new PhysicsPipeline();
+        this.serializationPipeline = new SerializationPipeline();
         this.debugRenderPipeline = new DebugRenderPipeline(this);
     }
 
@@ -141,9 +173,122 @@ export class World extends Owner {
         return BigInt.asUintN(64, raw.world_hash(this.id));
     }
 
+    // ---- Snapshots ----
+
+    /** The whole world as bytes: for files, networks and other machines. `userData` is not part of it. */
+    takeSnapshot(): Uint8Array {
+        return bytesCopy(raw.world_save(this.id));
+    }
+
+    /** A world from a snapshot. It continues bit for bit as the original does, with the same handles. */
+    static restoreSnapshot<T extends World>(this: WorldClass<T>, data: Uint8Array): T {
+        putBytes(data);
+        return adopt(this, raw.world_restore());
+    }
+
+    /** A copy of the world in memory: faster than a snapshot, for rollback. */
+    clone(): this {
+        return adopt(this.constructor as WorldClass<this>, raw.world_copy(this.id));
+    }
+
     /** Moves colliders of bodies that were moved since the last step, so that queries find them. */
     propagateModifiedBodyPositionsToColliders(): void {
         raw.colliders_propagate(this.id);
+    }
+
+    // ---- Times ----
+
+    /** Whether the stages of a step are timed. */
+    get profilerEnabled(): boolean {
+        return raw.world_is_timed(this.id) !== 0;
+    }
+
+    set profilerEnabled(enabled: boolean) {
+        raw.world_set_timed(this.id, +enabled);
+    }
+
+    private timing(stage: number): number {
+        return raw.world_timing(this.id, stage);
+    }
+
+    /** Milliseconds of the last step. 0 unless `profilerEnabled`, as all of these. */
+    timingStep(): number {
+        return this.timing(0);
+    }
+
+    /** Milliseconds of collision detection. */
+    timingCollisionDetection(): number {
+        return this.timing(1);
+    }
+
+    /** Milliseconds of the broad phase. */
+    timingBroadPhase(): number {
+        return this.timing(2);
+    }
+
+    /** Milliseconds of the narrow phase. */
+    timingNarrowPhase(): number {
+        return this.timing(3);
+    }
+
+    /** Milliseconds of the solver. */
+    timingSolver(): number {
+        return this.timing(4);
+    }
+
+    /** Milliseconds in which the solver gathers constraints. */
+    timingVelocityAssembly(): number {
+        return this.timing(5);
+    }
+
+    /** Milliseconds in which the solver solves constraints. */
+    timingVelocityResolution(): number {
+        return this.timing(6);
+    }
+
+    /** Milliseconds in which bodies and colliders are moved. */
+    timingVelocityUpdate(): number {
+        return this.timing(7);
+    }
+
+    /** Milliseconds in which the solver writes its results back. */
+    timingVelocityWriteback(): number {
+        return this.timing(8);
+    }
+
+    /** Milliseconds of continuous collision detection. */
+    timingCcd(): number {
+        return this.timing(9);
+    }
+
+    /** Milliseconds in which continuous collision detection looks for impacts. */
+    timingCcdToiComputation(): number {
+        return this.timing(10);
+    }
+
+    /** Always 0: continuous collision detection has no broad phase of its own. */
+    timingCcdBroadPhase(): number {
+        return 0;
+    }
+
+    /** Always 0: continuous collision detection has no narrow phase of its own. */
+    timingCcdNarrowPhase(): number {
+        return 0;
+    }
+
+    /** Always 0: continuous collision detection has no solver of its own. */
+    timingCcdSolver(): number {
+        return 0;
+    }
+
+    /** Milliseconds in which islands are found. */
+    timingIslandConstruction(): number {
+        return this.timing(11);
+    }
+
+    /** Milliseconds in which changes of the program are applied. */
+    timingUserChanges(): number {
+        return this.timing(12);
     }
 
     // ---- Parameters ----

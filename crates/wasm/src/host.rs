@@ -13,6 +13,8 @@ mod imported {
         pub safe fn accepts(collider: f64) -> u32;
         /// Calls the visitor of a query. Returns whether the query goes on.
         pub safe fn visit(collider: f64) -> u32;
+        /// The time in milliseconds.
+        pub safe fn now() -> f64;
         /// Calls a hook. The kind is 0 for contact pairs, 1 for intersection pairs, 2 for the modification of contacts.
         pub safe fn hook(kind: u32, collider1: f64, collider2: f64, body1: f64, body2: f64) -> u32;
     }
@@ -36,4 +38,6 @@ mod imported {
     }
 }
 
+#[cfg(target_arch = "wasm32")]
+pub use imported::now;
 pub use imported::{accepts, fail, hook, visit, warn};

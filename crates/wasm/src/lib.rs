@@ -39,6 +39,7 @@ mod controller;
 mod vehicle;
 mod debug;
 mod batch;
+mod snapshot;
 mod events;
 mod hooks;
 mod mirror;

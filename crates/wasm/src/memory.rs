@@ -237,7 +237,7 @@ pub fn bytes() -> Vec<u8> {
 pub fn vectors(name: &str) -> Result<Vec<Vector>, Fault> {
     let numbers = reals();
     let dimension = crate::rapier::math::DIM;
-    if numbers.len() % dimension != 0 {
+    if !numbers.len().is_multiple_of(dimension) {
         let text = format_args!(
             "{name} holds {} numbers, which is not a multiple of {dimension}",
             numbers.len()
@@ -250,7 +250,7 @@ pub fn vectors(name: &str) -> Result<Vec<Vector>, Fault> {
 /// The integers that JavaScript wrote, in groups.
 pub fn groups<const N: usize>(name: &str) -> Result<Vec<[u32; N]>, Fault> {
     let numbers = integers();
-    if numbers.len() % N != 0 {
+    if !numbers.len().is_multiple_of(N) {
         let text =
             format_args!("{name} holds {} numbers, which is not a multiple of {N}", numbers.len());
         return Err(Fault::invalid(text));

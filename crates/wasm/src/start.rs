@@ -27,6 +27,8 @@ exports! {
         // A second call keeps the logger.
         let _ = log::set_logger(&WARNINGS);
         log::set_max_level(LevelFilter::Warn);
+        #[cfg(target_arch = "wasm32")]
+        crate::rapier::pipeline::Timer::set_clock(|| host::now());
         std::panic::set_hook(Box::new(|information| {
             let (address, length) = memory::put_text(&information.to_string());
             host::fail(Kind::Internal as u32, address, length)

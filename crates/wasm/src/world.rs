@@ -65,7 +65,7 @@ fn change_parameter(
 }
 
 /// The stages whose time a world measures, in the order of `Timing` in TypeScript.
-fn timings(world: &PhysicsWorld) -> [f64; 12] {
+fn timings(world: &PhysicsWorld) -> [f64; 13] {
     let counters = &world.physics_pipeline.counters;
     let milliseconds = |timer: &crate::rapier::pipeline::Timer| timer.time_ms();
     [
@@ -81,6 +81,7 @@ fn timings(world: &PhysicsWorld) -> [f64; 12] {
         counters.ccd_time_ms(),
         milliseconds(&counters.ccd.toi_computation_time),
         counters.island_construction_time_ms(),
+        counters.user_changes_time_ms(),
     ]
 }
 
