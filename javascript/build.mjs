@@ -1,4 +1,4 @@
-// Builds the JavaScript of a package: node build.mjs DIMENSION PKG. The folder holds the WebAssembly modules already.
+// Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly modules already.
 
 import { readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
 import { execFileSync } from "node:child_process";
@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const [dimension, pkg] = process.argv.slice(2);
+const [dimension, pkg, bits = "32"] = process.argv.slice(2);
 const here = import.meta.dirname;
 const home = resolve(pkg, "..");
 const require = createRequire(pathToFileURL(join(home, "package.json")));
@@ -19,6 +19,7 @@ execFileSync(process.execPath, [join(here, "generate.mjs"), source("functions.ts
 const alias = Object.fromEntries(
     ["dim", "rigid_body", "collider_desc", "shape", "world"].map((name) => [`#${name}`, source(`${name}${dimension}.ts`)]),
 );
+alias["#real"] = source(`real${bits}.ts`);
 alias["#entry"] = source(`rapier${dimension}.ts`);
 
 async function bundle(entry, outfile, options = {}) {
@@ -45,16 +46,23 @@ await bundle("entry_node.ts", "rapier.node.cjs", { platform: "node", ...cjs });
 await bundle("entry_web.ts", "rapier.mjs");
 await bundle("entry_compat.ts", "rapier.compat.mjs", { define: { MODULE: JSON.stringify(module) } });
 
-// Definitions: one file per source, with the names of the dimension.
+// Definitions: one file per source, with the names of the dimension and the precision.
 const types = join(pkg, "types");
 mkdirSync(types, { recursive: true });
-execFileSync(process.execPath, [
-    require.resolve("typescript/bin/tsc"), "-p", join(here, `tsconfig.dim${dimension}.json`), "--declaration", "--emitDeclarationOnly", "--outDir", types,
-], { stdio: "inherit" });
+const configuration = join(home, "node_modules", ".tsconfig.json");
+writeFileSync(configuration, JSON.stringify({
+    extends: join(here, `tsconfig.dim${dimension}.json`),
+    compilerOptions: {
+        rootDir: join(here, "src"), outDir: resolve(types), declaration: true, emitDeclarationOnly: true,
+        paths: Object.fromEntries(Object.entries(alias).map(([name, path]) => [name, [path]])),
+    },
+}));
+execFileSync(process.execPath, [require.resolve("typescript/bin/tsc"), "-p", configuration], { stdio: "inherit" });
+const own = { entry: `rapier${dimension}`, real: `real${bits}` };
 for (const file of readdirSync(types)) {
     const path = join(types, file);
     const text = readFileSync(path, "utf8");
-    writeFileSync(path, text.replace(/"#(\w+)"/g, (_, name) => (name === "entry" ? `"./rapier${dimension}.js"` : `"./${name}${dimension}.js"`)));
+    writeFileSync(path, text.replace(/"#(\w+)"/g, (_, name) => `"./${own[name] ?? name + dimension}.js"`));
 }
 
 const { name, version, description, license, keywords, exports } = manifest;

@@ -3,11 +3,11 @@
 set -euo pipefail
 dimension=$1
 shift
-profile=wasm features=dim$dimension
+profile=wasm features=dim$dimension bits=32
 for option in "$@"; do
     case $option in
     --fast) profile=wasm-fast ;;
-    --f64) features+=,f64 ;;
+    --f64) features+=,f64 bits=64 ;;
     *) printf 'unknown option %s\n' "$option" >&2 && exit 2 ;;
     esac
 done
@@ -31,7 +31,7 @@ for lanes in simd scalar; do
         fi
     fi
 done
-node "$javascript/build.mjs" "$dimension" "$pkg"
+node "$javascript/build.mjs" "$dimension" "$pkg" $bits
 if [ "$profile" = wasm ]; then
     (cd "$home" && npx typedoc --options "$javascript/typedoc.json" --tsconfig "$javascript/tsconfig.dim$dimension.json" \
         --entryPoints "$javascript/src/rapier$dimension.ts" --out "$pkg/docs")

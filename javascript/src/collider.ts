@@ -26,7 +26,7 @@ import {
     putRay,
 } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 import { Code, SIZES, type Shape, putPose, putSizes, read } from "./shape.js";
 import type { World } from "./world.js";
 

@@ -2,7 +2,7 @@ import type { Collider, ColliderHandle } from "./collider.js";
 import type { QueryFilterFlags } from "./enums.js";
 import { run } from "./query.js";
 import { raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 import type { World } from "./world.js";
 
 /** Lines to draw a world with. */

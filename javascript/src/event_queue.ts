@@ -3,7 +3,7 @@ import type { ColliderHandle } from "./collider.js";
 import { RapierError } from "./error.js";
 import { Owner } from "./owner.js";
 import { listCopy, raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 
 /** Numbers of a contact force event: two vectors, each with its magnitude. */
 const STRIDE = 2 * (DIM + 1);

@@ -1,3 +1,5 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+
 /** Frees what nobody freed and nobody can reach any more. */
 const forgotten = typeof FinalizationRegistry === "undefined"
     ? undefined

@@ -2,7 +2,7 @@
 
 import { RapierError } from "./error.js";
 import type { Functions } from "./functions.js";
-import { type RealArray, RealArrayType } from "./real.js";
+import { type RealArray, RealArrayType } from "#real";
 
 /** The module's exports. */
 export interface Raw extends Functions {
@@ -261,6 +261,11 @@ export function withCallbacks<R>(callbacks: { accept?: Accept; visitor?: Accept;
     }
     rethrow();
     return result;
+}
+
+/** Gives the stack of a call back that a trap ended. */
+export function recover(): void {
+    raw.__stack_pointer.value = stackFloor;
 }
 
 function rethrow(): void {

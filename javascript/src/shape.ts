@@ -21,7 +21,7 @@ import {
 import { RapierError } from "./error.js";
 import { PointProjection, type Ray, RayIntersection, ShapeCastHit, ShapeContact, putRay } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, putNumber, putReals, raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 
 /** The kinds of shapes in the module: crates/wasm/src/shape.rs. */
 export const Code = {

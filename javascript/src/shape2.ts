@@ -2,7 +2,7 @@
 
 import { ShapeType, type Vector, getVector, putVector } from "#dim";
 import { getNumber, putReals, raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 import { Code, SIZES, Shape, putSizes, setReader } from "./shape.js";
 
 /** A convex polygon: the hull of points, or an outline. */

@@ -2,7 +2,7 @@
 
 import { ShapeType, type Vector, getVector, putVector } from "#dim";
 import { getNumber, integersCopy, putIntegers, putReals, raw, realsCopy } from "./raw.js";
-import type { RealArray } from "./real.js";
+import type { RealArray } from "#real";
 import { Code, type HeightFieldFlags, SIZES, Shape, putSizes, setReader } from "./shape.js";
 
 /** A convex polyhedron: the hull of points, or a closed mesh. */

@@ -1,6 +1,6 @@
 import { ANGULAR, DIM, ROTATION } from "#dim";
 import { raw } from "./raw.js";
-import { type RealArray, RealArrayType } from "./real.js";
+import { type RealArray, RealArrayType } from "#real";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
 

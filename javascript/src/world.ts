@@ -26,7 +26,7 @@ import { Owner } from "./owner.js";
 import { CCDSolver, PhysicsPipeline, SerializationPipeline } from "./pipelines.js";
 import { PidController } from "./pid_controller.js";
 import { BroadPhase, type Filter } from "./query.js";
-import { bytesCopy, listCopy, putBytes, putList, putReals, raw, withCallbacks } from "./raw.js";
+import { bytesCopy, listCopy, putBytes, putList, putReals, raw, recover, withCallbacks } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import { RigidBodySet } from "./rigid_body_set.js";
 import type { Shape } from "./shape.js";
@@ -164,6 +164,7 @@ export class World extends Owner {
     private breakAfter(error: unknown): void {
         const isDefect = error instanceof WebAssembly.RuntimeError || (error instanceof RapierError && error.code === "Internal");
         if (isDefect && this.isAlive()) {
+            recover();
             raw.world_break(this.id);
         }
     }

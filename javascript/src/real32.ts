@@ -1,4 +1,4 @@
-// The precision of the module. A build in double precision replaces this file by real64.ts.
+// The precision of the module. A build in double precision takes real64.ts instead.
 
 /** An array of the engine's numbers. */
 export type RealArray = Float32Array;
