@@ -71,6 +71,7 @@ writeFileSync(join(pkg, "package.json"), `${JSON.stringify({
     main: "./rapier.node.cjs", module: "./rapier.mjs", types: `./types/rapier${dimension}.d.ts`,
     exports: JSON.parse(JSON.stringify(exports)),
 }, null, 4)}\n`);
+copyFileSync(join(home, "README.md"), join(pkg, "README.md"));
 for (const file of ["LICENSE-MIT", "LICENSE-APACHE"]) {
     copyFileSync(join(here, "..", file), join(pkg, file));
 }

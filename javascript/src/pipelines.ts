@@ -1,6 +1,7 @@
 // Names of the published packages whose work the world does.
 
 import type { Vector } from "#dim";
+import { World as OwnWorld } from "#world";
 import { RapierError } from "./error.js";
 import { EventQueue } from "./event_queue.js";
 import type { PhysicsHooks } from "./hooks.js";
@@ -62,6 +63,11 @@ export class SerializationPipeline {
         ..._rest: unknown[]
     ): Uint8Array {
         return worldOf(bodies).takeSnapshot();
+    }
+
+    /** A world from a snapshot. */
+    deserializeAll(data: Uint8Array): OwnWorld {
+        return OwnWorld.restoreSnapshot(data);
     }
 
     /** Does nothing: the world owns the memory. */

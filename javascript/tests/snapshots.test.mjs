@@ -83,7 +83,11 @@ test("the pipelines of the published packages do the same", () => {
         copy.physicsPipeline.step(gravity, ...parts, ccdSolver);
     }
     assert.equal(copy.hash(), world.hash());
-    assert.deepEqual(copy.serializationPipeline.serializeAll(gravity, ...parts), world.takeSnapshot());
+    const snapshot = copy.serializationPipeline.serializeAll(gravity, ...parts);
+    assert.deepEqual(snapshot, world.takeSnapshot());
+    const again = copy.serializationPipeline.deserializeAll(snapshot);
+    assert.equal(again.hash(), world.hash());
+    again.free();
     copy.free();
     world.free();
 });
