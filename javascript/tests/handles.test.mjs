@@ -73,6 +73,13 @@ test("shapes that cannot be are refused by name", () => {
     world.free();
 });
 
+test("memory that cannot be had is refused", () => {
+    const before = RAPIER.memoryBytes();
+    assert.throws(() => RAPIER.reserveMemory(2 ** 31), fails("InvalidValue", "2147483648"));
+    RAPIER.reserveMemory(1 << 20);
+    assert.ok(RAPIER.memoryBytes() >= before);
+});
+
 test("4000 worlds come and go in flat memory", () => {
     const cycle = () => {
         const { world } = makeGround();

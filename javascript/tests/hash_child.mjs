@@ -5,7 +5,8 @@ import { pathToFileURL } from "node:url";
 
 const [dimension, lanes, count] = process.argv.slice(2);
 const DIM = Number(dimension);
-const RAPIER = await import(pathToFileURL(join(import.meta.dirname, `../../rapier${DIM}d/pkg/rapier.node.mjs`)));
+const pkg = process.env.RAPIER_PKG ?? join(import.meta.dirname, `../../rapier${DIM}d/pkg`);
+const RAPIER = await import(pathToFileURL(join(pkg, "rapier.node.mjs")));
 await RAPIER.init({ simd: lanes === "simd" });
 
 const at = (x, y, z) => (DIM === 2 ? [x, y] : [x, y, z]);

@@ -4,7 +4,8 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 export const DIM = Number(process.env.DIMENSION ?? 3);
-export const PKG = join(import.meta.dirname, `../../rapier${DIM}d/pkg`);
+/** The package. Another build of it can be tested by `RAPIER_PKG`. */
+export const PKG = process.env.RAPIER_PKG ?? join(import.meta.dirname, `../../rapier${DIM}d/pkg`);
 export const RAPIER = (await import(pathToFileURL(join(PKG, "rapier.node.mjs")))).default;
 await RAPIER.init();
 
