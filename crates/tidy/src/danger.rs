@@ -24,7 +24,10 @@ const ALLOWED: [(&str, &str); 21] = [
     ("src/step/narrow_phase/update.rs", "pairs are computed at the same time"),
     ("src/step/narrow_phase/seams.rs", "bodies are looked at at the same time"),
     ("crates/golden/src/web.rs", "exports functions to JavaScript by name"),
-    ("crates/wasm/src/", "exports functions to JavaScript by name, and keeps what JavaScript owns in static cells"),
+    (
+        "crates/wasm/src/",
+        "exports functions to JavaScript by name, and keeps what JavaScript owns in static cells",
+    ),
     ("crates/bench/src/", "counts allocations, and calls engines written in C"),
 ];
 
