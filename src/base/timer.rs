@@ -4,7 +4,7 @@ use core::time::Duration;
 
 /// Measures how long something takes, over one or several stretches.
 ///
-/// On `wasm32-unknown-unknown`, which has no clock, all durations are zero.
+/// `wasm32-unknown-unknown` has no clock: without `Timer::set_clock` all durations are zero there.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Timer {
     enabled: bool,
@@ -74,19 +74,31 @@ impl Timer {
 #[cfg(not(all(target_arch = "wasm32", target_os = "unknown")))]
 use std::time::Instant as Moment;
 
-/// Stands for [`std::time::Instant`], which panics where there is no clock.
+/// A time of the clock that the program supplied, in milliseconds. [`std::time::Instant`] panics where there is no clock.
 #[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
 #[derive(Copy, Clone, Debug)]
-struct Moment;
+struct Moment(f64);
+
+/// The clock that the program supplied.
+#[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
+static CLOCK: std::sync::OnceLock<fn() -> f64> = std::sync::OnceLock::new();
+
+#[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
+impl Timer {
+    /// Supplies the clock of all timers: a function that returns the time in milliseconds. Only the first call has an effect.
+    pub fn set_clock(clock: fn() -> f64) {
+        let _ = CLOCK.set(clock);
+    }
+}
 
 #[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
 impl Moment {
     fn now() -> Self {
-        Self
+        Self(CLOCK.get().map_or(0.0, |clock| clock()))
     }
 
     fn elapsed(self) -> Duration {
-        Duration::ZERO
+        Duration::from_secs_f64(((Self::now().0 - self.0) / 1000.0).max(0.0))
     }
 }
 

@@ -12,9 +12,11 @@
 )]
 
 mod fold;
+mod timing;
 mod web;
 
 pub use fold::Fold;
+pub use timing::{PILES, Step, time};
 
 /// How a scene runs. No setting may change a hash.
 #[derive(Copy, Clone, Debug)]
@@ -76,7 +78,7 @@ mod flat {
     #[path = "dim.rs"]
     mod dim;
 
-    pub use both::SCENES;
+    pub use both::{SCENES, pile};
 }
 
 /// In 3D.
@@ -88,7 +90,7 @@ mod solid {
     #[path = "dim.rs"]
     mod dim;
 
-    pub use both::SCENES;
+    pub use both::{SCENES, pile};
 }
 
 /// In 2D and double precision.
@@ -101,7 +103,7 @@ mod flat_f64 {
     #[path = "dim.rs"]
     mod dim;
 
-    pub use both::SCENES;
+    pub use both::{SCENES, pile};
 }
 
 /// In 3D and double precision.
@@ -114,5 +116,5 @@ mod solid_f64 {
     #[path = "dim.rs"]
     mod dim;
 
-    pub use both::SCENES;
+    pub use both::{SCENES, pile};
 }

@@ -1,7 +1,8 @@
 //! Runs all scenes and compares their hashes with the expected ones: see `--help`.
 
-use golden::{EXPECTED, Scene, Settings, line, scenes};
+use golden::{EXPECTED, PILES, Scene, Settings, line, scenes, time};
 use std::process::ExitCode;
+use std::time::Instant;
 
 const HELP: &str = "Runs the golden scenes and compares their hashes with the expected ones.
 
@@ -9,6 +10,7 @@ Usage: golden [OPTIONS]
 
   --threads N,...   numbers of threads, each for all scenes (default: 1; needs the feature `parallel`)
   --print           print the lines of hashes in the format of src/hashes.txt, and compare nothing
+  --time            print the median time of a step in a pile of 1,000 boxes that falls and settles, and compare nothing
   -h, --help        print this
 
 All scenes run with the widest registers of the machine and with its baseline.";
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
             Err(error) => usage(&format!("`--threads {list}`: {error}")),
         },
         ["--print"] => print(),
+        ["--time"] => print_times(),
         ["-h" | "--help"] => {
             println!("{HELP}");
             ExitCode::SUCCESS
@@ -54,6 +57,14 @@ fn usage(message: &str) -> ExitCode {
 fn print() -> ExitCode {
     for scene in scenes() {
         println!("{}", line(&scene, scene.run(Settings { threads: 1, wide: true })));
+    }
+    ExitCode::SUCCESS
+}
+
+fn print_times() -> ExitCode {
+    let start = Instant::now();
+    for (engine, pile) in PILES {
+        println!("{}", time(engine, pile, || 1000.0 * start.elapsed().as_secs_f64()));
     }
     ExitCode::SUCCESS
 }

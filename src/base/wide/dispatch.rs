@@ -109,24 +109,14 @@ trait Registers {
     type Baseline;
 }
 
-#[cfg(target_arch = "x86_64")]
 impl Registers for f32 {
+    #[cfg(target_arch = "x86_64")]
     type Avx = super::avx::F32x8;
-    type Baseline = super::sse2::F32x8;
+    type Baseline = super::baseline::F32x8;
 }
 
-#[cfg(target_arch = "x86_64")]
 impl Registers for f64 {
+    #[cfg(target_arch = "x86_64")]
     type Avx = super::avx::F64x4;
-    type Baseline = super::sse2::F64x4;
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-impl Registers for f32 {
-    type Baseline = super::portable::Array<f32, 8>;
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-impl Registers for f64 {
-    type Baseline = super::portable::Array<f64, 4>;
+    type Baseline = super::baseline::F64x4;
 }

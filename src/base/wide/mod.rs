@@ -7,8 +7,9 @@
 //! | register | where | for |
 //! |---|---|---|
 //! | `avx.rs`: one 32-byte register | x86-64 that turns out to have AVX2 | [`Simd::detect`] |
-//! | `sse2.rs`: two 16-byte registers | every other x86-64 | [`Simd::baseline`] |
-//! | `portable.rs`: an array and loops | every other architecture, and tests | [`Simd::baseline`] |
+//! | `sse2.rs`: two 16-byte registers, a [`pair`] | every other x86-64 | [`Simd::baseline`] |
+//! | `simd128.rs`: the same | WebAssembly that is compiled with `simd128` | [`Simd::baseline`] |
+//! | `portable.rs`: an array and loops | every other target, and tests | [`Simd::baseline`] |
 //!
 //! **The same bits from all of them.** Only operations that IEEE 754 rounds correctly are offered:
 //! no fused multiply-add, no approximate reciprocals, no sums across lanes. `min` and `max` are
@@ -22,13 +23,31 @@
 #[cfg(target_arch = "x86_64")]
 mod avx;
 mod dispatch;
-#[cfg(any(test, not(target_arch = "x86_64")))]
+#[cfg(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128")))]
+mod pair;
+#[cfg(any(
+    test,
+    not(any(target_arch = "x86_64", all(target_arch = "wasm32", target_feature = "simd128")))
+))]
 mod portable;
 mod prefetch;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod simd128;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
 #[cfg(test)]
 mod tests;
+
+// The registers of `Simd::baseline`.
+#[cfg(not(any(
+    target_arch = "x86_64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
+use portable as baseline;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use simd128 as baseline;
+#[cfg(target_arch = "x86_64")]
+use sse2 as baseline;
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use parry::math::Real;

@@ -1,7 +1,7 @@
-//! Registers of 32 bytes as arrays and loops: for machines that have no file of their own here.
+//! Registers of 32 bytes as arrays and loops: for targets that have no file of their own here, such as WebAssembly without SIMD.
 //!
-//! The compiler turns the loops into whatever vector instructions the machine has. On x86-64 this
-//! file is compiled for tests alone, as the plainest statement of what the other two must do.
+//! The compiler turns the loops into whatever vector instructions the machine has, at optimisation level 3 alone. On x86-64 this
+//! file is compiled for tests alone, as the plainest statement of what the other files must do.
 
 use super::{Lane, Wide};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
@@ -53,8 +53,8 @@ impl<T: Copy + Neg<Output = T>, const N: usize> Neg for Array<T, N> {
 
 /// What the two registers have in common.
 macro_rules! register {
-    ($scalar:ident, $lanes:literal) => {
-        impl Wide<$scalar, $lanes> for Array<$scalar, $lanes> {
+    ($register:ident, $scalar:ident, $lanes:literal) => {
+        impl Wide<$scalar, $lanes> for $register {
             type Mask = Array<bool, $lanes>;
 
             #[inline(always)]
@@ -139,5 +139,10 @@ macro_rules! register {
     };
 }
 
-register!(f32, 8);
-register!(f64, 4);
+/// Eight single-precision numbers.
+pub type F32x8 = Array<f32, 8>;
+register!(F32x8, f32, 8);
+
+/// Four double-precision numbers.
+pub type F64x4 = Array<f64, 4>;
+register!(F64x4, f64, 4);

@@ -25,5 +25,5 @@ pub fn prefetch_front<T>(record: &T, bytes: usize) {
         }
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = record;
+    let _ = (record, bytes);
 }

@@ -6,10 +6,13 @@ mod joints;
 mod kinematics;
 mod piles;
 mod queries;
+mod timing;
 
 use super::rapier::prelude::*;
 use crate::{Fold, Run, Settings};
 use std::sync::Mutex;
+
+pub use timing::pile;
 
 /// All scenes under their names.
 pub const SCENES: [(&str, Run); 10] = [

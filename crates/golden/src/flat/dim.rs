@@ -2,6 +2,9 @@
 
 use super::rapier::prelude::*;
 
+/// Boxes of the timed pile along each axis.
+pub const PILE: [usize; 3] = [40, 25, 1];
+
 /// A vector.
 pub fn vec(x: Real, y: Real, _z: Real) -> Vector {
     Vector::new(x, y)

@@ -4,6 +4,9 @@ use super::rapier::control::*;
 use super::rapier::parry::utils::Array2;
 use super::rapier::prelude::*;
 
+/// Boxes of the timed pile along each axis.
+pub const PILE: [usize; 3] = [10, 10, 10];
+
 /// A vector.
 pub fn vec(x: Real, y: Real, z: Real) -> Vector {
     Vector::new(x, y, z)

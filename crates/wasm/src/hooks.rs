@@ -1,0 +1,103 @@
+//! Hooks: JavaScript decides about pairs, and changes contacts, while a step runs.
+
+use crate::handle::{Handle, optional};
+use crate::host;
+use crate::memory::{number, put_number, put_vector, vector};
+use crate::rapier::dynamics::RigidBodySet;
+use crate::rapier::geometry::{ColliderSet, SolverFlags};
+use crate::rapier::pipeline::{ContactModificationContext, PairFilterContext, PhysicsHooks};
+use crate::registry::LentSets;
+use core::cell::Cell;
+use core::ptr::null;
+
+/// The kinds of hooks, also the bits that say which ones there are.
+const CONTACT: u32 = 0;
+const INTERSECTION: u32 = 1;
+const MODIFICATION: u32 = 2;
+
+/// The bits of the answer to a modification.
+const KEEP_CONTACTS: u32 = 1;
+const COMPUTE_IMPULSES: u32 = 2;
+
+/// The hooks of JavaScript.
+pub struct Hooks<'a> {
+    present: u32,
+    sets: &'a Cell<LentSets>,
+}
+
+// SAFETY: the module has one thread.
+unsafe impl Send for Hooks<'_> {}
+// SAFETY: as above.
+unsafe impl Sync for Hooks<'_> {}
+
+impl<'a> Hooks<'a> {
+    /// Hooks of which some are present. The sets are set while one runs.
+    pub fn new(present: u32, sets: &'a Cell<LentSets>) -> Self {
+        Self { present, sets }
+    }
+
+    fn has(&self, kind: u32) -> bool {
+        self.present & (1 << kind) != 0
+    }
+
+    /// Runs a hook that may read the sets.
+    fn lend<R>(
+        &self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        hook: impl FnOnce() -> R,
+    ) -> R {
+        self.sets.set((bodies, colliders));
+        let result = hook();
+        self.sets.set((null(), null()));
+        result
+    }
+
+    fn filter(&self, kind: u32, pair: &PairFilterContext<'_>) -> bool {
+        let (collider1, collider2) = (pair.collider1.to_number(), pair.collider2.to_number());
+        let (body1, body2) = (optional(pair.rigid_body1), optional(pair.rigid_body2));
+        self.lend(pair.bodies, pair.colliders, || {
+            host::hook(kind, collider1, collider2, body1, body2) != 0
+        })
+    }
+}
+
+impl PhysicsHooks for Hooks<'_> {
+    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> bool {
+        !self.has(CONTACT) || self.filter(CONTACT, context)
+    }
+
+    fn filter_intersection_pair(&self, context: &PairFilterContext<'_>) -> bool {
+        !self.has(INTERSECTION) || self.filter(INTERSECTION, context)
+    }
+
+    fn modify_solver_contact(&self, context: &mut ContactModificationContext<'_>) {
+        if !self.has(MODIFICATION) {
+            return;
+        }
+        put_vector(0, context.normal());
+        put_vector(1, context.tangent_velocity());
+        put_number(2, 0, context.friction());
+        put_number(2, 1, context.restitution());
+        put_number(2, 2, context.user_data() as _);
+        put_number(2, 3, context.contacts().len() as _);
+        let (collider1, collider2) = (context.collider1.to_number(), context.collider2.to_number());
+        let (body1, body2) = (optional(context.rigid_body1), optional(context.rigid_body2));
+        let answer = self.lend(context.bodies, context.colliders, || {
+            host::hook(MODIFICATION, collider1, collider2, body1, body2)
+        });
+        // The engine refuses numbers that are not valid; vectors are checked here.
+        if let Ok(velocity) = vector(1, "tangentVelocity") {
+            context.set_tangent_velocity(velocity);
+        }
+        context.set_friction(number(2, 0));
+        context.set_restitution(number(2, 1));
+        context.set_user_data(number(2, 2) as u32);
+        if answer & KEEP_CONTACTS == 0 {
+            context.clear_contacts();
+        }
+        if answer & COMPUTE_IMPULSES == 0 {
+            context.set_solver_flags(SolverFlags::empty());
+        }
+    }
+}

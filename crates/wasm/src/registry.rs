@@ -1,0 +1,271 @@
+//! The objects that JavaScript owns: worlds, shapes, event queues and controllers. Each is found by a number, and freed by it.
+//!
+//! A number combines slot and generation, so that a number whose object was freed finds nothing, even if the slot is used again.
+
+use crate::fault::{Fault, Kind};
+use crate::handle::Handle;
+use crate::memory::{self, Single};
+use crate::mirror::Mirror;
+use crate::rapier::dynamics::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
+use crate::rapier::pipeline::PhysicsWorld;
+use core::cell::Cell;
+use core::ptr::null;
+
+/// Bits of a number that are the slot.
+const SLOT_BITS: u32 = 20;
+
+/// A list of objects of one kind.
+pub struct Registry<T> {
+    slots: Vec<(u32, Option<Box<T>>)>,
+    free: Vec<u32>,
+}
+
+impl<T> Registry<T> {
+    /// An empty list.
+    pub const fn new() -> Self {
+        Self { slots: Vec::new(), free: Vec::new() }
+    }
+
+    /// Adds an object. Returns its number, which is not 0.
+    pub fn insert(&mut self, object: T) -> u32 {
+        let slot = match self.free.pop() {
+            Some(slot) => slot,
+            None => {
+                self.slots.push((1, None));
+                self.slots.len() as u32 - 1
+            }
+        };
+        let (generation, place) = &mut self.slots[slot as usize];
+        *place = Some(Box::new(object));
+        (*generation << SLOT_BITS) | slot
+    }
+
+    /// The object of a number.
+    pub fn get(&mut self, number: u32) -> Option<&mut T> {
+        let (generation, object) =
+            self.slots.get_mut((number & ((1 << SLOT_BITS) - 1)) as usize)?;
+        if *generation != number >> SLOT_BITS {
+            return None;
+        }
+        object.as_deref_mut()
+    }
+
+    /// The object of a number, to be shared.
+    pub fn get_shared(&self, number: u32) -> Option<&T> {
+        let (generation, object) = self.slots.get((number & ((1 << SLOT_BITS) - 1)) as usize)?;
+        if *generation != number >> SLOT_BITS {
+            return None;
+        }
+        object.as_deref()
+    }
+
+    /// Removes an object. The slot is used again until its generations are exhausted.
+    pub fn remove(&mut self, number: u32) -> Option<Box<T>> {
+        self.get(number)?;
+        let slot = number & ((1 << SLOT_BITS) - 1);
+        let (generation, object) = &mut self.slots[slot as usize];
+        let removed = object.take();
+        *generation += 1;
+        if *generation < 1 << (32 - SLOT_BITS) {
+            self.free.push(slot);
+        }
+        removed
+    }
+}
+
+/// What happens to a world at the moment.
+#[derive(Copy, Clone, PartialEq, Eq)]
+pub enum Activity {
+    /// Nothing.
+    Idle,
+    /// A query with callbacks reads it.
+    Read,
+    /// A step changes it.
+    Stepped,
+    /// A defect of the engine ended a step before its time.
+    Broken,
+}
+
+/// The sets that a hook may read while it runs.
+pub type LentSets = (*const RigidBodySet, *const ColliderSet);
+
+/// A world, and what the boundary stores beside it. It is shared: a call that a hook makes looks at it while the step runs.
+pub struct Instance {
+    world: Single<PhysicsWorld>,
+    activity: Cell<Activity>,
+    sets: Cell<LentSets>,
+    mirror: Single<Option<Mirror>>,
+}
+
+static WORLDS: Single<Registry<Instance>> = Single::new(Registry::new());
+
+/// Adds a world. Its stages are timed only if JavaScript asks for it, because each time is a call.
+pub fn insert_world(mut world: PhysicsWorld) -> u32 {
+    world.physics_pipeline.counters.disable();
+    let instance = Instance {
+        world: Single::new(world),
+        activity: Cell::new(Activity::Idle),
+        sets: Cell::new((null(), null())),
+        mirror: Single::new(None),
+    };
+    // SAFETY: the reference ends with the statement.
+    unsafe { WORLDS.get().insert(instance) }
+}
+
+/// Frees a world. A second time does nothing.
+pub fn free_world(number: u32) -> Result<(), Fault> {
+    let Ok(instance) = instance(number) else { return Ok(()) };
+    let activity = instance.activity.get();
+    if matches!(activity, Activity::Read | Activity::Stepped) {
+        return Err(busy(activity));
+    }
+    // SAFETY: the reference ends with the statement.
+    drop(unsafe { WORLDS.get().remove(number) });
+    Ok(())
+}
+
+/// The world of a number, whatever happens to it.
+fn instance(number: u32) -> Result<&'static Instance, Fault> {
+    // SAFETY: boxes do not move when the registry grows, and only `free_world` drops one, which no function does while it uses the world.
+    unsafe { WORLDS.get().get_shared(number) }.ok_or_else(|| Fault::freed("world"))
+}
+
+/// Steps a world. JavaScript may use it meanwhile, but only through hooks, which read the sets that they are lent.
+pub fn stepped(
+    number: u32,
+    work: impl FnOnce(&mut PhysicsWorld, &Cell<LentSets>),
+) -> Result<(), Fault> {
+    let instance = instance(number)?;
+    let activity = instance.activity.replace(Activity::Stepped);
+    if activity != Activity::Idle {
+        instance.activity.set(activity);
+        return Err(busy(activity));
+    }
+    // SAFETY: while the activity is `Stepped`, no other function borrows the world.
+    let world = unsafe { instance.world.get() };
+    work(world, &instance.sets);
+    // SAFETY: the reference ends with the statement.
+    if let Some(mirror) = unsafe { instance.mirror.get() } {
+        mirror.update(world);
+    }
+    instance.activity.set(Activity::Idle);
+    memory::pass_warning_on();
+    Ok(())
+}
+
+/// Lets a query read a world. JavaScript may read it meanwhile.
+pub fn queried<R>(number: u32, work: impl FnOnce(&PhysicsWorld) -> R) -> Result<R, Fault> {
+    let world = read(number)?;
+    let activity = instance(number)?.activity.replace(Activity::Read);
+    let result = work(world);
+    instance(number)?.activity.set(activity);
+    Ok(result)
+}
+
+/// Marks a world whose step an exception ended.
+pub fn break_world(number: u32) -> Result<(), Fault> {
+    let instance = instance(number)?;
+    if instance.activity.get() != Activity::Idle {
+        instance.activity.set(Activity::Broken);
+    }
+    Ok(())
+}
+
+/// The mirror of a world, brought up to date if that is asked for.
+pub fn mirror(number: u32, refresh: bool) -> Result<Option<&'static Mirror>, Fault> {
+    let instance = instance(number)?;
+    // SAFETY: the exported functions of the mirror ask for one, once.
+    let mirror = unsafe { instance.mirror.get() };
+    if refresh {
+        let mirror = mirror.get_or_insert_default();
+        mirror.is_stale = true;
+        mirror.update(read(number)?);
+    }
+    Ok(mirror.as_ref())
+}
+
+#[cold]
+fn busy(activity: Activity) -> Fault {
+    let what = match activity {
+        Activity::Stepped => {
+            "a step of this world is running: hooks may read bodies and colliders, and change nothing"
+        }
+        Activity::Broken => {
+            "a defect of the engine ended a step of this world before its time: free the world"
+        }
+        _ => {
+            "a query of this world is running: its callbacks may read the world, and not change it"
+        }
+    };
+    Fault::new(Kind::Busy, what.to_string())
+}
+
+/// The world, to be read.
+pub fn read(number: u32) -> Result<&'static PhysicsWorld, Fault> {
+    let instance = instance(number)?;
+    match instance.activity.get() {
+        activity @ (Activity::Stepped | Activity::Broken) => Err(busy(activity)),
+        // SAFETY: nothing changes the world: exported functions that read it end before others begin, or are marked as queries.
+        Activity::Idle | Activity::Read => Ok(unsafe { instance.world.get() }),
+    }
+}
+
+/// The world, to be changed.
+pub fn write(number: u32) -> Result<&'static mut PhysicsWorld, Fault> {
+    let instance = instance(number)?;
+    let activity = instance.activity.get();
+    if activity != Activity::Idle {
+        return Err(busy(activity));
+    }
+    // SAFETY: the reference ends with the statement.
+    if let Some(mirror) = unsafe { instance.mirror.get() } {
+        mirror.is_stale = true;
+    }
+    // SAFETY: no step or query is running, and an exported function borrows the world once at a time.
+    Ok(unsafe { instance.world.get() })
+}
+
+/// The bodies, to be read: also from hooks.
+pub fn bodies(number: u32) -> Result<&'static RigidBodySet, Fault> {
+    let instance = instance(number)?;
+    if instance.activity.get() != Activity::Stepped {
+        return Ok(&read(number)?.bodies);
+    }
+    // SAFETY: the hook stored the reference that the step lends it, and takes it back before it returns.
+    unsafe { instance.sets.get().0.as_ref() }.ok_or_else(|| busy(Activity::Stepped))
+}
+
+/// The colliders, to be read: also from hooks.
+pub fn colliders(number: u32) -> Result<&'static ColliderSet, Fault> {
+    let instance = instance(number)?;
+    if instance.activity.get() != Activity::Stepped {
+        return Ok(&read(number)?.colliders);
+    }
+    // SAFETY: the hook stored the reference that the step lends it, and takes it back before it returns.
+    unsafe { instance.sets.get().1.as_ref() }.ok_or_else(|| busy(Activity::Stepped))
+}
+
+/// A body, to be read.
+pub fn body(world: u32, handle: f64) -> Result<&'static RigidBody, Fault> {
+    let found = bodies(world)?.get(RigidBodyHandle::of_number(handle));
+    found.ok_or_else(|| Fault::stale("rigid body", handle))
+}
+
+/// A body, to be changed.
+pub fn body_mut(world: u32, handle: f64) -> Result<&'static mut RigidBody, Fault> {
+    let found = write(world)?.bodies.get_mut(RigidBodyHandle::of_number(handle));
+    found.ok_or_else(|| Fault::stale("rigid body", handle))
+}
+
+/// A collider, to be read.
+pub fn collider(world: u32, handle: f64) -> Result<&'static Collider, Fault> {
+    let found = colliders(world)?.get(ColliderHandle::of_number(handle));
+    found.ok_or_else(|| Fault::stale("collider", handle))
+}
+
+/// A collider, to be changed.
+pub fn collider_mut(world: u32, handle: f64) -> Result<&'static mut Collider, Fault> {
+    let found = write(world)?.colliders.get_mut(ColliderHandle::of_number(handle));
+    found.ok_or_else(|| Fault::stale("collider", handle))
+}

@@ -1,0 +1,37 @@
+//! What runs once, before everything else.
+
+use crate::fault::Kind;
+use crate::{host, memory};
+use log::{LevelFilter, Log, Metadata, Record};
+
+/// Keeps the engine's warnings: they name values that a setter refused.
+struct Warnings;
+
+impl Log for Warnings {
+    fn enabled(&self, _: &Metadata<'_>) -> bool {
+        true
+    }
+
+    fn log(&self, record: &Record<'_>) {
+        memory::put_warning(record.args().to_string());
+    }
+
+    fn flush(&self) {}
+}
+
+static WARNINGS: Warnings = Warnings;
+
+exports! {
+    /// Prepares the module. JavaScript calls it once.
+    fn start() {
+        // A second call keeps the logger.
+        let _ = log::set_logger(&WARNINGS);
+        log::set_max_level(LevelFilter::Warn);
+        #[cfg(target_arch = "wasm32")]
+        crate::rapier::pipeline::Timer::set_clock(|| host::now());
+        std::panic::set_hook(Box::new(|information| {
+            let (address, length) = memory::put_text(&information.to_string());
+            host::fail(Kind::Internal as u32, address, length)
+        }));
+    }
+}

@@ -1,0 +1,77 @@
+// Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly modules already.
+
+import { readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [dimension, pkg, bits = "32"] = process.argv.slice(2);
+const here = import.meta.dirname;
+const home = resolve(pkg, "..");
+const require = createRequire(pathToFileURL(join(home, "package.json")));
+const { build } = require("esbuild");
+const manifest = JSON.parse(readFileSync(join(home, "package.json"), "utf8"));
+const source = (name) => join(here, "src", name);
+
+execFileSync(process.execPath, [join(here, "generate.mjs"), source("functions.ts")]);
+
+const alias = Object.fromEntries(
+    ["dim", "rigid_body", "collider_desc", "shape", "world"].map((name) => [`#${name}`, source(`${name}${dimension}.ts`)]),
+);
+alias["#real"] = source(`real${bits}.ts`);
+alias["#entry"] = source(`rapier${dimension}.ts`);
+
+async function bundle(entry, outfile, options = {}) {
+    await build({
+        entryPoints: [source(entry)],
+        outfile: join(pkg, outfile),
+        bundle: true,
+        minify: true,
+        keepNames: false,
+        format: "esm",
+        target: "es2022",
+        alias,
+        legalComments: "none",
+        logLevel: "warning",
+        ...options,
+        define: { VERSION: JSON.stringify(manifest.version), ...options.define },
+    });
+}
+
+const module = readFileSync(join(pkg, "rapier_simd.wasm")).toString("base64");
+const cjs = { format: "cjs", define: { "import.meta.url": "MODULE_URL" }, banner: { js: 'const MODULE_URL = require("node:url").pathToFileURL(__filename);' } };
+await bundle("entry_node.ts", "rapier.node.mjs", { platform: "node" });
+await bundle("entry_node.ts", "rapier.node.cjs", { platform: "node", ...cjs });
+await bundle("entry_web.ts", "rapier.mjs");
+await bundle("entry_compat.ts", "rapier.compat.mjs", { define: { MODULE: JSON.stringify(module) } });
+
+// Definitions: one file per source, with the names of the dimension and the precision.
+const types = join(pkg, "types");
+mkdirSync(types, { recursive: true });
+const configuration = join(home, "node_modules", ".tsconfig.json");
+writeFileSync(configuration, JSON.stringify({
+    extends: join(here, `tsconfig.dim${dimension}.json`),
+    compilerOptions: {
+        rootDir: join(here, "src"), outDir: resolve(types), declaration: true, emitDeclarationOnly: true,
+        paths: Object.fromEntries(Object.entries(alias).map(([name, path]) => [name, [path]])),
+    },
+}));
+execFileSync(process.execPath, [require.resolve("typescript/bin/tsc"), "-p", configuration], { stdio: "inherit" });
+const own = { entry: `rapier${dimension}`, real: `real${bits}` };
+for (const file of readdirSync(types)) {
+    const path = join(types, file);
+    const text = readFileSync(path, "utf8");
+    writeFileSync(path, text.replace(/"#(\w+)"/g, (_, name) => `"./${own[name] ?? name + dimension}.js"`));
+}
+
+const { name, version, description, license, keywords, exports } = manifest;
+writeFileSync(join(pkg, "package.json"), `${JSON.stringify({
+    name, version, description, license, keywords, type: "module",
+    main: "./rapier.node.cjs", module: "./rapier.mjs", types: `./types/rapier${dimension}.d.ts`,
+    exports: JSON.parse(JSON.stringify(exports)),
+}, null, 4)}\n`);
+copyFileSync(join(home, "README.md"), join(pkg, "README.md"));
+for (const file of ["LICENSE-MIT", "LICENSE-APACHE"]) {
+    copyFileSync(join(here, "..", file), join(pkg, file));
+}

@@ -1,0 +1,79 @@
+import { Collider, type ColliderHandle } from "./collider.js";
+import type { ColliderDescBase } from "./collider_desc.js";
+import { raw } from "./raw.js";
+import type { RigidBodyHandle } from "./rigid_body.js";
+import type { World } from "./world.js";
+
+/** The colliders of a world. */
+export class ColliderSet {
+    /** @internal */
+    readonly world: World;
+    private readonly map = new Map<ColliderHandle, Collider>();
+
+    /** @internal Worlds make their sets. */
+    constructor(world: World) {
+        this.world = world;
+    }
+
+    /** Creates a collider. */
+    createCollider(_bodies: unknown, desc: ColliderDescBase, parentHandle?: RigidBodyHandle | null): Collider {
+        return this.adopt(desc.create(this.world.id, parentHandle ?? NaN), parentHandle);
+    }
+
+    /** @internal The object of a collider that is in the module. */
+    adopt(handle: ColliderHandle, parent: RigidBodyHandle | null | undefined): Collider {
+        const body = parent === null || parent === undefined ? null : this.world.bodies.get(parent);
+        const collider = new Collider(this.world, handle, body);
+        this.map.set(handle, collider);
+        return collider;
+    }
+
+    /** Removes a collider. */
+    remove(handle: ColliderHandle, _islands?: unknown, _bodies?: unknown, wakeUp = true): void {
+        raw.collider_remove(this.world.id, handle, +wakeUp);
+        this.map.delete(handle);
+    }
+
+    /** Forgets the object of a collider that is not in the module any more. */
+    unmap(handle: ColliderHandle): void {
+        this.map.delete(handle);
+    }
+
+    /** The collider of a handle, or null. */
+    get(handle: ColliderHandle): Collider | null {
+        return this.map.get(handle) ?? null;
+    }
+
+    /** The number of colliders. */
+    len(): number {
+        return this.map.size;
+    }
+
+    /** Returns whether a handle finds a collider. */
+    contains(handle: ColliderHandle): boolean {
+        return this.map.has(handle);
+    }
+
+    /** Calls a function with each collider. */
+    forEach(f: (collider: Collider) => void): void {
+        this.map.forEach((collider) => f(collider));
+    }
+
+    /** All colliders. */
+    getAll(): Collider[] {
+        return [...this.map.values()];
+    }
+
+    /** A function of handles made from a function of colliders. */
+    castClosure<Res>(f?: (collider: Collider) => Res): ((handle: ColliderHandle) => Res | undefined) | undefined {
+        return f && ((handle) => f(this.get(handle)!));
+    }
+
+    /** @internal */
+    clear(): void {
+        this.map.clear();
+    }
+
+    /** Does nothing: the world owns the memory. */
+    free(): void {}
+}

@@ -1,0 +1,298 @@
+// What differs by dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
+
+import { scratch } from "./raw.js";
+
+/** The number of dimensions. */
+export const DIM = 2;
+/** Numbers of a rotation. */
+export const ROTATION = 1;
+/** Numbers of an angular velocity. */
+export const ANGULAR = 1;
+
+/** A vector. */
+export interface Vector {
+    x: number;
+    y: number;
+}
+
+/** The components of a vector as arguments. */
+export type Components = [x: number, y: number];
+/** One flag for each axis, as arguments. */
+export type AxisFlags = [enableX: boolean, enableY: boolean];
+/** The same, with a last argument. */
+export type AxisFlagsAndWakeUp = [enableX: boolean, enableY: boolean, wakeUp: boolean];
+/** Half the sides of a box as arguments. */
+export type HalfExtents = [hx: number, hy: number];
+/** Half the sides of a box and its border as arguments. */
+export type HalfExtentsAndBorder = [hx: number, hy: number, borderRadius: number];
+/** Mass properties as arguments. */
+export type MassProperties = [mass: number, centerOfMass: Vector, principalAngularInertia: number];
+/** Mass properties as arguments, with a last one. */
+export type MassPropertiesAndWakeUp = [mass: number, centerOfMass: Vector, principalAngularInertia: number, wakeUp: boolean];
+
+/** A vector. */
+export class Vector2 implements Vector {
+    x: number;
+    y: number;
+
+    constructor(x: number, y: number) {
+        this.x = x;
+        this.y = y;
+    }
+}
+
+/** Operations on vectors. */
+export class VectorOps {
+    /** A vector from its components. */
+    static new(x: number, y: number): Vector {
+        return new Vector2(x, y);
+    }
+
+    /** The zero vector. */
+    static zeros(): Vector {
+        return new Vector2(0, 0);
+    }
+
+    /** The vector at the beginning of an array. */
+    static fromBuffer(buffer: ArrayLike<number>, target?: Vector): Vector {
+        return fill(target ?? VectorOps.zeros(), buffer, 0);
+    }
+
+    /** Copies a vector into another one. */
+    static copy(out: Vector, input: Vector): void {
+        out.x = input.x;
+        out.y = input.y;
+    }
+}
+
+/** A rotation: an angle in radians. */
+export type Rotation = number;
+
+/** Operations on rotations. */
+export class RotationOps {
+    /** The rotation by no angle. */
+    static identity(): number {
+        return 0;
+    }
+}
+
+/** An angular velocity, torque or principal inertia. */
+export type AngVector = number;
+
+/** An angular inertia. */
+export type AngularInertia = number;
+
+function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
+    target.x = numbers[at]!;
+    target.y = numbers[at + 1]!;
+    return target;
+}
+
+/** The vector at a position of an array. */
+export function vectorAt(numbers: ArrayLike<number>, at: number, target?: Vector): Vector {
+    return fill(target ?? VectorOps.zeros(), numbers, at);
+}
+
+/** The rotation at a position of an array. */
+export function rotationAt(numbers: ArrayLike<number>, at: number, _target?: Rotation): Rotation {
+    return numbers[at]!;
+}
+
+/** Appends the components of a vector. */
+export function pushVector(numbers: number[], vector: Vector): void {
+    numbers.push(vector.x, vector.y);
+}
+
+/** Appends the components of a rotation. */
+export function pushRotation(numbers: number[], rotation: Rotation): void {
+    numbers.push(rotation);
+}
+
+/** Writes a vector into the scratch block. */
+export function putVector(place: number, vector: Vector): void {
+    const numbers = scratch();
+    numbers[4 * place] = vector.x;
+    numbers[4 * place + 1] = vector.y;
+}
+
+/** Reads a vector of the scratch block. */
+export function getVector(place: number, target?: Vector): Vector {
+    return fill(target ?? VectorOps.zeros(), scratch(), 4 * place);
+}
+
+/** Writes a rotation into the scratch block. */
+export function putRotation(place: number, rotation: Rotation): void {
+    scratch()[4 * place] = rotation;
+}
+
+/** Reads a rotation of the scratch block. */
+export function getRotation(place: number, _target?: Rotation): Rotation {
+    return scratch()[4 * place]!;
+}
+
+/** Writes an angular quantity into the scratch block. */
+export const putAngular: (place: number, value: AngVector) => void = putRotation;
+
+/** Reads an angular quantity of the scratch block. */
+export const getAngular: (place: number, target?: AngVector) => AngVector = getRotation;
+
+/** Reads an angular inertia of the scratch block. */
+export function getAngularInertia(_target?: AngularInertia): AngularInertia {
+    return scratch()[0]!;
+}
+
+/** An angular quantity of zero. */
+export function zeroAngular(): AngVector {
+    return 0;
+}
+
+/** A point of a ray. */
+export function alongRay(origin: Vector, dir: Vector, t: number): Vector {
+    return new Vector2(origin.x + dir.x * t, origin.y + dir.y * t);
+}
+
+/** Writes mass properties into the scratch block: three places. */
+export function putMassProperties(place: number, [, centerOfMass, inertia]: MassProperties): void {
+    putVector(place, centerOfMass);
+    putAngular(place + 1, inertia);
+}
+
+/** A vector from arguments. */
+export function vectorOf([x, y]: Components): Vector {
+    return new Vector2(x, y);
+}
+
+/** The bits of axes that are not enabled. */
+export function lockedBits([x, y]: AxisFlags): number {
+    return Number(!x) | (Number(!y) << 1);
+}
+
+/** The elements before the last one, and the last one. */
+export function splitLast<T, L>(list: readonly [...T[], L]): [T[], L] {
+    return [list.slice(0, -1) as T[], list[list.length - 1] as L];
+}
+
+/** Bits of all translations among the locked axes. */
+export const TRANSLATIONS = 0b11;
+/** Bits of all rotations among the locked axes. */
+export const ROTATIONS = 0b100_000;
+/** The lowest bit of the rotations. */
+export const ROTATION_SHIFT = 5;
+
+/** The kinds of shapes. */
+export enum ShapeType {
+    Ball = 0,
+    Cuboid = 1,
+    Capsule = 2,
+    Segment = 3,
+    Polyline = 4,
+    Triangle = 5,
+    TriMesh = 6,
+    HeightField = 7,
+    Compound = 8,
+    ConvexPolygon = 9,
+    RoundCuboid = 10,
+    RoundTriangle = 11,
+    RoundConvexPolygon = 12,
+    HalfSpace = 13,
+    Voxels = 14,
+}
+
+/** The kinds of shapes by the numbers of the module. */
+export const SHAPE_TYPES: readonly (ShapeType | undefined)[] = [
+    ShapeType.Ball,
+    ShapeType.Cuboid,
+    ShapeType.Capsule,
+    ShapeType.Segment,
+    ShapeType.Polyline,
+    ShapeType.Triangle,
+    ShapeType.TriMesh,
+    ShapeType.HeightField,
+    ShapeType.Compound,
+    ShapeType.ConvexPolygon,
+    undefined,
+    undefined,
+    ShapeType.RoundCuboid,
+    ShapeType.RoundTriangle,
+    undefined,
+    undefined,
+    ShapeType.RoundConvexPolygon,
+    ShapeType.HalfSpace,
+    ShapeType.Voxels,
+];
+
+/** The parts of a shape that a query can hit. */
+export enum FeatureType {
+    Vertex = 0,
+    Face = 1,
+    Unknown = 2,
+}
+
+/** The features by the numbers of the module: vertex, edge, face, unknown. */
+export const FEATURE_TYPES = [FeatureType.Vertex, FeatureType.Face, FeatureType.Face, FeatureType.Unknown] as const;
+
+/** The axes of a joint. */
+export enum JointAxis {
+    LinX = 0,
+    LinY = 1,
+    AngX = 2,
+}
+
+/** Sets of axes of a joint. The values are those of 3D. */
+export enum JointAxesMask {
+    LinX = 1,
+    LinY = 2,
+    LinZ = 4,
+    AngX = 8,
+    AngY = 16,
+    AngZ = 32,
+}
+
+/** Sets of axes that a PID controller corrects. */
+export enum PidAxesMask {
+    None = 0,
+    LinX = 1,
+    LinY = 2,
+    LinZ = 4,
+    AngZ = 32,
+    AllLin = 3,
+    AllAng = 32,
+    All = 35,
+}
+
+/** The kinds of joints. */
+export enum JointType {
+    Revolute = 0,
+    Fixed = 1,
+    Prismatic = 2,
+    Rope = 3,
+    Spring = 4,
+    Generic = 6,
+}
+
+/** The axis of the rotation of a revolute joint. */
+export const ANGULAR_AXIS = JointAxis.AngX;
+
+/** Options for lines of segments. */
+export enum PolylineFlags {
+    ORIENTED = 1,
+    DEFORMABLE = 2,
+}
+
+/** Options for triangle meshes. */
+export enum TriMeshFlags {
+    DELETE_BAD_TOPOLOGY_TRIANGLES = 4,
+    ORIENTED = 8,
+    MERGE_DUPLICATE_VERTICES = 16,
+    DELETE_DEGENERATE_TRIANGLES = 32,
+    DELETE_DUPLICATE_TRIANGLES = 64,
+    FIX_INTERNAL_EDGES = 144,
+    DEFORMABLE = 256,
+}
+
+/** The coordinates of a voxel, and whether it is filled, as arguments. */
+export type VoxelArguments = [ix: number, iy: number, filled: boolean];
+/** Coordinates of a voxel and a shift as arguments. */
+export type VoxelAndShift = [ix: number, iy: number, shift_x: number, shift_y: number];
+/** A shift of voxels as arguments. */
+export type VoxelShift = [shift_x: number, shift_y: number];

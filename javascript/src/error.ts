@@ -1,0 +1,32 @@
+/** What kind of mistake an error is about. */
+export type RapierErrorCode =
+    | "StaleHandle"
+    | "InvalidValue"
+    | "Freed"
+    | "Busy"
+    | "WrongShape"
+    | "InvalidSnapshot"
+    | "Internal"
+    | "NotInitialized"
+    | "Unsupported";
+
+/** The codes in the order of the numbers of crates/wasm/src/fault.rs. */
+const CODES: RapierErrorCode[] = ["Internal", "StaleHandle", "InvalidValue", "Freed", "Busy", "WrongShape", "InvalidSnapshot", "Internal"];
+
+/** An error of the engine. The message names the value, and the world is as it was before the call. */
+export class RapierError extends Error {
+    /** What kind of mistake it is. */
+    readonly code: RapierErrorCode;
+
+    /** Creates an error. */
+    constructor(code: RapierErrorCode, message: string) {
+        super(message);
+        this.name = "RapierError";
+        this.code = code;
+    }
+
+    /** @internal */
+    static ofKind(kind: number, message: string): RapierError {
+        return new RapierError(CODES[kind] ?? "Internal", message);
+    }
+}

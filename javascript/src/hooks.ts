@@ -1,0 +1,106 @@
+import { type Vector, getVector, putVector } from "#dim";
+import type { ColliderHandle } from "./collider.js";
+import { SolverFlags } from "./enums.js";
+import { type Hook, getNumber, putNumber } from "./raw.js";
+import type { RigidBodyHandle } from "./rigid_body.js";
+
+/** The kinds of hooks, in the order of crates/wasm/src/hooks.rs. */
+const Kind = { contact: 0, intersection: 1, modification: 2 } as const;
+/** Bits of the answer to a modification. */
+const Answer = { keepContacts: 1, computeImpulses: 2 } as const;
+
+/** The contacts of a pair, before they are solved. It is valid while the hook runs. */
+export class ContactModification {
+    /** The normal, from the first collider to the second one. */
+    readonly normal: Vector;
+    /** The number of contact points. */
+    readonly numContacts: number;
+    /** The coefficient of friction. */
+    friction: number;
+    /** The coefficient of restitution. */
+    restitution: number;
+    /** The velocity of the surface, as of a conveyor belt. */
+    tangentVelocity: Vector;
+    /** A number that the pair keeps as long as it touches. */
+    userData: number;
+    /** Whether forces are computed. */
+    solverFlags: SolverFlags = SolverFlags.COMPUTE_IMPULSE;
+    private keep = true;
+
+    /** @internal */
+    constructor() {
+        this.normal = getVector(0);
+        this.tangentVelocity = getVector(1);
+        this.friction = getNumber(2, 0);
+        this.restitution = getNumber(2, 1);
+        this.userData = getNumber(2, 2);
+        this.numContacts = getNumber(2, 3);
+    }
+
+    /** Removes all contact points. */
+    clearContacts(): void {
+        this.keep = false;
+    }
+
+    /** @internal */
+    write(): number {
+        putVector(1, this.tangentVelocity);
+        putNumber(2, 0, this.friction);
+        putNumber(2, 1, this.restitution);
+        putNumber(2, 2, this.userData);
+        return (this.keep ? Answer.keepContacts : 0) | (this.solverFlags & SolverFlags.COMPUTE_IMPULSE ? Answer.computeImpulses : 0);
+    }
+}
+
+/** Decides about pairs and changes contacts while a step runs. Hooks may read bodies and colliders, and change nothing. */
+export interface PhysicsHooks {
+    /** Returns whether a pair collides, and whether forces are computed. Null leaves the pair out. */
+    filterContactPair?(
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ): SolverFlags | null;
+    /** Returns whether the intersection of a pair with a sensor is computed. */
+    filterIntersectionPair?(
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ): boolean;
+    /** Changes the contacts of a pair. Not in the published packages. */
+    modifySolverContacts?(
+        contacts: ContactModification,
+        collider1: ColliderHandle,
+        collider2: ColliderHandle,
+        body1: RigidBodyHandle,
+        body2: RigidBodyHandle,
+    ): void;
+}
+
+/** Bits that say which hooks there are. */
+export function presentHooks(hooks: PhysicsHooks): number {
+    const present = (hook: unknown, kind: number): number => (hook ? 1 << kind : 0);
+    return (
+        present(hooks.filterContactPair, Kind.contact) |
+        present(hooks.filterIntersectionPair, Kind.intersection) |
+        present(hooks.modifySolverContacts, Kind.modification)
+    );
+}
+
+/** The function that the module calls. */
+export function hookOf(hooks: PhysicsHooks): Hook {
+    return (kind, collider1, collider2, body1, body2) => {
+        switch (kind) {
+            case Kind.contact:
+                return hooks.filterContactPair!(collider1, collider2, body1, body2) === null ? 0 : 1;
+            case Kind.intersection:
+                return +hooks.filterIntersectionPair!(collider1, collider2, body1, body2);
+            default: {
+                const contacts = new ContactModification();
+                hooks.modifySolverContacts!(contacts, collider1, collider2, body1, body2);
+                return contacts.write();
+            }
+        }
+    };
+}

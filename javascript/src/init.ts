@@ -1,0 +1,24 @@
+import { type InitOptions, load, raw } from "./raw.js";
+
+/** Loads the engine. Everything else waits for it. */
+export function init(options?: InitOptions): Promise<void> {
+    return load(options);
+}
+
+/** The version of the engine. */
+export function version(): string {
+    return VERSION;
+}
+
+/** Grows the memory once, so that later allocations of this many bytes do not. */
+export function reserveMemory(extraBytesCount: number): void {
+    raw.memory_reserve(extraBytesCount);
+}
+
+/** The package's version: the bundler writes it. */
+declare const VERSION: string;
+
+/** Bytes of the module's memory. The memory grows and never shrinks. */
+export function memoryBytes(): number {
+    return raw.memory.buffer.byteLength;
+}

@@ -1,0 +1,282 @@
+// The WebAssembly module: how it is loaded, what it imports, and the memory that both sides share.
+
+import { RapierError } from "./error.js";
+import type { Functions } from "./functions.js";
+import { type RealArray, RealArrayType } from "#real";
+
+/** The module's exports. */
+export interface Raw extends Functions {
+    /** The linear memory. */
+    readonly memory: WebAssembly.Memory;
+    /** The top of the module's stack. */
+    readonly __stack_pointer: WebAssembly.Global;
+}
+
+/** What `init` accepts beside the package's own module. */
+export interface InitOptions {
+    /** The module, its bytes, or where they are fetched from. Default: the file of the package. */
+    module?: WebAssembly.Module | BufferSource | Response | URL | string;
+    /** Whether the module with SIMD is used. Default: if the platform has SIMD. */
+    simd?: boolean;
+}
+
+/** Where an entry of the package finds its module. */
+export interface Source {
+    /** Loads the module. */
+    load(simd: boolean): Promise<WebAssembly.Module | BufferSource | Response>;
+    /** Loads the module at once, where the platform can. */
+    loadNow?(simd: boolean): BufferSource;
+}
+
+let source: Source | undefined;
+let loading: Promise<void> | undefined;
+let exportsOfModule: Raw | undefined;
+
+/** The first use of a function before `init` ends here. */
+const uninitialized = new Proxy({} as Raw, {
+    get(_, name) {
+        if (source?.loadNow) {
+            instantiateNow(source.loadNow(hasSimd()));
+            return raw[name as keyof Raw];
+        }
+        throw new RapierError("NotInitialized", "the engine is not loaded yet: call and await init() first");
+    },
+});
+
+/** The functions of the module. */
+export let raw: Raw = uninitialized;
+
+/** Says where the module is found. */
+export function setSource(entry: Source): void {
+    source = entry;
+}
+
+/** Returns whether the platform has the SIMD instructions of WebAssembly. */
+export function hasSimd(): boolean {
+    // A function that returns the sum of two vectors of zeros.
+    const bytes = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
+    return WebAssembly.validate(new Uint8Array(bytes));
+}
+
+/** Loads the module. Later calls wait for the first one. */
+export function load(options: InitOptions = {}): Promise<void> {
+    if (exportsOfModule) {
+        return Promise.resolve();
+    }
+    loading ??= instantiate(options).catch((error: unknown) => {
+        loading = undefined;
+        throw error;
+    });
+    return loading;
+}
+
+async function instantiate(options: InitOptions): Promise<void> {
+    let module = options.module;
+    if (typeof module === "string" || module instanceof URL) {
+        module = await fetch(module);
+    }
+    if (module === undefined) {
+        if (!source) {
+            throw new RapierError("NotInitialized", "this entry of the package has no module: pass init({ module })");
+        }
+        module = await source.load(options.simd ?? hasSimd());
+    }
+    if (typeof Response !== "undefined" && module instanceof Response) {
+        if (!module.ok) {
+            throw new RapierError("NotInitialized", `the module cannot be fetched: ${module.status} ${module.url}`);
+        }
+        module = await module.arrayBuffer();
+    }
+    if (module instanceof WebAssembly.Module) {
+        begin(await WebAssembly.instantiate(module, { rapier: imported }));
+    } else {
+        begin((await WebAssembly.instantiate(module as BufferSource, { rapier: imported })).instance);
+    }
+}
+
+function instantiateNow(bytes: BufferSource): void {
+    begin(new WebAssembly.Instance(new WebAssembly.Module(bytes), { rapier: imported }));
+}
+
+function begin(instance: WebAssembly.Instance): void {
+    if (exportsOfModule) {
+        return;
+    }
+    exportsOfModule = instance.exports as unknown as Raw;
+    raw = exportsOfModule;
+    stackFloor = raw.__stack_pointer.value as number;
+    raw.start();
+}
+
+// ---- Memory ----
+
+/** Numbers of a place of the scratch block. */
+const PLACE = 4;
+/** Numbers of the scratch block. */
+const SCRATCH = PLACE * 24;
+
+let scratchView: RealArray = new RealArrayType(0);
+
+/** The scratch block: place `p` begins at `4 * p`. */
+export function scratch(): RealArray {
+    // A view of memory that has grown has no elements any more.
+    if (scratchView.length === 0) {
+        scratchView = new RealArrayType(raw.memory.buffer, raw.scratch_address(), SCRATCH);
+    }
+    return scratchView;
+}
+
+/** Writes a number of the scratch block. */
+export function putNumber(place: number, component: number, value: number): void {
+    scratch()[PLACE * place + component] = value;
+}
+
+/** Reads a number of the scratch block. */
+export function getNumber(place: number, component: number): number {
+    return scratch()[PLACE * place + component]!;
+}
+
+/** The list of numbers that the last call left. It is valid until the next call. */
+export function list(length: number): Float64Array {
+    return new Float64Array(raw.memory.buffer, raw.list_address(), length);
+}
+
+/** A copy of the list of numbers that the last call left. */
+export function listCopy(length: number): Float64Array {
+    return list(length).slice();
+}
+
+/** A copy of the real numbers that the last call left. */
+export function realsCopy(): RealArray {
+    return new RealArrayType(raw.memory.buffer, raw.reals_address(), raw.reals_len()).slice();
+}
+
+/** A copy of the integers that the last call left. */
+export function integersCopy(): Uint32Array {
+    return new Uint32Array(raw.memory.buffer, raw.integers_address(), raw.integers_len()).slice();
+}
+
+/** Writes a list for the next call. */
+export function putList(numbers: ArrayLike<number>): void {
+    const address = raw.list_reserve(numbers.length);
+    new Float64Array(raw.memory.buffer, address, numbers.length).set(numbers);
+}
+
+/** Writes real numbers for the next call. */
+export function putReals(numbers: ArrayLike<number>): void {
+    const address = raw.reals_reserve(numbers.length);
+    new RealArrayType(raw.memory.buffer, address, numbers.length).set(numbers);
+}
+
+/** Writes integers for the next call. */
+export function putIntegers(numbers: ArrayLike<number>): void {
+    const address = raw.integers_reserve(numbers.length);
+    new Uint32Array(raw.memory.buffer, address, numbers.length).set(numbers);
+}
+
+/** Writes bytes for the next call. */
+export function putBytes(bytes: Uint8Array): void {
+    const address = raw.bytes_reserve(bytes.length);
+    new Uint8Array(raw.memory.buffer, address, bytes.length).set(bytes);
+}
+
+/** A copy of the bytes that the last call left. */
+export function bytesCopy(length: number): Uint8Array {
+    return new Uint8Array(raw.memory.buffer, raw.bytes_address(), length).slice();
+}
+
+/** A view of real numbers in memory. It is valid until the memory grows. */
+export function realsAt(address: number, length: number): RealArray {
+    return new RealArrayType(raw.memory.buffer, address, length);
+}
+
+function text(address: number, length: number): string {
+    return new TextDecoder().decode(new Uint8Array(raw.memory.buffer, address, length).slice());
+}
+
+// ---- Calls from the module ----
+
+/** The stack pointer of the call from JavaScript that is running: an exception gives the stack back down to it. */
+let stackFloor = 0;
+
+/** The exception of a callback. It is thrown when the module has returned. */
+let pending: { error: unknown } | undefined;
+
+/** Decides whether a collider takes part in a query. */
+export type Accept = (collider: number) => boolean;
+/** Decides about a pair or a contact in a step. */
+export type Hook = (kind: number, collider1: number, collider2: number, body1: number, body2: number) => number;
+
+let accept: Accept | undefined;
+let visitor: Accept | undefined;
+let hook: Hook | undefined;
+let warn: (message: string) => void = (message) => console.warn(`rapier: ${message}`);
+
+/** Runs a callback between two calls of the module. An exception is kept, and the answer is 0. */
+function guarded(call: () => number): number {
+    if (pending) {
+        return 0;
+    }
+    const floor = stackFloor;
+    const top = raw.__stack_pointer.value as number;
+    const callbacks = [accept, visitor, hook] as const;
+    stackFloor = top;
+    try {
+        return call();
+    } catch (error) {
+        pending = { error };
+        return 0;
+    } finally {
+        raw.__stack_pointer.value = top;
+        stackFloor = floor;
+        [accept, visitor, hook] = callbacks;
+    }
+}
+
+const imported = {
+    fail(kind: number, address: number, length: number): never {
+        raw.__stack_pointer.value = stackFloor;
+        throw RapierError.ofKind(kind, text(address, length));
+    },
+    warn(address: number, length: number): void {
+        const message = text(address, length);
+        guarded(() => (warn(message), 0));
+    },
+    now: (): number => performance.now(),
+    accepts: (collider: number): number => guarded(() => Number(accept!(collider))),
+    visit: (collider: number): number => guarded(() => Number(visitor!(collider))),
+    hook: (kind: number, collider1: number, collider2: number, body1: number, body2: number): number =>
+        guarded(() => hook!(kind, collider1, collider2, body1, body2)),
+};
+
+/** Runs a call of the module with callbacks. An exception of a callback is thrown after it. */
+export function withCallbacks<R>(callbacks: { accept?: Accept; visitor?: Accept; hook?: Hook }, call: () => R): R {
+    const before = [accept, visitor, hook] as const;
+    ({ accept, visitor, hook } = callbacks);
+    let result: R;
+    try {
+        result = call();
+    } finally {
+        [accept, visitor, hook] = before;
+    }
+    rethrow();
+    return result;
+}
+
+/** Gives the stack of a call back that a trap ended. */
+export function recover(): void {
+    raw.__stack_pointer.value = stackFloor;
+}
+
+function rethrow(): void {
+    if (pending) {
+        const { error } = pending;
+        pending = undefined;
+        throw error;
+    }
+}
+
+/** Replaces the function that receives the engine's warnings. By default they go to the console. */
+export function setWarningHandler(handler: (message: string) => void): void {
+    warn = handler;
+}

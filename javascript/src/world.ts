@@ -1,0 +1,620 @@
+import { type PidAxesMask, type Rotation, type Vector, getVector, putVector } from "#dim";
+import type { ColliderDesc } from "#collider_desc";
+import type { RigidBody, RigidBodyDesc } from "#rigid_body";
+import { KinematicCharacterController } from "./character_controller.js";
+import type { Collider, ColliderHandle } from "./collider.js";
+import { ColliderSet } from "./collider_set.js";
+import { DebugRenderBuffers, DebugRenderPipeline } from "./debug_render.js";
+import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
+import { RapierError } from "./error.js";
+import type { EventQueue } from "./event_queue.js";
+import type { ColliderShapeCastHit, PointColliderProjection, Ray, RayColliderHit, RayColliderIntersection } from "./geometry_results.js";
+import { type PhysicsHooks, hookOf, presentHooks } from "./hooks.js";
+import { IntegrationParameters } from "./integration_parameters.js";
+import { IslandManager } from "./island_manager.js";
+import {
+    type ImpulseJoint,
+    type ImpulseJointHandle,
+    ImpulseJointSet,
+    type JointData,
+    type MultibodyJoint,
+    type MultibodyJointHandle,
+    MultibodyJointSet,
+} from "./joint.js";
+import { NarrowPhase, type TempContactManifold } from "./narrow_phase.js";
+import { Owner } from "./owner.js";
+import { CCDSolver, PhysicsPipeline, SerializationPipeline } from "./pipelines.js";
+import { PidController } from "./pid_controller.js";
+import { BroadPhase, type Filter } from "./query.js";
+import { bytesCopy, listCopy, putBytes, putList, putReals, raw, recover, withCallbacks } from "./raw.js";
+import type { RigidBodyHandle } from "./rigid_body.js";
+import { RigidBodySet } from "./rigid_body_set.js";
+import type { Shape } from "./shape.js";
+import { BodyViews } from "./views.js";
+
+/** The number of a restored world. */
+export interface RestoredWorld {
+    /** @internal */
+    readonly id: number;
+}
+
+/** The constructor of a kind of world. */
+export type WorldClass<T> = new (gravity: Vector, restored?: RestoredWorld) => T;
+
+/** The object of a world that is in the module. */
+function adopt<T extends World>(kind: WorldClass<T>, id: number): T {
+    raw.world_gravity(id);
+    const world = new kind(getVector(0), { id });
+    listCopy(raw.bodies_list(id)).forEach((handle) => world.bodies.adopt(handle));
+    listCopy(raw.colliders_list(id)).forEach((handle) => {
+        const parent = raw.collider_parent(id, handle);
+        world.colliders.adopt(handle, Number.isNaN(parent) ? null : parent);
+    });
+    [world.impulseJoints, world.multibodyJoints].forEach((joints, set) => {
+        listCopy(raw.joints_list(id, set)).forEach((handle) => joints.adopt(handle));
+    });
+    return world;
+}
+
+/** What `World.changeBodies` changes. */
+export type BodyChange =
+    | "translation"
+    | "rotation"
+    | "linvel"
+    | "angvel"
+    | "nextTranslation"
+    | "nextRotation"
+    | "addForce"
+    | "applyImpulse";
+
+/** The changes in the order of crates/wasm/src/batch.rs. */
+const BODY_CHANGES: readonly BodyChange[] = [
+    "translation",
+    "rotation",
+    "linvel",
+    "angvel",
+    "nextTranslation",
+    "nextRotation",
+    "addForce",
+    "applyImpulse",
+];
+
+/** What a query leaves out, as its last arguments. */
+type ObjectFilter = [
+    filterFlags?: QueryFilterFlags,
+    filterGroups?: InteractionGroups,
+    filterExcludeCollider?: Collider,
+    filterExcludeRigidBody?: RigidBody,
+    filterPredicate?: (collider: Collider) => boolean,
+];
+
+/** A simulation: bodies, colliders, joints, and all that a step needs. */
+export class World extends Owner {
+    /** The acceleration of all dynamic bodies. */
+    gravity: Vector;
+    integrationParameters: IntegrationParameters;
+    islands: IslandManager;
+    broadPhase: BroadPhase;
+    narrowPhase: NarrowPhase;
+    bodies: RigidBodySet;
+    colliders: ColliderSet;
+    impulseJoints: ImpulseJointSet;
+    multibodyJoints: MultibodyJointSet;
+    ccdSolver: CCDSolver;
+    physicsPipeline: PhysicsPipeline;
+    serializationPipeline: SerializationPipeline;
+    debugRenderPipeline: DebugRenderPipeline;
+    /** The character controllers of the world. */
+    characterControllers = new Set<KinematicCharacterController>();
+    /** The PID controllers of the world. */
+    pidControllers = new Set<PidController>();
+    private bodyViews: BodyViews | undefined;
+
+    /** A snapshot passes the number of its world as a second argument. */
+    constructor(gravity: Vector, restored?: RestoredWorld) {
+        super(restored?.id ?? raw.world_new(), (id) => raw.world_free(id));
+        this.gravity = gravity;
+        this.integrationParameters = new IntegrationParameters(this);
+        this.islands = new IslandManager(this);
+        this.broadPhase = new BroadPhase(this);
+        this.narrowPhase = new NarrowPhase(this);
+        this.bodies = new RigidBodySet(this);
+        this.colliders = new ColliderSet(this);
+        this.impulseJoints = new ImpulseJointSet(this);
+        this.multibodyJoints = new MultibodyJointSet(this);
+        this.ccdSolver = new CCDSolver();
+        this.physicsPipeline = new PhysicsPipeline();
+        this.serializationPipeline = new SerializationPipeline();
+        this.debugRenderPipeline = new DebugRenderPipeline(this);
+    }
+
+    /** Frees the world with all that is in it. A second call does nothing. */
+    override free(): void {
+        super.free();
+        for (const controllers of [this.characterControllers, this.pidControllers]) {
+            controllers.forEach((controller: Owner) => controller.free());
+            controllers.clear();
+        }
+        this.bodies.clear();
+        this.colliders.clear();
+        this.impulseJoints.clear();
+        this.multibodyJoints.clear();
+    }
+
+    // ---- Steps ----
+
+    /** Moves the world forward by one time step. */
+    step(eventQueue?: EventQueue, hooks?: PhysicsHooks): void {
+        const queue = eventQueue ? eventQueue.id || -1 : 0;
+        const present = hooks ? presentHooks(hooks) : 0;
+        putVector(0, this.gravity);
+        try {
+            if (present) {
+                withCallbacks({ hook: hookOf(hooks!) }, () => raw.world_step(this.id, queue, present));
+            } else {
+                raw.world_step(this.id, queue, 0);
+            }
+        } catch (error) {
+            this.breakAfter(error);
+            throw error;
+        }
+    }
+
+    /** A defect of the engine leaves a world that cannot be used. */
+    private breakAfter(error: unknown): void {
+        const isDefect = error instanceof WebAssembly.RuntimeError || (error instanceof RapierError && error.code === "Internal");
+        if (isDefect && this.isAlive()) {
+            recover();
+            raw.world_break(this.id);
+        }
+    }
+
+    /** A hash of the simulated state: the same bits on every machine. */
+    hash(): bigint {
+        return BigInt.asUintN(64, raw.world_hash(this.id));
+    }
+
+    // ---- Snapshots ----
+
+    /** The whole world as bytes: for files, networks and other machines. `userData` is not part of it. */
+    takeSnapshot(): Uint8Array {
+        return bytesCopy(raw.world_save(this.id));
+    }
+
+    /** A world from a snapshot. It continues bit for bit as the original does, with the same handles. */
+    static restoreSnapshot<T extends World>(this: WorldClass<T>, data: Uint8Array): T {
+        putBytes(data);
+        return adopt(this, raw.world_restore());
+    }
+
+    /** A copy of the world in memory: faster than a snapshot, for rollback. */
+    clone(): this {
+        return adopt(this.constructor as WorldClass<this>, raw.world_copy(this.id));
+    }
+
+    /** Moves colliders of bodies that were moved since the last step, so that queries find them. */
+    propagateModifiedBodyPositionsToColliders(): void {
+        raw.colliders_propagate(this.id);
+    }
+
+    // ---- Times ----
+
+    /** Whether the stages of a step are timed. */
+    get profilerEnabled(): boolean {
+        return raw.world_is_timed(this.id) !== 0;
+    }
+
+    set profilerEnabled(enabled: boolean) {
+        raw.world_set_timed(this.id, +enabled);
+    }
+
+    private timing(stage: number): number {
+        return raw.world_timing(this.id, stage);
+    }
+
+    /** Milliseconds of the last step. 0 unless `profilerEnabled`, as all of these. */
+    timingStep(): number {
+        return this.timing(0);
+    }
+
+    /** Milliseconds of collision detection. */
+    timingCollisionDetection(): number {
+        return this.timing(1);
+    }
+
+    /** Milliseconds of the broad phase. */
+    timingBroadPhase(): number {
+        return this.timing(2);
+    }
+
+    /** Milliseconds of the narrow phase. */
+    timingNarrowPhase(): number {
+        return this.timing(3);
+    }
+
+    /** Milliseconds of the solver. */
+    timingSolver(): number {
+        return this.timing(4);
+    }
+
+    /** Milliseconds in which the solver gathers constraints. */
+    timingVelocityAssembly(): number {
+        return this.timing(5);
+    }
+
+    /** Milliseconds in which the solver solves constraints. */
+    timingVelocityResolution(): number {
+        return this.timing(6);
+    }
+
+    /** Milliseconds in which bodies and colliders are moved. */
+    timingVelocityUpdate(): number {
+        return this.timing(7);
+    }
+
+    /** Milliseconds in which the solver writes its results back. */
+    timingVelocityWriteback(): number {
+        return this.timing(8);
+    }
+
+    /** Milliseconds of continuous collision detection. */
+    timingCcd(): number {
+        return this.timing(9);
+    }
+
+    /** Milliseconds in which continuous collision detection looks for impacts. */
+    timingCcdToiComputation(): number {
+        return this.timing(10);
+    }
+
+    /** Always 0: continuous collision detection has no broad phase of its own. */
+    timingCcdBroadPhase(): number {
+        return 0;
+    }
+
+    /** Always 0: continuous collision detection has no narrow phase of its own. */
+    timingCcdNarrowPhase(): number {
+        return 0;
+    }
+
+    /** Always 0: continuous collision detection has no solver of its own. */
+    timingCcdSolver(): number {
+        return 0;
+    }
+
+    /** Milliseconds in which islands are found. */
+    timingIslandConstruction(): number {
+        return this.timing(11);
+    }
+
+    /** Milliseconds in which changes of the program are applied. */
+    timingUserChanges(): number {
+        return this.timing(12);
+    }
+
+    // ---- Parameters ----
+
+    /** The length of a step in seconds. */
+    get timestep(): number {
+        return this.integrationParameters.dt;
+    }
+
+    set timestep(dt: number) {
+        this.integrationParameters.dt = dt;
+    }
+
+    /** The size of a typical body. */
+    get lengthUnit(): number {
+        return this.integrationParameters.lengthUnit;
+    }
+
+    set lengthUnit(unitsPerMeter: number) {
+        this.integrationParameters.lengthUnit = unitsPerMeter;
+    }
+
+    /** Substeps of the solver in a step. */
+    get numSolverIterations(): number {
+        return this.integrationParameters.numSolverIterations;
+    }
+
+    set numSolverIterations(niter: number) {
+        this.integrationParameters.numSolverIterations = niter;
+    }
+
+    /** Iterations of the solver in a substep. */
+    get numInternalPgsIterations(): number {
+        return this.integrationParameters.numInternalPgsIterations;
+    }
+
+    set numInternalPgsIterations(niter: number) {
+        this.integrationParameters.numInternalPgsIterations = niter;
+    }
+
+    /** The largest number of substeps of continuous collision detection. */
+    get maxCcdSubsteps(): number {
+        return this.integrationParameters.maxCcdSubsteps;
+    }
+
+    set maxCcdSubsteps(substeps: number) {
+        this.integrationParameters.maxCcdSubsteps = substeps;
+    }
+
+    // ---- Bodies and colliders ----
+
+    /** Creates a body. */
+    createRigidBody(body: RigidBodyDesc): RigidBody {
+        return this.bodies.createRigidBody(this.colliders, body);
+    }
+
+    /** The body of a handle. Null if the handle finds none. */
+    getRigidBody(handle: RigidBodyHandle): RigidBody {
+        return this.bodies.get(handle)!;
+    }
+
+    /** Removes a body with its colliders and joints. */
+    removeRigidBody(body: RigidBody): void {
+        this.own(body, "rigid body");
+        this.bodies.remove(body.handle);
+    }
+
+    /** Creates a collider. */
+    createCollider(desc: ColliderDesc, parent?: RigidBody | null): Collider {
+        if (parent) {
+            this.own(parent, "rigid body");
+        }
+        return this.colliders.createCollider(this.bodies, desc, parent?.handle);
+    }
+
+    /** The collider of a handle. Null if the handle finds none. */
+    getCollider(handle: ColliderHandle): Collider {
+        return this.colliders.get(handle)!;
+    }
+
+    /** Removes a collider. */
+    removeCollider(collider: Collider, wakeUp: boolean): void {
+        this.own(collider, "collider");
+        this.colliders.remove(collider.handle, this.islands, this.bodies, wakeUp);
+    }
+
+    /** Calls a function with each collider. */
+    forEachCollider(f: (collider: Collider) => void): void {
+        this.colliders.forEach(f);
+    }
+
+    /** Calls a function with each body. */
+    forEachRigidBody(f: (body: RigidBody) => void): void {
+        this.bodies.forEach(f);
+    }
+
+    /** Calls a function with each body that is awake and not fixed. */
+    forEachActiveRigidBody(f: (body: RigidBody) => void): void {
+        this.bodies.forEachActiveRigidBody(this.islands, f);
+    }
+
+    // ---- Joints ----
+
+    /** Joins two bodies by an impulse joint. */
+    createImpulseJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): ImpulseJoint {
+        this.own(parent1, "rigid body");
+        this.own(parent2, "rigid body");
+        return this.impulseJoints.createJoint(this.bodies, params, parent1.handle, parent2.handle, wakeUp);
+    }
+
+    /** Makes the second body a child of the first one, in a multibody. */
+    createMultibodyJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): MultibodyJoint {
+        this.own(parent1, "rigid body");
+        this.own(parent2, "rigid body");
+        return this.multibodyJoints.createJoint(params, parent1.handle, parent2.handle, wakeUp);
+    }
+
+    /** The impulse joint of a handle. Null if the handle finds none. */
+    getImpulseJoint(handle: ImpulseJointHandle): ImpulseJoint {
+        return this.impulseJoints.get(handle)!;
+    }
+
+    /** The multibody joint of a handle. Null if the handle finds none. */
+    getMultibodyJoint(handle: MultibodyJointHandle): MultibodyJoint {
+        return this.multibodyJoints.get(handle)!;
+    }
+
+    /** Removes an impulse joint. */
+    removeImpulseJoint(joint: ImpulseJoint, wakeUp: boolean): void {
+        this.own(joint, "impulse joint");
+        this.impulseJoints.remove(joint.handle, wakeUp);
+    }
+
+    /** Removes a multibody joint. */
+    removeMultibodyJoint(joint: MultibodyJoint, wakeUp: boolean): void {
+        this.own(joint, "multibody joint");
+        this.multibodyJoints.remove(joint.handle, wakeUp);
+    }
+
+    // ---- Controllers ----
+
+    /** Creates a character controller. The offset is the gap that it keeps to everything. */
+    createCharacterController(offset: number): KinematicCharacterController {
+        const controller = new KinematicCharacterController(this, offset);
+        this.characterControllers.add(controller);
+        return controller;
+    }
+
+    /** Removes a character controller, and frees it. */
+    removeCharacterController(controller: KinematicCharacterController): void {
+        this.characterControllers.delete(controller);
+        controller.free();
+    }
+
+    /** Creates a PID controller. It serves one body. */
+    createPidController(kp: number, ki: number, kd: number, axes: PidAxesMask): PidController {
+        const controller = new PidController(this, kp, ki, kd, axes);
+        this.pidControllers.add(controller);
+        return controller;
+    }
+
+    /** Removes a PID controller, and frees it. */
+    removePidController(controller: PidController): void {
+        this.pidControllers.delete(controller);
+        controller.free();
+    }
+
+    // ---- Batches and views ----
+
+    /** Poses, velocities and sleep flags of all bodies as views of the engine's memory. From the first use on, each step writes them. */
+    get views(): BodyViews {
+        this.bodyViews ??= new BodyViews(this);
+        return this.bodyViews;
+    }
+
+    /** Changes many bodies at once: none if one of the values cannot be used. The values stand side by side, in the order of the bodies. */
+    changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
+        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => body.handle));
+        putReals(values);
+        raw.bodies_change(this.id, BODY_CHANGES.indexOf(change), +wakeUp);
+    }
+
+    // ---- Debug lines and times ----
+
+    /** The world as lines. */
+    debugRender(filterFlags?: QueryFilterFlags, filterPredicate?: (collider: Collider) => boolean): DebugRenderBuffers {
+        const { bodies, colliders, impulseJoints, multibodyJoints, narrowPhase, debugRenderPipeline: pipeline } = this;
+        pipeline.render(bodies, colliders, impulseJoints, multibodyJoints, narrowPhase, filterFlags, filterPredicate);
+        return new DebugRenderBuffers(pipeline.vertices, pipeline.colors);
+    }
+
+    // ---- Queries ----
+
+    /** What a query leaves out, with colliders and bodies as objects. */
+    private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
+        const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
+        return [flags, groups, collider?.handle, body?.handle, accept];
+    }
+
+    /** The first collider that a ray hits. */
+    castRay(ray: Ray, maxToi: number, solid: boolean, ...filter: ObjectFilter): RayColliderHit | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castRay(narrowPhase, bodies, colliders, ray, maxToi, solid, ...this.filter(filter));
+    }
+
+    /** The first collider that a ray hits, with the normal there. */
+    castRayAndGetNormal(ray: Ray, maxToi: number, solid: boolean, ...filter: ObjectFilter): RayColliderIntersection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castRayAndGetNormal(narrowPhase, bodies, colliders, ray, maxToi, solid, ...this.filter(filter));
+    }
+
+    /** Shows all colliders that a ray hits to a callback, until it returns false. */
+    intersectionsWithRay(
+        ray: Ray,
+        maxToi: number,
+        solid: boolean,
+        callback: (intersect: RayColliderIntersection) => boolean,
+        ...filter: ObjectFilter
+    ): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        broadPhase.intersectionsWithRay(narrowPhase, bodies, colliders, ray, maxToi, solid, callback, ...this.filter(filter));
+    }
+
+    /** A collider that a shape touches. */
+    intersectionWithShape(shapePos: Vector, shapeRot: Rotation, shape: Shape, ...filter: ObjectFilter): Collider | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const found = broadPhase.intersectionWithShape(narrowPhase, bodies, colliders, shapePos, shapeRot, shape, ...this.filter(filter));
+        return found === null ? null : colliders.get(found);
+    }
+
+    /** The collider nearest to a point. */
+    projectPoint(point: Vector, solid: boolean, ...filter: ObjectFilter): PointColliderProjection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.projectPoint(narrowPhase, bodies, colliders, point, solid, ...this.filter(filter));
+    }
+
+    /** The collider whose surface is nearest to a point, with the feature there. */
+    projectPointAndGetFeature(point: Vector, ...filter: ObjectFilter): PointColliderProjection | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.projectPointAndGetFeature(narrowPhase, bodies, colliders, point, ...this.filter(filter));
+    }
+
+    /** Shows all colliders that hold a point to a callback, until it returns false. */
+    intersectionsWithPoint(point: Vector, callback: (collider: Collider) => boolean, ...filter: ObjectFilter): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        broadPhase.intersectionsWithPoint(narrowPhase, bodies, colliders, point, this.visitor(callback), ...this.filter(filter));
+    }
+
+    /** The first collider in the way of a shape. */
+    castShape(
+        shapePos: Vector,
+        shapeRot: Rotation,
+        shapeVel: Vector,
+        shape: Shape,
+        targetDistance: number,
+        maxToi: number,
+        stopAtPenetration: boolean,
+        ...filter: ObjectFilter
+    ): ColliderShapeCastHit | null {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        return broadPhase.castShape(
+            narrowPhase,
+            bodies,
+            colliders,
+            shapePos,
+            shapeRot,
+            shapeVel,
+            shape,
+            targetDistance,
+            maxToi,
+            stopAtPenetration,
+            ...this.filter(filter),
+        );
+    }
+
+    /** Shows all colliders that a shape touches to a callback, until it returns false. */
+    intersectionsWithShape(
+        shapePos: Vector,
+        shapeRot: Rotation,
+        shape: Shape,
+        callback: (collider: Collider) => boolean,
+        ...filter: ObjectFilter
+    ): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const visitor = this.visitor(callback);
+        broadPhase.intersectionsWithShape(narrowPhase, bodies, colliders, shapePos, shapeRot, shape, visitor, ...this.filter(filter));
+    }
+
+    /** Shows all colliders whose boxes overlap a box to a callback, until it returns false. */
+    collidersWithAabbIntersectingAabb(aabbCenter: Vector, aabbHalfExtents: Vector, callback: (handle: Collider) => boolean): void {
+        const { broadPhase, narrowPhase, bodies, colliders } = this;
+        const visitor = this.visitor(callback);
+        broadPhase.collidersWithAabbIntersectingAabb(narrowPhase, bodies, colliders, aabbCenter, aabbHalfExtents, visitor);
+    }
+
+    private visitor(callback: (collider: Collider) => boolean): (handle: ColliderHandle) => boolean {
+        return (handle) => callback(this.colliders.get(handle)!);
+    }
+
+    // ---- Contacts ----
+
+    /** Calls a function with each collider that has a contact pair with a collider. */
+    contactPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
+        this.narrowPhase.contactPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+    }
+
+    /** Calls a function with each collider that intersects a collider, one of them a sensor. */
+    intersectionPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
+        this.narrowPhase.intersectionPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+    }
+
+    /** Calls a function with each manifold of a pair. `flipped` says that the manifold has the colliders in the other order. */
+    contactPair(collider1: Collider, collider2: Collider, f: (manifold: TempContactManifold, flipped: boolean) => void): void {
+        this.narrowPhase.contactPair(collider1.handle, collider2.handle, this.bodies, f);
+    }
+
+    /** Returns whether two colliders, one of them a sensor, intersect. */
+    intersectionPair(collider1: Collider, collider2: Collider): boolean {
+        return this.narrowPhase.intersectionPair(collider1.handle, collider2.handle);
+    }
+
+    /** @internal Refuses objects of other worlds. */
+    own(object: { readonly world: World }, what: string): void {
+        if (object.world !== this) {
+            throw new RapierError("StaleHandle", `the ${what} belongs to another world`);
+        }
+    }
+}

@@ -1,0 +1,3 @@
+// Worlds in 2D.
+
+export { World } from "./world.js";

@@ -1,0 +1,31 @@
+// Worlds in 3D: they have vehicles.
+
+import type { RigidBody } from "#rigid_body";
+import { DynamicRayCastVehicleController } from "./vehicle_controller.js";
+import { World as Base } from "./world.js";
+
+/** A simulation: bodies, colliders, joints, and all that a step needs. */
+export class World extends Base {
+    /** The vehicles of the world. */
+    vehicleControllers = new Set<DynamicRayCastVehicleController>();
+
+    /** Creates a vehicle of a body. */
+    createVehicleController(chassis: RigidBody): DynamicRayCastVehicleController {
+        this.own(chassis, "rigid body");
+        const controller = new DynamicRayCastVehicleController(this, chassis);
+        this.vehicleControllers.add(controller);
+        return controller;
+    }
+
+    /** Removes a vehicle, and frees it. Its body stays. */
+    removeVehicleController(controller: DynamicRayCastVehicleController): void {
+        this.vehicleControllers.delete(controller);
+        controller.free();
+    }
+
+    override free(): void {
+        this.vehicleControllers.forEach((controller) => controller.free());
+        this.vehicleControllers.clear();
+        super.free();
+    }
+}

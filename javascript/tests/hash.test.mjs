@@ -1,0 +1,33 @@
+// The same scene gives the same hash natively and in WebAssembly, with and without SIMD.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { join } from "node:path";
+import test from "node:test";
+import { promisify } from "node:util";
+import { DIM } from "./setup.mjs";
+
+const run = promisify(execFile);
+const root = join(import.meta.dirname, "../..");
+
+async function hash(lanes, steps) {
+    const { stdout } = await run(process.execPath, [join(import.meta.dirname, "hash_child.mjs"), DIM, lanes, steps]);
+    return stdout.trim();
+}
+
+async function nativeHash(steps) {
+    const cargo = ["run", "--quiet", "--release", "-p", "rapier-wasm", "--bin", "native-hash", "--no-default-features", "--features", `dim${DIM}`];
+    const { stdout } = await run("cargo", [...cargo, "--", steps], { cwd: root });
+    return stdout.trim();
+}
+
+test("SIMD and scalar code give the same hash", async () => {
+    const [simd, scalar] = await Promise.all([hash("simd", "1000"), hash("scalar", "1000")]);
+    assert.match(simd, /^[0-9a-f]{16}$/);
+    assert.equal(simd, scalar);
+    assert.notEqual(simd, await hash("simd", "100"));
+});
+
+test("native code gives the same hash", { skip: process.env.RAPIER_NATIVE === "0" && "left out by RAPIER_NATIVE=0" }, async () => {
+    assert.equal(await hash("simd", "1000"), await nativeHash("1000"));
+});

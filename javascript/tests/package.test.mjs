@@ -1,0 +1,71 @@
+// The package as a whole: its entries, and its definitions.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import test from "node:test";
+import { pathToFileURL } from "node:url";
+import { promisify } from "node:util";
+import { DIM, PKG } from "./setup.mjs";
+
+const run = promisify(execFile);
+
+/** Runs a program in a process of its own. */
+async function output(program, ...options) {
+    const { stdout } = await run(process.execPath, [...options, "-e", program]);
+    return stdout.trim();
+}
+
+const step = `
+    const world = new RAPIER.PhysicsWorld();
+    world.insert(RAPIER.RigidBodyDesc.dynamic(), RAPIER.ColliderDesc.ball(0.5));
+    world.step();
+    console.log(world.hash().toString());`;
+const entry = (file) => JSON.stringify(pathToFileURL(join(PKG, file)).href);
+
+test("all entries load, and give the same hash", async () => {
+    const bytes = JSON.stringify(join(PKG, "rapier.wasm"));
+    const hashes = await Promise.all([
+        output(`(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); await RAPIER.init(); ${step} })()`),
+        output(`(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); ${step} })()`),
+        output(`const RAPIER = require(${JSON.stringify(join(PKG, "rapier.node.cjs"))}); ${step}`),
+        output(`(async () => { const { default: RAPIER } = await import(${entry("rapier.compat.mjs")}); await RAPIER.init(); ${step} })()`),
+        output(`(async () => { const RAPIER = await import(${entry("rapier.mjs")}); await RAPIER.init({ module: require("fs").readFileSync(${bytes}) }); ${step} })()`),
+    ]);
+    assert.match(hashes[0], /^\d+$/);
+    assert.equal(new Set(hashes).size, 1, hashes.join());
+});
+
+test("without init, other entries say what is missing", async () => {
+    const program = `(async () => { const RAPIER = await import(${entry("rapier.mjs")}); try { new RAPIER.PhysicsWorld(); } catch (error) { console.log(error.code, error.message); } })()`;
+    assert.match(await output(program), /^NotInitialized .*init/);
+});
+
+test("the manifest names files that exist", () => {
+    const manifest = JSON.parse(readFileSync(join(PKG, "package.json"), "utf8"));
+    const files = (value) => (typeof value === "string" ? [value] : Object.values(value).flatMap(files));
+    for (const file of [...files(manifest.exports), manifest.main, manifest.module, manifest.types]) {
+        assert.ok(readFileSync(join(PKG, file)).length > 0, file);
+    }
+});
+
+test("a strict program compiles against the definitions", async () => {
+    const home = join(PKG, "..");
+    const { resolve } = createRequire(join(home, "package.json"));
+    const configuration = join(home, "node_modules", ".tsconfig.client.json");
+    writeFileSync(configuration, JSON.stringify({
+        compilerOptions: {
+            target: "es2022", module: "esnext", moduleResolution: "bundler", lib: ["es2022", "dom"], types: [],
+            strict: true, exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true, skipLibCheck: false, noEmit: true,
+            paths: { [`rapier${DIM}d`]: [join(PKG, `types/rapier${DIM}.d.ts`)] },
+        },
+        files: [join(import.meta.dirname, `client${DIM}d.ts`)],
+    }));
+    try {
+        await run(process.execPath, [resolve("typescript/bin/tsc"), "-p", configuration]);
+    } catch (error) {
+        assert.fail(error.stdout || error.message);
+    }
+});
