@@ -1,7 +1,7 @@
 // Materials of the picture, with lines that make shapes readable: edges of boxes, outlines in 2D, a grid on the
 // ground. The lines are computed in the shader, so they cost no geometry and stay equally thick.
 
-import { DoubleSide, Material, MeshBasicMaterial, MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
+import { BackSide, DoubleSide, FrontSide, Material, MeshBasicMaterial, MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
 import type { Theme } from "./theme.ts";
 
 export type Surface = "solid" | "ground" | "glass";
@@ -74,8 +74,10 @@ export function solidMaterial(theme: Theme, surface: Surface, box: boolean): Mat
         transparent: glass,
         opacity: glass ? 0.16 : 1,
         depthWrite: !glass,
-        side: surface === "ground" ? DoubleSide : undefined,
-    } as ConstructorParameters<typeof MeshStandardMaterial>[0]);
+        side: surface === "ground" ? DoubleSide : FrontSide,
+        // Surfaces that face the light do not shade themselves.
+        shadowSide: BackSide,
+    });
     const grid = surface === "ground";
     material.onBeforeCompile = (shader) => {
         if (box) {

@@ -159,7 +159,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         const { reach } = this.rig;
         const { target } = this.rig.controls;
         sun.target.position.copy(target);
-        sun.position.set(target.x + 0.55 * reach, target.y + 1.25 * reach, target.z + 0.7 * reach);
+        sun.position.set(target.x - 0.55 * reach, target.y + 1.15 * reach, target.z + 0.6 * reach);
         const { camera } = sun.shadow;
         const side = 1.1 * reach;
         camera.left = camera.bottom = -side;

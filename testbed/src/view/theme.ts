@@ -74,9 +74,9 @@ function theme(name: ThemeName): Theme {
         hemisphere: {
             sky: new Color(dark ? "#c3d4f0" : "#ffffff"),
             ground: new Color(dark ? "#39404d" : "#b9c1cc"),
-            intensity: dark ? 1.7 : 1.9,
+            intensity: dark ? 2.2 : 2.4,
         },
-        sun: { color: new Color(dark ? "#fff3e0" : "#fff7ea"), intensity: dark ? 2.3 : 2.2 },
+        sun: { color: new Color(dark ? "#fff3e0" : "#fff7ea"), intensity: dark ? 2.6 : 2.5 },
         shadow: dark ? 0.75 : 0.55,
         asleep: new Color(dark ? "#5a6473" : "#c3cad4"),
         edge: dark ? 0.62 : 0.72,

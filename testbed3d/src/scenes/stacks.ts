@@ -42,7 +42,7 @@ const wall: Scene = {
     title: "Pyramid",
     description: "A pyramid that is one box thick. Throw a ball at it with the space bar.",
     group,
-    camera: { eye: [6, 8, 22], target: [0, 4.5, 0] },
+    camera: { eye: [9, 10, 23], target: [0, 5.6, 0] },
     parameters: { base: { label: "Boxes in the lowest row", value: 14, min: 2, max: 40, step: 1 } },
     setup(context) {
         addFloor(context);
