@@ -4,21 +4,33 @@ import type { Scene } from "../rapier.ts";
 import { BULLETS } from "./bullets.ts";
 import { CHARACTERS } from "./characters.ts";
 import { EVENTS } from "./events.ts";
+import { FORCES } from "./forces.ts";
+import { GROUND } from "./ground.ts";
 import { JOINTS } from "./joints.ts";
+import { MATERIALS } from "./materials.ts";
 import { MOTORS } from "./motors.ts";
+import { PLATFORMS } from "./platforms.ts";
 import { QUERIES } from "./queries.ts";
 import { RAGDOLLS } from "./ragdolls.ts";
+import { SHAPES } from "./shapes.ts";
 import { STACKS } from "./stacks.ts";
+import { STRESS } from "./stress.ts";
 import { VEHICLES } from "./vehicles.ts";
 
 export const SCENES: readonly Scene[] = [
     ...STACKS,
+    ...SHAPES,
+    ...MATERIALS,
+    ...FORCES,
     ...JOINTS,
     ...MOTORS,
     ...RAGDOLLS,
     ...VEHICLES,
     ...CHARACTERS,
+    ...PLATFORMS,
     ...BULLETS,
     ...QUERIES,
     ...EVENTS,
+    ...GROUND,
+    ...STRESS,
 ];
