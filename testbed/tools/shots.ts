@@ -1,4 +1,4 @@
-// Pictures of scenes for the eye: `npm run shots -- [scene ...] [--engine both] [--theme light] [--steps 60]`.
+// Pictures of scenes for the eye: `npm run shots -- [scene ...] [--engine both] [--theme light] [--steps 60] [--phone]`.
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -25,16 +25,16 @@ export async function takeShots(testbed: string, tools: Tools, scenes: readonly 
     mkdirSync(folder, { recursive: true });
     const session = await openSession(testbed, tools);
     try {
+        const query = `engine=${values.engine}&theme=${values.theme}&paused=1&detail=low`;
+        const size = values.phone ? { width: 390, height: 780 } : { width: 1000, height: 640 };
+        const { page, errors } = await openPage(session, query, size, values.phone);
         for (const scene of scenes) {
             if (positionals.length > 0 && !positionals.includes(scene.id)) continue;
-            const steps = values.steps ?? String(scene.poster ?? 90);
-            const query = `scene=${scene.id}&engine=${values.engine}&theme=${values.theme}&paused=1&detail=low&steps=${steps}`;
-            const size = values.phone ? { width: 390, height: 780 } : { width: 1000, height: 640 };
-            const { page, errors } = await openPage(session, query, size, values.phone);
-            await page.waitForTimeout(400);
+            const steps = Number(values.steps ?? scene.poster ?? 90);
+            await page.evaluate(`testbed.openScene("${scene.id}"); testbed.run(${steps})`);
+            await page.waitForTimeout(250);
             await page.screenshot({ path: join(folder, `${scene.id}${values.phone ? "-phone" : ""}.png`) });
-            for (const error of errors) console.error(`${scene.id}: ${error}`);
-            await page.context().close();
+            for (const error of errors.splice(0)) console.error(`${scene.id}: ${error}`);
         }
     } finally {
         await session.close();

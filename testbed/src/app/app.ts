@@ -98,7 +98,7 @@ export class App<R extends EngineModule, W extends WorldLike> {
         listenToKeys(this.input, this.shortcuts());
         this.clock.running = !link.paused;
         this.open(this.scene);
-        for (let step = 0; step < link.steps; step++) this.advance(step >= link.steps - 2);
+        this.run(link.steps);
     }
 
     private first(): SceneDefinition<R, W> {
@@ -266,13 +266,23 @@ export class App<R extends EngineModule, W extends WorldLike> {
         if (shown) for (const view of this.picture.views) view.capture();
     }
 
+    /** Runs steps at once, without pictures in between. */
+    run(steps: number): void {
+        this.follow();
+        for (let step = 0; step < steps; step++) this.advance(step >= steps - 2);
+    }
+
+    /** Moves the camera with the point that the scene names. */
+    private follow(): void {
+        this.picture.rig.follow(this.stages[0]?.run.follow?.() ?? null);
+    }
+
     private frame(now: number): void {
         const timestep = 1 / this.settings.rate;
         const steps = this.clock.take((now - this.last) / 1000, timestep);
         this.last = now;
         for (let step = 0; step < steps; step++) this.advance(step >= steps - 2);
-        const followed = this.stages[0]?.run.follow?.() ?? null;
-        this.picture.rig.follow(followed);
+        this.follow();
         this.picture.render(this.clock.fraction(timestep));
         this.labels.update(now, this.picture.viewports());
         this.plot.update(now);

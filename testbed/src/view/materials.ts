@@ -75,8 +75,8 @@ export function solidMaterial(theme: Theme, surface: Surface, box: boolean): Mat
         opacity: glass ? 0.16 : 1,
         depthWrite: !glass,
         side: surface === "ground" ? DoubleSide : FrontSide,
-        // Surfaces that face the light do not shade themselves.
-        shadowSide: BackSide,
+        // Closed shapes cast the shadow of their far side, so that no face shades itself. Ground may be open.
+        shadowSide: surface === "ground" ? DoubleSide : BackSide,
     });
     const grid = surface === "ground";
     material.onBeforeCompile = (shader) => {

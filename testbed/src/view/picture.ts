@@ -96,8 +96,8 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         sun.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
         sun.shadow.radius = 3;
         sun.shadow.intensity = shadow;
-        sun.shadow.normalBias = 0.04;
-        sun.shadow.bias = -0.0004;
+        // A bias along normals would fail for meshes whose triangles face away from the light.
+        sun.shadow.bias = -0.0016;
         view.scene.add(sun, sun.target);
         return sun;
     }
@@ -164,8 +164,8 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         const side = 1.1 * reach;
         camera.left = camera.bottom = -side;
         camera.right = camera.top = side;
-        camera.near = 0.05 * reach;
-        camera.far = 4 * reach;
+        camera.near = 0.3 * reach;
+        camera.far = 2.7 * reach;
         camera.updateProjectionMatrix();
         const { fog } = view.scene;
         if (fog instanceof Fog) {

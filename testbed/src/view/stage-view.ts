@@ -41,6 +41,7 @@ interface Visual {
 /** Depth of the surfaces in 2D: ground behind bodies behind sensors. */
 const DEPTHS: Record<Surface, number> = { ground: 0, solid: 1, glass: 2 };
 const POINT_DEPTH = 5;
+const OPEN: ReadonlySet<string> = new Set(["TriMesh", "HeightField", "Triangle", "HalfSpace"]);
 
 export class StageView<R extends EngineModule, W extends WorldLike> {
     readonly scene = new Scene();
@@ -187,7 +188,8 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         const paint = this.paintOf(collider);
         if (paint === "hidden") return null;
         if (paint === "glass" || collider.isSensor()) return "glass";
-        if (paint === "ground") return "ground";
+        // Open meshes are visible from both sides, which the material of solids is not.
+        if (paint === "ground" || OPEN.has(this.names.get(collider.shape.type) ?? "")) return "ground";
         return paint === undefined && (body === null || body.isFixed()) ? "ground" : "solid";
     }
 
@@ -206,7 +208,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
     private colour(visual: Visual): void {
         const color = this.toneOf(visual.collider, visual.body);
         visual.color.copy(color);
-        const shown = visual.asleep ? visual.color.clone().lerp(this.theme.asleep, 0.45) : visual.color;
+        const shown = visual.asleep ? visual.color.clone().lerp(this.theme.asleep, 0.35) : visual.color;
         for (const { batch, index } of visual.instances) batch.setColor(index, shown);
     }
 

@@ -34,7 +34,7 @@ const PAINTS_DARK: Record<Paint, string> = {
     white: "#e8edf4",
     grey: "#8a95a5",
     dark: "#3a4454",
-    ground: "#3b4656",
+    ground: "#485568",
     glass: "#a9c4e6",
     hidden: "#000000",
 };
@@ -70,7 +70,7 @@ function theme(name: ThemeName): Theme {
         name,
         sky: new Color(dark ? "#171d27" : "#eaf0f6"),
         ground: paints.ground,
-        grid: new Color(dark ? "#566479" : "#a9b5c4"),
+        grid: new Color(dark ? "#66758c" : "#a9b5c4"),
         hemisphere: {
             sky: new Color(dark ? "#c3d4f0" : "#ffffff"),
             ground: new Color(dark ? "#39404d" : "#b9c1cc"),

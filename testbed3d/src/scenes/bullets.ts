@@ -10,7 +10,7 @@ const bullets: Scene = {
     title: "Bullets",
     description: "Balls at 400 m/s hit a thin plate: green ones have continuous detection, red ones do not.",
     group,
-    camera: { eye: [-9, 6, 12], target: [0, 1.8, 0] },
+    camera: { eye: [-5.5, 3.8, 7.5], target: [1, 1.5, 0] },
     poster: 200,
     setup(context) {
         addFloor(context);

@@ -115,15 +115,15 @@ const drone: Scene = {
         const { RAPIER, world, paint } = context;
         const drones: RigidBody[] = [];
         for (let index = 0; index < 5; index++) {
-            const body = add(context, vec(2 * (index - 2), 2, 0), RAPIER.ColliderDesc.roundCylinder(0.06, 0.45, 0.06).setDensity(2));
+            const body = add(context, vec(2 * (index - 2), 2, 0), RAPIER.ColliderDesc.roundCylinder(0.06, 0.45, 0.06).setDensity(6));
             paint(body, index % 2 === 0 ? "teal" : "orange");
             const load = add(context, vec(2 * (index - 2), 1, 0), RAPIER.ColliderDesc.cuboid(0.2, 0.2, 0.2).setDensity(0.7));
             world.createImpulseJoint(RAPIER.JointData.rope(1.2, ORIGIN, vec(0, 0.2, 0)), body, load, true);
             drones.push(body);
         }
-        const pid = drones.map(() => world.createPidController(60, 10, 8, RAPIER.PidAxesMask.AllLin));
+        const pid = drones.map(() => world.createPidController(60, 1, 0.8, RAPIER.PidAxesMask.AllLin));
         const goal = (index: number, time: number) =>
-            vec(2 * (index - 2), 3.5 + Math.sin(time + index), 1.5 * Math.cos(0.8 * time + index));
+            vec(2 * (index - 2), 3.5 + 0.8 * Math.sin(0.7 * time + index), Math.cos(0.6 * time + index));
         let now = 0;
         return {
             update: (time) => {

@@ -183,7 +183,7 @@ const counter: Scene = {
     title: "Recycler",
     description: "A sensor removes every body that falls in, and a new one appears above.",
     group,
-    camera: { eye: [7, 7, 11], target: [0, 2, 0] },
+    camera: { eye: [8, 9, 14], target: [0, 1.4, 0] },
     poster: 200,
     setup(context) {
         const { RAPIER, world, paint, random } = context;

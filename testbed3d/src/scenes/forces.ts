@@ -66,11 +66,11 @@ const whirl: Scene = {
                     const radius = Math.hypot(at.x, at.z) + 0.3;
                     const [tx, tz] = [-at.z / radius, at.x / radius];
                     // Air moves in circles and upwards; drag carries bodies along.
-                    const swirl = (9 * strength * radius) / (1 + 0.18 * radius * radius);
-                    const inward = -2.2 * strength;
-                    const lift = strength * 9 * Math.exp(-0.12 * radius * radius) * Math.max(0, 1 - at.y / 7);
+                    const swirl = (6 * strength * radius) / (1 + 0.25 * radius * radius);
+                    const inward = -3.4 * strength * Math.max(0, 1 - at.y / 4);
+                    const lift = strength * 8 * Math.exp(-0.12 * radius * radius) * Math.max(0, 1 - at.y / 7);
                     const air = vec(swirl * tx + (inward * at.x) / radius, lift, swirl * tz + (inward * at.z) / radius);
-                    const drag = 1.6 * body.mass();
+                    const drag = 3 * body.mass();
                     body.resetForces(false);
                     body.addForce(vec(drag * (air.x - v.x), drag * (air.y - v.y) + 0.6 * strength * drag, drag * (air.z - v.z)), true);
                 }

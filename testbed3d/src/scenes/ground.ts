@@ -54,7 +54,7 @@ const landscape: Scene = {
     title: "Landscape",
     description: "Shapes roll down the hills of a height field.",
     group,
-    camera: { eye: [13, 11, 15], target: [0, 0, 0] },
+    camera: { eye: [13, 13, 16], target: [0, -1, 0] },
     poster: 200,
     setup(context) {
         const { RAPIER } = context;
@@ -63,7 +63,7 @@ const landscape: Scene = {
         for (let column = 0; column <= cells; column++) {
             for (let row = 0; row <= cells; row++) {
                 const [x, z] = [(column / cells - 0.5) * size, (row / cells - 0.5) * size];
-                const rim = Math.max(0, Math.hypot(x, z) - 8) ** 2 * 0.12;
+                const rim = 0.25 * Math.max(0, Math.max(Math.abs(x), Math.abs(z)) - 9) ** 2;
                 heights[column * (cells + 1) + row] = 0.9 * Math.sin(0.7 * x) * Math.cos(0.6 * z) + 0.25 * Math.sin(1.7 * x + z) + rim;
             }
         }
@@ -86,7 +86,7 @@ const bowl: Scene = {
             const [angle, radius] = [2 * Math.PI * v, 0.05 + 4.6 * u];
             return [radius * Math.cos(angle), 0.3 + 0.16 * radius * radius, radius * Math.sin(angle)];
         });
-        context.paint(addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices)), "ground");
+        context.paint(addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices)), "grey");
         return { claims: [onGround(addRain(context, 110, 2.5, 4), 300, 0.1)] };
     },
 };
@@ -96,7 +96,7 @@ const slide: Scene = {
     title: "Spiral slide",
     description: "Balls run down a spiral of triangles, over smooth joints between them.",
     group,
-    camera: { eye: [8, 9, 10], target: [0, 3, 0] },
+    camera: { eye: [8, 10, 9], target: [0, 2.8, 0] },
     poster: 260,
     setup(context) {
         addFloor(context);
@@ -108,7 +108,7 @@ const slide: Scene = {
             return [radius * Math.cos(angle), 6.5 - 6.2 * u + 2.2 * across * across, radius * Math.sin(angle)];
         });
         const flags = RAPIER.TriMeshFlags.FIX_INTERNAL_EDGES;
-        addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices, flags).setFriction(0.1));
+        paint(addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices, flags).setFriction(0.1)), "white");
         for (const turnCount of [0, 1, 2, 3, 4, 5]) {
             const angle = (Math.PI / 3) * turnCount;
             addFixed(context, vec(1.5 * Math.cos(angle), 3, 1.5 * Math.sin(angle)), RAPIER.ColliderDesc.capsule(2.9, 0.06));
@@ -203,7 +203,7 @@ const pebbles: Scene = {
             return [-6 + 11 * u, 5.2 * (1 - u) ** 1.3 + bump, 6 * (v - 0.5)];
         });
         const ramp = addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices));
-        context.paint(ramp, "ground");
+        context.paint(ramp, "grey");
         const rocks: RigidBody[] = [];
         for (let index = 0; index < 50; index++) {
             const shape = RAPIER.ColliderDesc.convexHull(rock(context, random.between(0.25, 0.5)));

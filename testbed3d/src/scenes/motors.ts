@@ -36,7 +36,7 @@ const arm: Scene = {
     title: "Robot arm",
     description: "Position motors move an arm of four joints from pose to pose.",
     group,
-    camera: { eye: [6, 5.5, 8.5], target: [0.5, 2, 0] },
+    camera: { eye: [5, 5, 8.5], target: [0.6, 1.9, 0] },
     poster: 160,
     setup(context) {
         addFloor(context);
@@ -65,15 +65,15 @@ const arm: Scene = {
         });
         for (let box = 0; box < 5; box++) add(context, vec(3.1, 0.25 + 0.5 * box, 0.4 * (box % 2)), RAPIER.ColliderDesc.cuboid(0.25, 0.25, 0.25));
         const poses = [
-            [0, -0.6, -1, -0.8],
-            [1.4, -1.1, -0.4, -1],
-            [2.6, -0.3, -1.6, -0.4],
-            [0.6, -1.2, -0.5, -0.2],
+            [0, -0.5, -0.8, -0.6],
+            [1.3, -0.8, -0.5, -0.9],
+            [2.5, -0.2, -1.3, -0.4],
+            [0.6, -0.9, -0.7, -0.3],
         ] as const;
         return {
             update: (time) => {
                 const pose = poses[Math.floor(time / 1.6) % poses.length] ?? poses[0];
-                joints.forEach((joint, index) => joint.configureMotorPosition(pose[index] ?? 0, 90, 16));
+                joints.forEach((joint, index) => joint.configureMotorPosition(pose[index] ?? 0, 300, 36));
             },
         };
     },
@@ -105,7 +105,8 @@ const lift: Scene = {
         return {
             update: (time) =>
                 lifts.forEach((joint, index) => {
-                    joint.configureMotorPosition(2.4 + 2 * Math.sin(0.9 * time + 1.3 * index - 1.5), 900, 160);
+                    const height = 2.4 + 2 * Math.sin(0.9 * time + 1.3 * index - 1.5);
+                    joint.configureMotorPosition(0.2 + (height - 0.2) * Math.min(1, time / 3), 900, 160);
                 }),
         };
     },

@@ -132,7 +132,7 @@ const arch: Scene = {
     title: "Roman arch",
     description: "Wedges without mortar hold each other by their weight.",
     group,
-    camera: { eye: [4, 5, 15], target: [0, 3, 0] },
+    camera: { eye: [4, 4.5, 11.5], target: [0, 2.3, 0] },
     setup(context) {
         addFloor(context);
         const { RAPIER } = context;
@@ -161,7 +161,7 @@ const cards: Scene = {
     title: "House of cards",
     description: "Leaning cards carry four storeys of cards.",
     group,
-    camera: { eye: [3, 4, 9.5], target: [0, 1.9, 0] },
+    camera: { eye: [2.4, 3.2, 6.6], target: [0, 1.75, 0] },
     setup(context) {
         addFloor(context);
         const { RAPIER } = context;

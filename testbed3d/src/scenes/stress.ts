@@ -138,7 +138,7 @@ const pyramids: Scene = {
     title: "Many pyramids",
     description: "Sixteen pyramids of 55 boxes stand, and most of them fall asleep.",
     group,
-    camera: { eye: [17, 14, 22], target: [0, 2, 0] },
+    camera: { eye: [25, 17, 17], target: [0, 1.5, 0] },
     poster: 60,
     setup(context) {
         addFloor(context);

@@ -135,7 +135,7 @@ const buggy: Scene = {
     title: "Buggy of joints",
     description: "Wheels are bodies on sliders and hinges with motors. Arrow keys give gas.",
     group,
-    camera: { eye: [-6, 5, 9], target: [0, 0.5, 0] },
+    camera: { eye: [-10, 5, 8], target: [-4, 0.5, 0] },
     steered: true,
     poster: 150,
     setup(context) {
