@@ -1,7 +1,7 @@
 // The engine's types. The module itself comes as a value, so that each engine runs the same scenes.
 
 import type * as RAPIER from "@dimforge/rapier2d-compat";
-import type { Camera, Claim, Parameter, SceneContext, SceneDefinition, SceneRun } from "../../testbed/src/core/scene.ts";
+import type { Camera, Claim, Paint, Parameter, Pen, SceneContext, SceneDefinition, SceneRun } from "../../testbed/src/core/scene.ts";
 
 export type Rapier = typeof RAPIER;
 export type World = RAPIER.World;
@@ -20,7 +20,7 @@ export type PhysicsHooks = RAPIER.PhysicsHooks;
 
 export type Context = SceneContext<Rapier, World>;
 export type Run = SceneRun<EventQueue, PhysicsHooks>;
-export type { Camera, Claim, Parameter };
+export type { Camera, Claim, Paint, Parameter, Pen };
 
 export interface Scene extends SceneDefinition<Rapier, World> {
     setup(context: Context): Run | void;
