@@ -105,6 +105,24 @@ function outlineOf(vertices: ArrayLike<number>): Vec2[] {
     return area < 0 ? points.reverse() : points;
 }
 
+/** The convex hull of points in any order (Andrew's monotone chain). */
+function hullOf(vertices: ArrayLike<number>): Vec2[] {
+    const points = outlineOf(vertices).sort((a, b) => a.x - b.x || a.y - b.y);
+    const chain = (ordered: readonly Vec2[]): Vec2[] => {
+        const hull: Vec2[] = [];
+        for (const point of ordered) {
+            while (hull.length > 1 && !turnsLeft(hull[hull.length - 2]!, hull[hull.length - 1]!, point)) hull.pop();
+            hull.push(point);
+        }
+        return hull.slice(0, -1);
+    };
+    return [...chain(points), ...chain(points.reverse())];
+}
+
+function turnsLeft(a: Vec2, b: Vec2, c: Vec2): boolean {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+}
+
 /** A convex outline with its corners rounded by arcs. */
 function rounded(outline: readonly Vec2[], border: number): Vec2[] {
     return outline.flatMap((point, index) => {
@@ -284,9 +302,9 @@ export function parts2(name: string, shape: ShapeLike, names: ReadonlyMap<number
             return [polygon(name, outlineOf(corners), name === "Triangle" ? 0 : borderRadius)];
         }
         case "ConvexPolygon":
-            return [polygon(name, outlineOf(fields.vertices))];
+            return [polygon(name, hullOf(fields.vertices))];
         case "RoundConvexPolygon":
-            return [polygon(name, outlineOf(fields.vertices), borderRadius)];
+            return [polygon(name, hullOf(fields.vertices), borderRadius)];
         case "HalfSpace":
             return [halfSpace(fields.normal)];
         case "Compound":

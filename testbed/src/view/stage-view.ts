@@ -123,7 +123,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         const visual: Visual = {
             collider,
             body,
-            color: this.toneOf(collider, body),
+            color: new Color(),
             previous: pose,
             current: pose.slice(),
             instances: [],

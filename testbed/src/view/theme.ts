@@ -33,7 +33,7 @@ const PAINTS_DARK: Record<Paint, string> = {
     pink: "#ea85b8",
     white: "#e8edf4",
     grey: "#8a95a5",
-    dark: "#3a4454",
+    dark: "#566378",
     ground: "#485568",
     glass: "#a9c4e6",
     hidden: "#000000",

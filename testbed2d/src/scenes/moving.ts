@@ -117,7 +117,8 @@ const car: Scene = {
         addFixed(context, vec(-60.5, 3), RAPIER.ColliderDesc.cuboid(0.5, 4));
         const hull = RAPIER.ColliderDesc.convexHull(new Float32Array([-1.5, -0.3, 1.6, -0.3, 1.6, 0.1, 0.8, 0.25, 0.3, 0.75, -0.8, 0.75, -1.5, 0.25]));
         if (!hull) throw new Error("the car has no hull");
-        const body = add(context, vec(-50, 1.4), hull.setDensity(2));
+        // Wheels reach into the body: their groups exclude each other.
+        const body = add(context, vec(-50, 1.4), hull.setDensity(2).setCollisionGroups(0x0002_fffb));
         paint(body, "red");
         const wheels = [-1, 1.05].map((x) => {
             const hub = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setTranslation(-50 + x, 0.85).setAdditionalMass(1));
@@ -128,11 +129,10 @@ const car: Scene = {
             const strut = world.createImpulseJoint(slide, body, hub, true) as PrismaticMotor;
             strut.configureMotorModel(RAPIER.MotorModel.AccelerationBased);
             strut.configureMotorPosition(-0.05, 260, 22);
-            const wheel = add(context, vec(-50 + x, 0.85), RAPIER.ColliderDesc.ball(0.48).setFriction(1.6).setDensity(1.5));
+            const wheel = add(context, vec(-50 + x, 0.85), RAPIER.ColliderDesc.ball(0.48).setFriction(1.6).setDensity(1.5).setCollisionGroups(0x0004_fffd));
             paint(wheel, "dark");
             const axle = world.createImpulseJoint(RAPIER.JointData.revolute(ORIGIN, ORIGIN), hub, wheel, true) as RevoluteImpulseJoint;
             axle.setContactsEnabled(false);
-            // The wheel touches the body at the end of the strut's travel.
             return axle;
         });
         for (let box = 0; box < 12; box++) {
@@ -141,7 +141,7 @@ const car: Scene = {
         return {
             update: () => {
                 const gas = input.used ? input.x || input.y : 0.8;
-                for (const wheel of wheels) wheel.configureMotorVelocity(-22 * gas, gas === 0 ? 2 : 40);
+                for (const wheel of wheels) wheel.configureMotorVelocity(-22 * gas, gas === 0 ? 5 : 160);
             },
             follow: () => body.translation(),
             caption: () => `${Math.abs(3.6 * body.linvel().x).toFixed(0)} km/h`,

@@ -123,7 +123,7 @@ const dominoes: Scene = {
             stones.push(add(context, vec(x, half), RAPIER.ColliderDesc.cuboid(0.14 * half, half)));
             x += half * 0.9;
         }
-        stones[0]?.setAngvel(-2.5, true);
+        stones[0]?.setAngvel(-5, true);
         const last = stones[stones.length - 1];
         const check = (): boolean => Math.abs(last?.rotation() ?? 0) > 0.6;
         return { claims: [{ text: "The largest domino falls", after: 600, check }] };
