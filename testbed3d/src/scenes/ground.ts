@@ -43,7 +43,10 @@ function addRain(context: Context, count: number, spread: number, height: number
 
 function onGround(bodies: readonly RigidBody[], after: number, floor: number) {
     const check = (): boolean | string => {
-        const lost = bodies.filter((body) => body.translation().y < floor).length;
+        const lost = bodies.filter((body) => {
+            const { x, y, z } = body.translation();
+            return y < floor && Math.abs(x) < 11 && Math.abs(z) < 11;
+        }).length;
         return lost === 0 || `${lost} bodies fell through`;
     };
     return { text: "No body falls through the ground", after, check };
@@ -63,7 +66,7 @@ const landscape: Scene = {
         for (let column = 0; column <= cells; column++) {
             for (let row = 0; row <= cells; row++) {
                 const [x, z] = [(column / cells - 0.5) * size, (row / cells - 0.5) * size];
-                const rim = 0.25 * Math.max(0, Math.max(Math.abs(x), Math.abs(z)) - 9) ** 2;
+                const rim = 0.4 * Math.max(0, Math.max(Math.abs(x), Math.abs(z)) - 9) ** 2;
                 heights[column * (cells + 1) + row] = 0.9 * Math.sin(0.7 * x) * Math.cos(0.6 * z) + 0.25 * Math.sin(1.7 * x + z) + rim;
             }
         }

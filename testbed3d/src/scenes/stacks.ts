@@ -123,7 +123,7 @@ const dominoes: Scene = {
         const last = stones[stones.length - 1];
         first?.setAngvel(vec(2.6 * Math.cos(angle * 0 + 0.06), 0, 2.6 * Math.sin(0.06)), true);
         const check = (): boolean => (last?.translation().y ?? 1) < 0.35;
-        return { claims: [{ text: "The last domino has fallen after 20 s", after: 1200, check }] };
+        return { claims: [{ text: "The last domino has fallen after 30 s", after: 1800, check }] };
     },
 };
 

@@ -81,7 +81,7 @@ const car: Scene = {
                     vehicle.setWheelBrake(wheel, input.action ? 20 : 0);
                     if (wheel < 2) vehicle.setWheelSteering(wheel, steer);
                 }
-                vehicle.updateVehicle(world.timestep, undefined, undefined, (collider) => collider.parent()?.handle !== body.handle);
+                vehicle.updateVehicle(world.timestep, RAPIER.QueryFilterFlags.ONLY_FIXED);
                 placeTyres();
             },
             follow: () => body.translation(),
@@ -89,6 +89,7 @@ const car: Scene = {
             claims: [
                 { text: "The car drives", after: 180, check: () => Math.abs(vehicle.currentVehicleSpeed()) > 2 },
                 { text: "The car is upright", after: 180, check: () => rotated(body.rotation(), Y).y > 0.7 },
+                { text: "The car stays on the ground", after: 180, check: () => body.translation().y < 4 },
             ],
         };
     },
