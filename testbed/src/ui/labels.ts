@@ -45,7 +45,7 @@ export class Labels<R extends EngineModule, W extends WorldLike> {
             box.style.top = `${viewport.top}px`;
             const { bodies, joints } = stage.counts();
             const parts = [`step ${stage.steps}`, `${stage.stepTimes.mean(30).toFixed(2)} ms`, `${bodies} bodies`];
-            if (joints > 0) parts.push(`${joints} joints`);
+            if (joints > 0) parts.push(`${joints} ${joints === 1 ? "joint" : "joints"}`);
             numbers.textContent = parts.join(" · ");
             const text = stage.hash();
             hash.textContent = text === null ? "" : `hash ${text}`;

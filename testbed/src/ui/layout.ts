@@ -59,7 +59,7 @@ export class Layout {
             el("div", { class: "brand" }, "Rapier ", el("span", {}, parts.brand)),
             this.now,
             this.choice.element,
-            iconButton(ICONS.theme, "Dark or light (L)", () => parts.toggleTheme()),
+            iconButton(ICONS.theme, "Dark or light (L)", () => parts.toggleTheme(), "only-desktop"),
             iconButton(ICONS.help, "Keys and gestures (?)", () => parts.help.showModal(), "only-desktop"),
             iconButton(ICONS.settings, "Settings", () => this.toggle(this.side), "only-phone settings"),
         );

@@ -41,6 +41,8 @@ interface Shown<R extends EngineModule, W extends WorldLike> {
 }
 
 const SHADOW_MAP = 2048;
+/** Pixels between two viewports. */
+const GAP = 2;
 
 export class Picture<R extends EngineModule, W extends WorldLike> {
     readonly rig: Rig;
@@ -106,11 +108,11 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     viewports(): Viewport[] {
         const [w, h] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
         const count = Math.max(1, this.shown.length);
-        const stacked = w < h;
+        const gap = count > 1 ? GAP : 0;
         return Array.from({ length: count }, (_, index) =>
-            stacked
-                ? { left: 0, top: (h / count) * index, width: w, height: h / count }
-                : { left: (w / count) * index, top: 0, width: w / count, height: h },
+            w < h
+                ? { left: 0, top: (h / count) * index, width: w, height: h / count - gap }
+                : { left: (w / count) * index, top: 0, width: w / count - gap, height: h },
         );
     }
 
@@ -130,7 +132,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         this.resize();
         this.rig.update();
         this.renderer.setScissorTest(false);
-        this.renderer.setClearColor(this.theme.sky);
+        this.renderer.setClearColor(this.theme.grid);
         this.renderer.clear();
         this.renderer.setScissorTest(true);
         const total = this.canvas.clientHeight;
