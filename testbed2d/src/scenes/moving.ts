@@ -81,7 +81,7 @@ const pit: Scene = {
     description: "Twenty people fall over pegs into a pit.",
     group: "Ragdolls",
     camera: { target: [0, 4.4, 0], height: 12 },
-    poster: 200,
+    poster: 120,
     setup(context) {
         addFloor(context);
         addWalls(context, 5, 6);
