@@ -93,8 +93,9 @@ async function testControls(session: Session, { testbed }: BrowserTest): Promise
     await page.keyboard.press(" ");
     assert.equal(await bodies(), count + 1, "the space bar throws a ball");
     if ((await page.evaluate("typeof testbed.stages[0].world.takeSnapshot")) === "function") await testSnapshots(page);
+    await page.keyboard.press("p");
     await page.keyboard.press("r");
-    await page.waitForFunction("testbed.stages[0].steps < 4");
+    await page.waitForFunction("testbed.stages[0].steps === 0");
     assert.equal(await bodies(), count);
     await page.fill("input[type=search]", "rad");
     const shown = await page.locator(".card:visible").count();
@@ -115,6 +116,23 @@ async function testSnapshots(page: Page): Promise<void> {
     await page.keyboard.press(" ");
     await page.keyboard.press("b");
     assert.equal(await page.evaluate("testbed.stages[0].counts().bodies"), taken, "a snapshot restores the bodies");
+}
+
+/** Scenes that were left leave no geometry behind. */
+async function testMemory(session: Session, { scenes }: BrowserTest): Promise<void> {
+    const { page, errors } = await openPage(session, "detail=low&paused=1");
+    const visit = async (): Promise<number> => {
+        for (const scene of scenes.slice(0, 4)) {
+            await page.evaluate(`testbed.openScene("${scene}")`);
+            await page.waitForTimeout(150);
+        }
+        return (await page.evaluate("testbed.picture.renderer.info.memory.geometries")) as number;
+    };
+    const first = await visit();
+    for (let round = 0; round < 3; round++) assert.equal(await visit(), first, "geometries are left behind");
+    assert.deepEqual(errors, []);
+    await page.context().close();
+    console.log(`ok: ${first} geometries after each of four rounds through four scenes`);
 }
 
 async function testPhone(session: Session, { testbed, scenes }: BrowserTest): Promise<void> {
@@ -144,6 +162,7 @@ export async function testPage(test: BrowserTest): Promise<void> {
         await testScenes(session, test);
         await testPick(session, test);
         await testControls(session, test);
+        await testMemory(session, test);
         await testPhone(session, test);
     } finally {
         await session.close();

@@ -36,7 +36,13 @@ export interface Session {
 export async function openSession(testbed: string, { chromium, createServer }: Tools): Promise<Session> {
     const executablePath = process.env["CHROMIUM"] ?? PLACES.find((place) => existsSync(place));
     if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
-    const server = await createServer({ root: testbed, configFile: `${testbed}/vite.config.ts`, logLevel: "error" });
+    const server = await createServer({
+        root: testbed,
+        configFile: `${testbed}/vite.config.ts`,
+        logLevel: "error",
+        // An edit during a run must not reload the page.
+        server: { hmr: false, watch: null },
+    });
     await server.listen();
     const address = server.resolvedUrls?.local[0];
     if (address === undefined) throw new Error("the development server has no address");

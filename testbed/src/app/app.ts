@@ -149,14 +149,22 @@ export class App<R extends EngineModule, W extends WorldLike> {
         this.snapshots = [];
         this.input.used = false;
         for (const stage of this.stages) stage.dispose();
-        const { dimension } = this.options;
-        const { settings, parameters, input } = this;
-        this.stages = this.chosen.map(
-            (engine) => new Stage(dimension, engine, this.scene, { settings, parameters, input }),
-        );
+        this.stages = this.chosen.flatMap((engine) => this.build(engine) ?? []);
         this.clock.reset();
         this.refresh();
         writeLink(this.scene.id, this.mode);
+    }
+
+    /** Builds the scene in an engine. A failure is shown, and other engines run. */
+    private build(engine: Engine<R>): Stage<R, W> | null {
+        const { settings, parameters, input } = this;
+        try {
+            return new Stage(this.options.dimension, engine, this.scene, { settings, parameters, input });
+        } catch (error) {
+            this.toast.show(`${engine.label}: ${String(error)}`);
+            console.error(error);
+            return null;
+        }
     }
 
     /** Builds the pictures of all stages anew. */
@@ -204,7 +212,13 @@ export class App<R extends EngineModule, W extends WorldLike> {
 
     private takeSnapshot(): void {
         this.pointer.forget();
-        this.snapshots = this.stages.map((stage) => stage.takeSnapshot());
+        try {
+            this.snapshots = this.stages.map((stage) => stage.takeSnapshot());
+        } catch (error) {
+            this.toast.show(`No snapshot: ${String(error)}`);
+            console.error(error);
+            return;
+        }
         const sizes = this.snapshots.map((snapshot) => `${((snapshot?.length ?? 0) / 1024).toFixed(0)} kB`);
         this.toast.show(`Snapshot taken: ${sizes.join(" and ")}`);
     }

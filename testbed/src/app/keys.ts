@@ -26,7 +26,11 @@ export function listenToKeys(input: Input, shortcuts: ReadonlyMap<string, () => 
         input.action = down.has(ACTION);
     };
     window.addEventListener("keydown", (event) => {
-        const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+        const typing =
+            event.target instanceof HTMLInputElement ||
+            event.target instanceof HTMLSelectElement ||
+            // The space bar presses a focused button.
+            (event.target instanceof HTMLButtonElement && event.key === " ");
         if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
         if (event.code in STEERING || event.code === ACTION) {
             down.add(event.code);

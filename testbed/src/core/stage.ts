@@ -1,7 +1,7 @@
 // A scene that runs in one engine, without a picture. Node tests and the page use the same class.
 
 import type { Counts, Dimension, Spring } from "./dimension.ts";
-import { stepHash, type BodyLike, type Engine, type EngineModule, type WorldLike } from "./engine.ts";
+import { stepHash, type BodyLike, type Engine, type EngineModule, type EventQueueLike, type WorldLike } from "./engine.ts";
 import { Random } from "./random.ts";
 import type { Input, Paint, Paintable, ParameterValue, SceneContext, SceneDefinition, SceneRun } from "./scene.ts";
 import { Series } from "./series.ts";
@@ -140,6 +140,7 @@ export class Stage<R extends EngineModule, W extends WorldLike> {
     restore(snapshot: Uint8Array): void {
         const restored = this.dimension.restoreWorld(this.engine.module, snapshot);
         this.spring = null;
+        (this.run.events as EventQueueLike | undefined)?.free();
         this.world.free();
         this.world = restored;
         this.run = {};
@@ -154,6 +155,7 @@ export class Stage<R extends EngineModule, W extends WorldLike> {
 
     dispose(): void {
         this.release();
+        (this.run.events as EventQueueLike | undefined)?.free();
         this.world.free();
     }
 

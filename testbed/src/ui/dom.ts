@@ -28,7 +28,11 @@ export function el<K extends keyof HTMLElementTagNameMap>(
 export function iconButton(icon: string, label: string, onClick: () => void, classes = ""): HTMLButtonElement {
     const button = el("button", { class: `icon ${classes}`, title: label, label, type: "button" });
     button.innerHTML = icon;
-    button.addEventListener("click", onClick);
+    button.addEventListener("click", (event) => {
+        // After a click by pointer the keys go to the scene again.
+        if (event.detail > 0) button.blur();
+        onClick();
+    });
     return button;
 }
 

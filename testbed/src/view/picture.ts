@@ -49,6 +49,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     private readonly renderer: WebGLRenderer;
     private shown: Shown<R, W>[] = [];
     private debugging = false;
+    private readonly papers = new Map<Theme, LineSegments>();
 
     constructor(
         readonly canvas: HTMLCanvasElement,
@@ -81,13 +82,24 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     /** Shows these stages side by side. */
     show(stages: readonly Stage<R, W>[], theme: Theme): void {
         this.theme = theme;
-        for (const { view } of this.shown) view.dispose();
+        for (const { view, sun } of this.shown) {
+            view.dispose();
+            sun?.dispose();
+        }
         this.shown = stages.map((stage) => {
             const view = new StageView(stage, theme);
             view.debug = this.debugging;
-            if (this.flat) view.scene.add(paper(theme));
+            if (this.flat) view.scene.add(this.paper(theme));
             return { view, sun: this.flat ? null : this.light(view) };
         });
+    }
+
+    /** Squared paper, drawn once for each theme. */
+    private paper(theme: Theme): LineSegments {
+        const known = this.papers.get(theme);
+        const paper = known ?? createPaper(theme);
+        this.papers.set(theme, paper);
+        return known ? paper.clone() : paper;
     }
 
     private light(view: StageView<R, W>): DirectionalLight {
@@ -193,8 +205,8 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     }
 }
 
-/** Squared paper behind 2D scenes. */
-function paper(theme: Theme): LineSegments {
+/** Squared paper for the background of 2D scenes. */
+function createPaper(theme: Theme): LineSegments {
     const [reach, positions, colors] = [120, [] as number[], [] as number[]];
     for (let at = -reach; at <= reach; at++) {
         const tone = new Color().lerpColors(theme.sky, theme.grid, at % 5 === 0 ? 0.32 : 0.12);
