@@ -153,7 +153,7 @@ const walker: Scene = {
     title: "Crawler",
     description: "A long body on six cranks crawls over rubble.",
     group,
-    camera: { eye: [5, 6, 10], target: [0, 0.6, 0] },
+    camera: { eye: [-1, 5, 8.5], target: [-4, 0.6, 0] },
     poster: 200,
     setup(context) {
         addFloor(context);
