@@ -1,0 +1,54 @@
+// The joystick and the action button for touch screens.
+
+import type { Input } from "../core/scene.ts";
+import { el } from "./dom.ts";
+
+const REACH = 42;
+
+export class Joystick {
+    readonly element: HTMLElement;
+
+    constructor(input: Input) {
+        const knob = el("div", { class: "knob" });
+        const stick = el("div", { class: "stick", label: "Joystick" }, knob);
+        const action = el("button", { class: "action", type: "button", label: "Action" }, "J");
+        this.element = el("div", { class: "joystick", hidden: "" }, stick, action);
+        const move = (event: PointerEvent): void => {
+            const box = stick.getBoundingClientRect();
+            const dx = event.clientX - box.left - box.width / 2;
+            const dy = event.clientY - box.top - box.height / 2;
+            const scale = Math.min(1, REACH / Math.max(1, Math.hypot(dx, dy)));
+            input.x = (dx * scale) / REACH;
+            input.y = (-dy * scale) / REACH;
+            input.used = true;
+            knob.style.transform = `translate(${dx * scale}px, ${dy * scale}px)`;
+        };
+        stick.addEventListener("pointerdown", (event) => {
+            stick.setPointerCapture(event.pointerId);
+            move(event);
+        });
+        stick.addEventListener("pointermove", (event) => {
+            if (stick.hasPointerCapture(event.pointerId)) move(event);
+        });
+        const release = (): void => {
+            input.x = 0;
+            input.y = 0;
+            knob.style.transform = "";
+        };
+        stick.addEventListener("pointerup", release);
+        stick.addEventListener("pointercancel", release);
+        action.addEventListener("pointerdown", () => {
+            input.action = true;
+            input.used = true;
+        });
+        for (const name of ["pointerup", "pointercancel", "pointerleave"]) {
+            action.addEventListener(name, () => {
+                input.action = false;
+            });
+        }
+    }
+
+    show(steered: boolean): void {
+        this.element.hidden = !(steered && matchMedia("(pointer: coarse)").matches);
+    }
+}

@@ -1,0 +1,94 @@
+// The frame of the page: the bar on top, the panels at the sides, sheets on a phone.
+
+import type { EngineId } from "../core/engine.ts";
+import { Choice, el, iconButton } from "./dom.ts";
+import { ICONS } from "./icons.ts";
+
+type EngineMode = EngineId | "both";
+
+export interface LayoutParts {
+    readonly brand: string;
+    readonly gallery: HTMLElement;
+    readonly side: readonly HTMLElement[];
+    readonly over: readonly HTMLElement[];
+    readonly help: HTMLDialogElement;
+    readonly engines: ReadonlySet<EngineId>;
+    chooseEngine(mode: EngineMode): void;
+    toggleTheme(): void;
+}
+
+const MODES = [
+    { value: "own", text: "Ours", title: "This engine" },
+    { value: "published", text: "@dimforge", title: "The published package with the same API" },
+    { value: "both", text: "Both", title: "Both engines side by side on the same scene" },
+] as const;
+
+export class Layout {
+    readonly canvas = el("canvas", { label: "Scene", tabindex: "0" });
+    readonly elements: readonly HTMLElement[];
+    private readonly now = el("div", { class: "now" });
+    private readonly about = el("p", { class: "about" });
+    private readonly choice: Choice<EngineMode>;
+    private readonly side: HTMLElement;
+
+    constructor(private readonly parts: LayoutParts) {
+        this.choice = new Choice("Engine", MODES, (mode) => parts.chooseEngine(mode));
+        for (const button of this.choice.element.querySelectorAll("button")) this.disable(button);
+        this.side = el("aside", { class: "right", label: "Settings" }, this.about, ...parts.side);
+        const stage = el("main", { class: "stage" }, this.canvas, ...parts.over);
+        stage.addEventListener("pointerdown", (event) => {
+            if (event.target === this.canvas) this.closeSheets();
+        });
+        this.elements = [this.bar(), parts.gallery, stage, this.side, parts.help];
+    }
+
+    /** An engine that is not there cannot be chosen. */
+    private disable(button: HTMLButtonElement): void {
+        const mode = button.dataset["value"];
+        const { engines } = this.parts;
+        button.disabled = mode === "both" ? engines.size < 2 : !engines.has(mode as EngineId);
+        if (button.disabled) button.title = "Build the package with ./build_all.sh, then link it, to choose this";
+    }
+
+    private bar(): HTMLElement {
+        const { parts } = this;
+        return el(
+            "header",
+            { class: "top" },
+            iconButton(ICONS.scenes, "Scenes", () => this.toggle(parts.gallery), "only-phone scenes"),
+            el("div", { class: "brand" }, "Rapier ", el("span", {}, parts.brand)),
+            this.now,
+            this.choice.element,
+            iconButton(ICONS.theme, "Dark or light (L)", () => parts.toggleTheme(), "only-desktop"),
+            iconButton(ICONS.help, "Keys and gestures (?)", () => parts.help.showModal(), "only-desktop"),
+            iconButton(ICONS.settings, "Settings", () => this.toggle(this.side), "only-phone settings"),
+        );
+    }
+
+    set engine(mode: EngineMode) {
+        this.choice.value = mode;
+    }
+
+    describe(title: string, description: string): void {
+        document.title = `${title} – Rapier ${this.parts.brand}`;
+        this.now.replaceChildren(el("strong", {}, title), el("span", {}, description));
+        this.about.replaceChildren(el("strong", {}, title), description);
+    }
+
+    private toggle(sheet: HTMLElement): void {
+        const open = !sheet.classList.contains("open");
+        this.closeSheets();
+        sheet.classList.toggle("open", open);
+    }
+
+    openGallery(search: HTMLInputElement): void {
+        this.closeSheets();
+        this.parts.gallery.classList.add("open");
+        search.focus();
+    }
+
+    closeSheets(): void {
+        this.parts.gallery.classList.remove("open");
+        this.side.classList.remove("open");
+    }
+}

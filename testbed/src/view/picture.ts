@@ -1,0 +1,222 @@
+// The canvas: one viewport for each engine, with a common camera.
+
+import {
+    Color,
+    DirectionalLight,
+    Fog,
+    HemisphereLight,
+    LineBasicMaterial,
+    LineSegments,
+    BufferGeometry,
+    Float32BufferAttribute,
+    NoToneMapping,
+    PCFShadowMap,
+    WebGLRenderer,
+} from "three";
+import type { EngineModule, WorldLike } from "../core/engine.ts";
+import type { Camera } from "../core/scene.ts";
+import type { Stage } from "../core/stage.ts";
+import { Rig } from "./rig.ts";
+import { StageView } from "./stage-view.ts";
+import type { Theme } from "./theme.ts";
+
+/** A viewport in pixels of the page, from the canvas's left top corner. */
+export interface Viewport {
+    left: number;
+    top: number;
+    width: number;
+    height: number;
+}
+
+/** A place in a viewport, in the range -1 to 1. */
+export interface Place {
+    index: number;
+    x: number;
+    y: number;
+}
+
+interface Shown<R extends EngineModule, W extends WorldLike> {
+    view: StageView<R, W>;
+    sun: DirectionalLight | null;
+}
+
+const SHADOW_MAP = 2048;
+/** Pixels between two viewports. */
+const GAP = 2;
+
+export class Picture<R extends EngineModule, W extends WorldLike> {
+    readonly rig: Rig;
+    private readonly renderer: WebGLRenderer;
+    private shown: Shown<R, W>[] = [];
+    private debugging = false;
+    private readonly papers = new Map<Theme, LineSegments>();
+
+    constructor(
+        readonly canvas: HTMLCanvasElement,
+        readonly flat: boolean,
+        private theme: Theme,
+        detail: "high" | "low",
+    ) {
+        this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: detail === "low" });
+        this.renderer.toneMapping = NoToneMapping;
+        this.renderer.shadowMap.enabled = !flat;
+        this.renderer.shadowMap.type = PCFShadowMap;
+        this.renderer.autoClear = false;
+        this.renderer.setPixelRatio(Math.min(detail === "low" ? 1 : 2, window.devicePixelRatio));
+        this.rig = new Rig(canvas, flat);
+    }
+
+    set debug(shown: boolean) {
+        this.debugging = shown;
+        for (const { view } of this.shown) view.debug = shown;
+    }
+
+    get views(): readonly StageView<R, W>[] {
+        return this.shown.map(({ view }) => view);
+    }
+
+    frame(camera: Camera): void {
+        this.rig.frame(camera);
+    }
+
+    /** Shows these stages side by side. */
+    show(stages: readonly Stage<R, W>[], theme: Theme): void {
+        this.theme = theme;
+        for (const { view, sun } of this.shown) {
+            view.dispose();
+            sun?.dispose();
+        }
+        this.shown = stages.map((stage) => {
+            const view = new StageView(stage, theme);
+            view.debug = this.debugging;
+            if (this.flat) view.scene.add(this.paper(theme));
+            return { view, sun: this.flat ? null : this.light(view) };
+        });
+    }
+
+    /** Squared paper, drawn once for each theme. */
+    private paper(theme: Theme): LineSegments {
+        const known = this.papers.get(theme);
+        const paper = known ?? createPaper(theme);
+        this.papers.set(theme, paper);
+        return known ? paper.clone() : paper;
+    }
+
+    private light(view: StageView<R, W>): DirectionalLight {
+        const { hemisphere, sun: tone, shadow } = this.theme;
+        view.scene.add(new HemisphereLight(hemisphere.sky, hemisphere.ground, hemisphere.intensity));
+        const sun = new DirectionalLight(tone.color, tone.intensity);
+        sun.castShadow = true;
+        sun.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
+        sun.shadow.radius = 3;
+        sun.shadow.intensity = shadow;
+        // A bias along normals would fail for meshes whose triangles face away from the light.
+        sun.shadow.bias = -0.0016;
+        view.scene.add(sun, sun.target);
+        return sun;
+    }
+
+    /** The viewports of all views: side by side, or on top of each other where the page is narrow. */
+    viewports(): Viewport[] {
+        const [w, h] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
+        const count = Math.max(1, this.shown.length);
+        const gap = count > 1 ? GAP : 0;
+        return Array.from({ length: count }, (_, index) =>
+            w < h
+                ? { left: 0, top: (h / count) * index, width: w, height: h / count - gap }
+                : { left: (w / count) * index, top: 0, width: w / count - gap, height: h },
+        );
+    }
+
+    /** The place of a pointer, or null outside of all viewports. */
+    locate(clientX: number, clientY: number): Place | null {
+        const box = this.canvas.getBoundingClientRect();
+        const [px, py] = [clientX - box.left, clientY - box.top];
+        const index = this.viewports().findIndex(
+            ({ left, top, width, height }) => px >= left && px < left + width && py >= top && py < top + height,
+        );
+        const found = this.viewports()[index];
+        if (found === undefined) return null;
+        return { index, x: (2 * (px - found.left)) / found.width - 1, y: 1 - (2 * (py - found.top)) / found.height };
+    }
+
+    render(fraction: number): void {
+        this.resize();
+        this.rig.update();
+        this.renderer.setScissorTest(false);
+        this.renderer.setClearColor(this.theme.grid);
+        this.renderer.clear();
+        this.renderer.setScissorTest(true);
+        const total = this.canvas.clientHeight;
+        this.viewports().forEach(({ left, top, width, height }, index) => {
+            const shown = this.shown[index];
+            if (!shown) return;
+            shown.view.update(fraction);
+            if (shown.sun) this.aim(shown.view, shown.sun);
+            this.rig.fit(width, height);
+            this.renderer.setViewport(left, total - top - height, width, height);
+            this.renderer.setScissor(left, total - top - height, width, height);
+            this.renderer.render(shown.view.scene, this.rig.camera);
+        });
+    }
+
+    private resize(): void {
+        const { clientWidth, clientHeight } = this.canvas;
+        const ratio = this.renderer.getPixelRatio();
+        const fits =
+            this.canvas.width === Math.floor(clientWidth * ratio) && this.canvas.height === Math.floor(clientHeight * ratio);
+        if (!fits) this.renderer.setSize(clientWidth, clientHeight, false);
+    }
+
+    /** Shadows and fog follow the camera: they are as large as the visible part of the scene. */
+    private aim(view: StageView<R, W>, sun: DirectionalLight): void {
+        const { reach } = this.rig;
+        const { target } = this.rig.controls;
+        sun.target.position.copy(target);
+        sun.position.set(target.x - 0.55 * reach, target.y + 1.15 * reach, target.z + 0.6 * reach);
+        const { camera } = sun.shadow;
+        const side = 1.1 * reach;
+        camera.left = camera.bottom = -side;
+        camera.right = camera.top = side;
+        camera.near = 0.3 * reach;
+        camera.far = 2.7 * reach;
+        camera.updateProjectionMatrix();
+        const { fog } = view.scene;
+        if (fog instanceof Fog) {
+            fog.near = 2.2 * reach;
+            fog.far = 7 * reach;
+        }
+    }
+
+    /** The current picture as a data URL. */
+    photograph(type: string, quality: number, width: number, height: number): string {
+        this.render(1);
+        const { clientWidth, clientHeight } = this.canvas;
+        const scale = Math.max(width / clientWidth, height / clientHeight);
+        const target = document.createElement("canvas");
+        target.width = width;
+        target.height = height;
+        const context = target.getContext("2d");
+        if (!context) throw new Error("no 2D canvas for the photograph");
+        context.imageSmoothingQuality = "high";
+        const [w, h] = [clientWidth * scale, clientHeight * scale];
+        context.drawImage(this.canvas, (width - w) / 2, (height - h) / 2, w, h);
+        return target.toDataURL(type, quality);
+    }
+}
+
+/** Squared paper for the background of 2D scenes. */
+function createPaper(theme: Theme): LineSegments {
+    const [reach, positions, colors] = [120, [] as number[], [] as number[]];
+    for (let at = -reach; at <= reach; at++) {
+        const tone = new Color().lerpColors(theme.sky, theme.grid, at % 5 === 0 ? 0.32 : 0.12);
+        positions.push(at, -reach, -5, at, reach, -5, -reach, at, -5, reach, at, -5);
+        for (let corner = 0; corner < 4; corner++) colors.push(tone.r, tone.g, tone.b);
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(positions, 3));
+    geometry.setAttribute("color", new Float32BufferAttribute(colors, 3));
+    const grid = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+    grid.renderOrder = -1;
+    return grid;
+}

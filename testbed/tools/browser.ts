@@ -1,0 +1,81 @@
+// A browser with the testbed's page, for tests and thumbnails.
+
+import { existsSync } from "node:fs";
+import type { Browser, BrowserType, Page } from "playwright-core";
+import type { InlineConfig, ViteDevServer } from "vite";
+
+/** The packages that the testbed brings: shared source has no dependencies of its own. */
+export interface Tools {
+    readonly chromium: BrowserType;
+    createServer(config: InlineConfig): Promise<ViteDevServer>;
+}
+
+/** Software rendering, and no traffic of the browser's own. */
+const FLAGS = [
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+];
+
+const PLACES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+export interface Session {
+    readonly browser: Browser;
+    readonly server: ViteDevServer;
+    readonly address: string;
+    close(): Promise<void>;
+}
+
+/** Starts the development server of a testbed and a browser. `CHROMIUM` names another browser. */
+export async function openSession(testbed: string, { chromium, createServer }: Tools): Promise<Session> {
+    const executablePath = process.env["CHROMIUM"] ?? PLACES.find((place) => existsSync(place));
+    if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
+    const server = await createServer({
+        root: testbed,
+        configFile: `${testbed}/vite.config.ts`,
+        logLevel: "error",
+        // An edit during a run must not reload the page.
+        server: { hmr: false, watch: null },
+    });
+    await server.listen();
+    const address = server.resolvedUrls?.local[0];
+    if (address === undefined) throw new Error("the development server has no address");
+    const browser = await chromium.launch({ executablePath, args: FLAGS });
+    return {
+        browser,
+        server,
+        address,
+        close: async () => {
+            await browser.close();
+            await server.close();
+        },
+    };
+}
+
+/** Opens a page and collects its errors. */
+export async function openPage(
+    session: Session,
+    query: string,
+    size = { width: 1280, height: 800 },
+    phone = false,
+): Promise<{ page: Page; errors: string[] }> {
+    const context = await session.browser.newContext({
+        viewport: size,
+        ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
+    });
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on("console", (message) => {
+        if (message.type() === "error") errors.push(message.text());
+    });
+    page.on("pageerror", (error) => errors.push(String(error)));
+    await page.goto(`${session.address}?${query}`);
+    await page.waitForFunction("window.testbed !== undefined", undefined, { timeout: 60_000 });
+    return { page, errors };
+}

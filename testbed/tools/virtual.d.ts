@@ -1,0 +1,6 @@
+declare module "virtual:own-engine" {
+    const engine: unknown;
+    export default engine;
+}
+
+declare module "*.css" {}

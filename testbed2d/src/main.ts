@@ -1,0 +1,15 @@
+// The page of the 2D testbed.
+
+import { start } from "../../testbed/src/app/start.ts";
+import { DIMENSION_2 } from "./dimension.ts";
+import type { Rapier } from "./rapier.ts";
+import { SCENES } from "./scenes/index.ts";
+
+await start({
+    dimension: DIMENSION_2,
+    scenes: SCENES,
+    modules: {
+        own: async () => (await import("virtual:own-engine")).default as Rapier | null,
+        published: async () => await import("@dimforge/rapier2d-compat"),
+    },
+});
