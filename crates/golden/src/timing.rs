@@ -5,8 +5,11 @@ use crate::{flat, flat_f64, solid, solid_f64};
 /// Advances a world by one step.
 pub type Step = Box<dyn FnMut() + Send>;
 
+/// Builds a pile.
+pub type Pile = fn() -> Step;
+
 /// The pile of each crate.
-pub const PILES: [(&str, fn() -> Step); 4] = [
+pub const PILES: [(&str, Pile); 4] = [
     ("rapier2d", flat::pile),
     ("rapier3d", solid::pile),
     ("rapier2d-f64", flat_f64::pile),
@@ -17,7 +20,7 @@ pub const PILES: [(&str, fn() -> Step); 4] = [
 const PHASES: [(&str, usize, usize); 2] = [("falling", 0, 100), ("settled", 300, 500)];
 
 /// Runs a pile and returns a line with the median time of a step in each phase. `now` returns the time in milliseconds.
-pub fn time(engine: &str, pile: fn() -> Step, now: impl Fn() -> f64) -> String {
+pub fn time(engine: &str, pile: Pile, now: impl Fn() -> f64) -> String {
     // Compilers at run time need a pile to find the code that matters.
     run(&mut pile(), 120, &now);
     let times = run(&mut pile(), 500, &now);
