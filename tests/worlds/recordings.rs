@@ -1,6 +1,6 @@
 //! Runs that are recorded, replayed and compared.
 
-use super::saved::EDITS;
+use super::saved::{EDITS, Edit};
 use super::scene::{at, cube, world};
 use crate::rapier::prelude::*;
 
@@ -20,7 +20,7 @@ fn record(steps: usize, edited: usize, edit: fn(&mut PhysicsWorld)) -> (Vec<u8>,
 
 #[test]
 fn a_replay_repeats_every_edit() {
-    let more: [(&str, fn(&mut PhysicsWorld)); 4] = [
+    let more: [Edit; 4] = [
         ("gravity", |world| world.gravity = Vector::X),
         ("parameters", |world| world.integration_parameters.num_solver_iterations = 2),
         ("detection", |world| world.detect_collisions(&(), &())),

@@ -19,7 +19,8 @@ fn remove_awake(world: &mut PhysicsWorld, position: usize) {
     awake(world, position).into_iter().for_each(|body| drop(world.bodies.remove(body)));
 }
 
-type Edit = (&'static str, fn(&mut PhysicsWorld));
+/// A name, and what it does to a world.
+pub type Edit = (&'static str, fn(&mut PhysicsWorld));
 
 /// What the user may have done between the last step and saving.
 pub const EDITS: [Edit; 9] = [
