@@ -120,12 +120,12 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     viewports(): Viewport[] {
         const [w, h] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
         const count = Math.max(1, this.shown.length);
-        const gap = count > 1 ? GAP : 0;
-        return Array.from({ length: count }, (_, index) =>
-            w < h
+        return Array.from({ length: count }, (_, index) => {
+            const gap = index < count - 1 ? GAP : 0;
+            return w < h
                 ? { left: 0, top: (h / count) * index, width: w, height: h / count - gap }
-                : { left: (w / count) * index, top: 0, width: w / count - gap, height: h },
-        );
+                : { left: (w / count) * index, top: 0, width: w / count - gap, height: h };
+        });
     }
 
     /** The place of a pointer, or null outside of all viewports. */

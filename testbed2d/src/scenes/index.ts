@@ -2,10 +2,14 @@
 
 import type { Scene } from "../rapier.ts";
 import { FORCES, MATERIALS, SHAPES } from "./basics.ts";
-import { EVENTS, FAST, GROUND, QUERIES, STRESS } from "./contacts.ts";
+import { FAST } from "./bullets.ts";
+import { EVENTS } from "./events.ts";
+import { GROUND } from "./ground.ts";
 import { JOINTS } from "./joints.ts";
 import { PLATFORMS, RAGDOLLS, VEHICLES } from "./moving.ts";
+import { QUERIES } from "./queries.ts";
 import { STACKS } from "./stacks.ts";
+import { STRESS } from "./stress.ts";
 
 export const SCENES: readonly Scene[] = [
     ...STACKS,

@@ -111,7 +111,7 @@ const slide: Scene = {
             return [radius * Math.cos(angle), 6.5 - 6.2 * u + 2.2 * across * across, radius * Math.sin(angle)];
         });
         const flags = RAPIER.TriMeshFlags.FIX_INTERNAL_EDGES;
-        paint(addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices, flags).setFriction(0.1)), "white");
+        paint(addFixed(context, ORIGIN, RAPIER.ColliderDesc.trimesh(vertices, indices, flags).setFriction(0.1)), "grey");
         for (const turnCount of [0, 1, 2, 3, 4, 5]) {
             const angle = (Math.PI / 3) * turnCount;
             addFixed(context, vec(1.5 * Math.cos(angle), 3, 1.5 * Math.sin(angle)), RAPIER.ColliderDesc.capsule(2.9, 0.06));
