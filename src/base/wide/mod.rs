@@ -147,15 +147,28 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
 }
 
+/// Does a piece of work for each group of [`LANES`] components of a record. The lines stand side by side instead of in a loop: compilers
+/// unroll a loop around so much work late or not at all, and keep all registers of the record in memory meanwhile.
+macro_rules! for_each_group {
+    ($first:ident < $length:ident, $work:block) => {
+        for_each_group!($first < $length, $work, 0 1 2 3 4 5 6 7);
+        const { assert!($length.is_multiple_of(LANES) && $length <= 8 * LANES) };
+    };
+    ($first:ident < $length:ident, $work:block, $($group:literal)*) => {$(
+        if $group * LANES < $length {
+            let $first = $group * LANES;
+            $work
+        }
+    )*};
+}
+
 /// Reads one record per lane: register `k` of the result holds component `k` of each record.
 ///
 /// The length `N` of the records must be a multiple of [`LANES`].
 #[inline(always)]
 pub fn gather<W: Wide, const N: usize>(records: [&[Real; N]; LANES]) -> [W; N] {
-    const { assert!(N.is_multiple_of(LANES), "records are read in groups of LANES components") };
     let mut components = [W::zero(); N];
-    let mut first = 0;
-    while first < N {
+    for_each_group!(first < N, {
         let mut rows = [core::ptr::null(); LANES];
         for (row, record) in rows.iter_mut().zip(records) {
             *row = record[first..].as_ptr();
@@ -163,8 +176,7 @@ pub fn gather<W: Wide, const N: usize>(records: [&[Real; N]; LANES]) -> [W; N] {
         // SAFETY: `N` is a multiple of `LANES`, so each record has `LANES` numbers from `first` on.
         let group = unsafe { W::load_transposed(rows) };
         components[first..first + LANES].copy_from_slice(&group);
-        first += LANES;
-    }
+    });
     components
 }
 
@@ -177,11 +189,9 @@ pub fn scatter<W: Wide, const N: usize>(
     components: [W; N],
     mut records: [Option<&mut [Real; N]>; LANES],
 ) {
-    const { assert!(N.is_multiple_of(LANES), "records are written in groups of LANES components") };
     // Lanes without a record write here: cheaper than a branch per lane that guesses wrong.
     let mut sink = [0.0; LANES];
-    let mut first = 0;
-    while first < N {
+    for_each_group!(first < N, {
         let mut rows = [sink.as_mut_ptr(); LANES];
         for (row, record) in rows.iter_mut().zip(&mut records) {
             if let Some(record) = record {
@@ -193,8 +203,7 @@ pub fn scatter<W: Wide, const N: usize>(
         // SAFETY: `N` is a multiple of `LANES`, so each record has room for `LANES` numbers from
         // `first` on, and so has the sink.
         unsafe { W::store_transposed(group, rows) };
-        first += LANES;
-    }
+    });
 }
 
 /// As [`gather`], of the numbers of up to [`LANES`] records that stand side by side; the other lanes get zeros.

@@ -24,7 +24,7 @@ pub(super) struct LookAhead<W> {
 
 impl<W: Wide> LookAhead<W> {
     /// With the velocities that the bodies have.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(block: &JointBlock, bodies: &Bodies<W>, pass: &JointPass) -> Self {
         let (velocities, h) = (bodies.velocities, W::splat(pass.substep));
         let places = [
@@ -60,7 +60,7 @@ impl<W: Wide> LookAhead<W> {
 
     /// What bending adds to the rates of locked axes over the substep, from where the joints are `now`: of those that are
     /// solved exactly. Who comes before them in the substep must reckon with what they will do about it.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn locked_bends<const N: usize>(
         &self,
         block: &JointBlock,
@@ -86,7 +86,7 @@ impl<W: Wide> LookAhead<W> {
     /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
     /// a cone, leaves along a tangent. No more than [`BEND_MAX`]. Angles of joints that are swept are left out: most of these are
     /// the limbs of ragdolls, which no one sees bend.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn bend(
         &self,
         (block, row): (&JointBlock, &AxisRow),

@@ -30,7 +30,7 @@ pub(super) struct Geometry<W> {
 
 impl<W: Wide> Geometry<W> {
     /// After these displacements since the step began.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(block: &JointBlock, displacements: &[WideDisplacement<W>; 2]) -> Self {
         let [d1, d2] = displacements;
         let (turn1, turn2) = (d1.rotation(), d2.rotation());
@@ -81,7 +81,7 @@ impl<W: Wide> Geometry<W> {
     /// turn with the first body, and errors along its own later ones ask for impulses that are off by this turn: of a
     /// substep that turns a body by a quarter of a radian, a Newton step would leave a tenth instead of a thirtieth. Rotations
     /// are seen from the middle of the way: so far, on average, the way has turned what an impulse adds to it.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn errors_seen_from(&self, earlier: &Self, block: &JointBlock) -> [W; SPATIAL_DIM] {
         let mut errors = self.errors();
         for (error, locked) in errors.iter_mut().zip(&block.locked) {
@@ -122,7 +122,7 @@ impl<W: Wide> Geometry<W> {
     }
 
     /// The row and the position of a free axis.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);

@@ -328,10 +328,13 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
-    let bend = joint.ahead.map_or(W::zero(), |(ahead, bends)| {
-        let bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
-        bends.iter().zip(&shares).fold(bend, |bend, (&locked, &share)| bend - locked * share)
-    });
+    let mut bend = W::zero();
+    if let Some((ahead, bends)) = joint.ahead {
+        bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
+        for k in 0..N {
+            bend = bend - bends[k] * shares[k];
+        }
+    }
     if !AHEAD {
         position.store(&mut row.position);
     }

@@ -90,7 +90,7 @@ impl<W: Wide> Masses<W> {
     }
 
     /// `J M⁻¹ Jᵀ` of all locked axes; a row that is not locked is alone, with one on the diagonal.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn coupling<const N: usize>(&self, rows: &[Row<W>; N], locked: &[W; N]) -> [[W; N]; N] {
         let mut k = [[W::zero(); N]; N];
         for i in 0..N {
@@ -205,7 +205,7 @@ pub(super) struct Factored<W, const N: usize> {
 }
 
 impl<W: Wide, const N: usize> Factored<W, N> {
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn new(mut k: [[W; N]; N]) -> Self {
         let mut inverses = [W::zero(); N];
         for j in 0..N {
@@ -232,7 +232,7 @@ impl<W: Wide, const N: usize> Factored<W, N> {
     }
 
     /// Solves `K x = b`. Rows that nothing can move get 0.
-    #[inline(always)]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn solve(&self, mut b: [W; N]) -> [W; N] {
         for i in 0..N {
             for m in 0..i {

@@ -215,11 +215,13 @@ pub(in super::super) fn count<W: Wide>(blow: &mut Blow, memory: &RowMemory) {
 
 #[inline(always)]
 fn rows_of<W: Wide>(memory: &RowMemory) -> [Row<W>; SPATIAL_DIM] {
-    memory.rows.map(|[first, second]| {
-        let (_, first) = from_components::<W>(load_all(&first));
-        let (linear, second) = from_components::<W>(load_all(&second));
-        Row { linear, angular: [-first, second] }
-    })
+    let mut rows = [Row::zero(); SPATIAL_DIM];
+    for (row, [first, second]) in rows.iter_mut().zip(&memory.rows) {
+        let (_, first) = from_components::<W>(load_all(first));
+        let (linear, second) = from_components::<W>(load_all(second));
+        *row = Row { linear, angular: [-first, second] };
+    }
+    rows
 }
 
 /// What the changes of the impulses give the bodies.
