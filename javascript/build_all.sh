@@ -18,18 +18,9 @@ rm -rf "$pkg"
 mkdir -p "$pkg"
 
 for lanes in simd scalar; do
-    name=rapier.wasm options=()
-    [ $lanes = simd ] && name=rapier_simd.wasm options=(--enable-simd)
+    name=rapier.wasm
+    [ $lanes = simd ] && name=rapier_simd.wasm
     "$javascript/../crates/wasm/build.sh" "$pkg/$name" "$profile" $lanes "$features"
-    if [ "$profile" = wasm ]; then
-        if command -v wasm-opt >/dev/null; then
-            wasm-opt -O3 "${options[@]}" --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext --enable-mutable-globals \
-                --enable-multivalue --enable-reference-types "$pkg/$name" -o "$pkg/$name.opt"
-            mv "$pkg/$name.opt" "$pkg/$name"
-        else
-            printf 'wasm-opt (package binaryen) is not installed: the module stays some percent larger\n' >&2
-        fi
-    fi
 done
 node "$javascript/build.mjs" "$dimension" "$pkg" $bits
 if [ "$profile" = wasm ]; then
