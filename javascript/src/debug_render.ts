@@ -2,7 +2,7 @@ import type { Collider, ColliderHandle } from "./collider.js";
 import type { QueryFilterFlags } from "./enums.js";
 import { run } from "./query.js";
 import { raw, realsCopy } from "./raw.js";
-import type { RealArray } from "#real";
+import { type RealArray, RealArrayType } from "#real";
 import type { World } from "./world.js";
 
 /** Lines to draw a world with. */
@@ -29,7 +29,7 @@ export class DebugRenderPipeline {
     /** @internal Worlds make theirs. */
     constructor(world: World) {
         this.world = world;
-        this.vertices = new Float32Array(0) as RealArray;
+        this.vertices = new RealArrayType(0);
     }
 
     /** Draws the world of the sets. */

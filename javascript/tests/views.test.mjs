@@ -107,6 +107,6 @@ test("getters with a target create no garbage", { skip: !globalThis.gc }, () => 
     for (let round = 0; round < 2000; round += 1) read();
     const used = process.memoryUsage().heapUsed - before;
     // 300,000 reads with an object each would be 10 MB and more.
-    assert.ok(used < (DIM === 2 ? 4e6 : 1e6), `${used} bytes`);
+    assert.ok(used < 4e6, `${used} bytes`);
     world.free();
 });
