@@ -178,6 +178,7 @@ export class World extends Owner {
 
     /** The whole world as bytes: for files, networks and other machines. `userData` is not part of it. */
     takeSnapshot(): Uint8Array {
+        putVector(0, this.gravity);
         return bytesCopy(raw.world_save(this.id));
     }
 
@@ -189,6 +190,7 @@ export class World extends Owner {
 
     /** A copy of the world in memory: faster than a snapshot, for rollback. */
     clone(): this {
+        putVector(0, this.gravity);
         return adopt(this.constructor as WorldClass<this>, raw.world_copy(this.id));
     }
 
