@@ -12,6 +12,7 @@ for option in "$@"; do
     esac
 done
 javascript=$(cd "$(dirname "$0")" && pwd)
+"$javascript/need_node.sh"
 home=$javascript/../rapier${dimension}d
 pkg=$home/pkg
 rm -rf "$pkg"

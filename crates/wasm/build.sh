@@ -17,15 +17,14 @@ arguments=(build -p rapier-wasm --lib --profile "$profile" --target "$target" --
 if command -v rustup >/dev/null && { rustup target list --installed | grep -qx "$target" || rustup target add "$target" >/dev/null 2>&1; }; then
     RUSTFLAGS=$flags cargo "${arguments[@]}"
 elif [ -x /usr/bin/cargo ] && [ -d /usr/lib/rustlib/src ]; then
-    # Debian's linker for the target is the one of its own toolchain, or of an installed one.
-    linker=$(command -v wasm-ld || command -v rust-lld || find "$(rustc --print sysroot)" /usr/lib/rustlib -name rust-lld -type f 2>/dev/null | head -n 1)
+    linker=$(crates/wasm/linker.sh)
     PATH=/usr/bin:$PATH RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 RUSTFLAGS=$flags CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$linker \
         /usr/bin/cargo -Z build-std=std,panic_abort "${arguments[@]}"
 else
     cat >&2 <<'TEXT'
 No toolchain here builds for wasm32-unknown-unknown. Install one of these:
   * with rustup:  rustup target add wasm32-unknown-unknown
-  * on Debian:    apt-get install rustc-web cargo-web rust-web-src
+  * on Debian:    apt-get install rustc-web cargo-web rust-web-src lld
 TEXT
     exit 1
 fi

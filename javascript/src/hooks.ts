@@ -7,7 +7,7 @@ import type { RigidBodyHandle } from "./rigid_body.js";
 /** The kinds of hooks, in the order of crates/wasm/src/hooks.rs. */
 const Kind = { contact: 0, intersection: 1, modification: 2 } as const;
 /** Bits of the answer to a modification. */
-const Answer = { keepContacts: 1, computeImpulses: 2 } as const;
+const Answer = { keepContacts: 1, computeImpulses: 2, written: 4 } as const;
 
 /** The contacts of a pair, before they are solved. It is valid while the hook runs. */
 export class ContactModification {
@@ -21,7 +21,7 @@ export class ContactModification {
     restitution: number;
     /** The velocity of the surface, as of a conveyor belt. */
     tangentVelocity: Vector;
-    /** A number that the pair keeps as long as it touches. */
+    /** A whole number of 32 bits that the pair keeps as long as it touches. */
     userData: number;
     /** Whether forces are computed. */
     solverFlags: SolverFlags = SolverFlags.COMPUTE_IMPULSE;
@@ -33,8 +33,8 @@ export class ContactModification {
         this.tangentVelocity = getVector(1);
         this.friction = getNumber(2, 0);
         this.restitution = getNumber(2, 1);
-        this.userData = getNumber(2, 2);
-        this.numContacts = getNumber(2, 3);
+        this.userData = getNumber(2, 2) + 0x10000 * getNumber(2, 3);
+        this.numContacts = getNumber(3, 0);
     }
 
     /** Removes all contact points. */
@@ -47,8 +47,10 @@ export class ContactModification {
         putVector(1, this.tangentVelocity);
         putNumber(2, 0, this.friction);
         putNumber(2, 1, this.restitution);
-        putNumber(2, 2, this.userData);
-        return (this.keep ? Answer.keepContacts : 0) | (this.solverFlags & SolverFlags.COMPUTE_IMPULSE ? Answer.computeImpulses : 0);
+        putNumber(2, 2, this.userData & 0xffff);
+        putNumber(2, 3, this.userData >>> 16);
+        const computes = this.solverFlags & SolverFlags.COMPUTE_IMPULSE;
+        return Answer.written | (this.keep ? Answer.keepContacts : 0) | (computes ? Answer.computeImpulses : 0);
     }
 }
 

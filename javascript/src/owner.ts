@@ -3,7 +3,13 @@
 /** Frees what nobody freed and nobody can reach any more. */
 const forgotten = typeof FinalizationRegistry === "undefined"
     ? undefined
-    : new FinalizationRegistry<() => void>((free) => free());
+    : new FinalizationRegistry<() => void>((free) => {
+        try {
+            free();
+        } catch {
+            // Nobody could catch it, and nobody can reach the object any more.
+        }
+    });
 
 /** The symbol of `using`, where the platform has it. */
 export const DISPOSE: typeof Symbol.dispose = Symbol.dispose ?? (Symbol.for("Symbol.dispose") as never);

@@ -52,9 +52,9 @@ export class PhysicsPipeline {
 
 /** Saves a world through its sets. `World.takeSnapshot` is shorter. */
 export class SerializationPipeline {
-    /** Saves the world of the sets. */
+    /** Saves the world of the sets with the given gravity. */
     serializeAll(
-        _gravity: Vector,
+        gravity: Vector,
         _integrationParameters: unknown,
         _islands: unknown,
         _broadPhase: unknown,
@@ -62,7 +62,14 @@ export class SerializationPipeline {
         bodies: RigidBodySet,
         ..._rest: unknown[]
     ): Uint8Array {
-        return worldOf(bodies).takeSnapshot();
+        const world = worldOf(bodies);
+        const before = world.gravity;
+        world.gravity = gravity;
+        try {
+            return world.takeSnapshot();
+        } finally {
+            world.gravity = before;
+        }
     }
 
     /** A world from a snapshot. */

@@ -27,15 +27,17 @@ export type Filter = [
 
 /** Stores the filter of the next query. */
 export function putFilter([flags, groups, collider, body, predicate]: Filter): void {
-    raw.query_filter(flags ?? 0, groups === undefined ? -1 : groups >>> 0, collider ?? NaN, body ?? NaN, +!!predicate);
+    raw.query_filter(flags ?? 0, groups == null ? -1 : groups >>> 0, collider ?? NaN, body ?? NaN, +!!predicate);
 }
+
+const NO_CALLBACKS = {};
 
 /** Runs a query with a filter and a visitor. */
 export function run<R>(filter: Filter, call: () => R, visitor?: (collider: ColliderHandle) => boolean): R {
     putFilter(filter);
     const predicate = filter[4];
     if (!predicate && !visitor) {
-        return call();
+        return withCallbacks(NO_CALLBACKS, call);
     }
     return withCallbacks({ ...(predicate && { accept: predicate }), ...(visitor && { visitor }) }, call);
 }

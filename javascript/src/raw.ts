@@ -156,26 +156,35 @@ export function integersCopy(): Uint32Array {
     return new Uint32Array(raw.memory.buffer, raw.integers_address(), raw.integers_len()).slice();
 }
 
+/** The numbers, or a copy of them if they lie in the module's memory, which may grow or change before they are used. */
+export function apart<T extends ArrayLike<number>>(numbers: T): T {
+    return ArrayBuffer.isView(numbers) && numbers.buffer === raw.memory.buffer ? (numbers as unknown as RealArray).slice() as unknown as T : numbers;
+}
+
 /** Writes a list for the next call. */
 export function putList(numbers: ArrayLike<number>): void {
+    numbers = apart(numbers);
     const address = raw.list_reserve(numbers.length);
     new Float64Array(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
 /** Writes real numbers for the next call. */
 export function putReals(numbers: ArrayLike<number>): void {
+    numbers = apart(numbers);
     const address = raw.reals_reserve(numbers.length);
     new RealArrayType(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
 /** Writes integers for the next call. */
 export function putIntegers(numbers: ArrayLike<number>): void {
+    numbers = apart(numbers);
     const address = raw.integers_reserve(numbers.length);
     new Uint32Array(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
 /** Writes bytes for the next call. */
 export function putBytes(bytes: Uint8Array): void {
+    bytes = apart(bytes);
     const address = raw.bytes_reserve(bytes.length);
     new Uint8Array(raw.memory.buffer, address, bytes.length).set(bytes);
 }
@@ -243,8 +252,9 @@ const imported = {
         guarded(() => (warn(message), 0));
     },
     now: (): number => performance.now(),
-    accepts: (collider: number): number => guarded(() => Number(accept!(collider))),
-    visit: (collider: number): number => guarded(() => Number(visitor!(collider))),
+    // An answer that is no boolean, as that of a function without a result, counts as true.
+    accepts: (collider: number): number => guarded(() => Number(accept!(collider) !== false)),
+    visit: (collider: number): number => guarded(() => Number(visitor!(collider) !== false)),
     hook: (kind: number, collider1: number, collider2: number, body1: number, body2: number): number =>
         guarded(() => hook!(kind, collider1, collider2, body1, body2)),
 };
@@ -256,24 +266,26 @@ export function withCallbacks<R>(callbacks: { accept?: Accept; visitor?: Accept;
     let result: R;
     try {
         result = call();
+    } catch (error) {
+        pending = undefined;
+        recover();
+        throw error;
     } finally {
         [accept, visitor, hook] = before;
     }
-    rethrow();
-    return result;
-}
-
-/** Gives the stack of a call back that a trap ended. */
-export function recover(): void {
-    raw.__stack_pointer.value = stackFloor;
-}
-
-function rethrow(): void {
     if (pending) {
         const { error } = pending;
         pending = undefined;
+        recover();
         throw error;
     }
+    return result;
+}
+
+/** Ends the calls of the module that an exception ended: gives their stack back, and the worlds and queues that they used. */
+function recover(): void {
+    raw.__stack_pointer.value = stackFloor;
+    raw.calls_abandon(stackFloor);
 }
 
 /** Replaces the function that receives the engine's warnings. By default they go to the console. */

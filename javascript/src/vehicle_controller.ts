@@ -29,7 +29,7 @@ export class DynamicRayCastVehicleController extends Owner {
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
         // The vehicle changes the world while it looks for the ground, so the predicate is asked before.
-        const leftOut = filterPredicate ? this.world.colliders.getAll().filter((collider) => !filterPredicate(collider)) : [];
+        const leftOut = filterPredicate ? this.world.colliders.getAll().filter((collider) => filterPredicate(collider) === false) : [];
         const handles = Float64Array.from(leftOut, (collider) => collider.handle);
         putIntegers(new Uint32Array(handles.buffer));
         putFilter([filterFlags, filterGroups]);

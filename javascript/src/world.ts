@@ -26,7 +26,7 @@ import { Owner } from "./owner.js";
 import { CCDSolver, PhysicsPipeline, SerializationPipeline } from "./pipelines.js";
 import { PidController } from "./pid_controller.js";
 import { BroadPhase, type Filter } from "./query.js";
-import { bytesCopy, listCopy, putBytes, putList, putReals, raw, recover, withCallbacks } from "./raw.js";
+import { apart, bytesCopy, listCopy, putBytes, putList, putReals, raw, withCallbacks } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import { RigidBodySet } from "./rigid_body_set.js";
 import type { Shape } from "./shape.js";
@@ -148,25 +148,7 @@ export class World extends Owner {
         const queue = eventQueue ? eventQueue.id || -1 : 0;
         const present = hooks ? presentHooks(hooks) : 0;
         putVector(0, this.gravity);
-        try {
-            if (present) {
-                withCallbacks({ hook: hookOf(hooks!) }, () => raw.world_step(this.id, queue, present));
-            } else {
-                raw.world_step(this.id, queue, 0);
-            }
-        } catch (error) {
-            this.breakAfter(error);
-            throw error;
-        }
-    }
-
-    /** A defect of the engine leaves a world that cannot be used. */
-    private breakAfter(error: unknown): void {
-        const isDefect = error instanceof WebAssembly.RuntimeError || (error instanceof RapierError && error.code === "Internal");
-        if (isDefect && this.isAlive()) {
-            recover();
-            raw.world_break(this.id);
-        }
+        withCallbacks(present ? { hook: hookOf(hooks!) } : {}, () => raw.world_step(this.id, queue, present));
     }
 
     /** A hash of the simulated state: the same bits on every machine. */
@@ -178,6 +160,7 @@ export class World extends Owner {
 
     /** The whole world as bytes: for files, networks and other machines. `userData` is not part of it. */
     takeSnapshot(): Uint8Array {
+        putVector(0, this.gravity);
         return bytesCopy(raw.world_save(this.id));
     }
 
@@ -189,6 +172,7 @@ export class World extends Owner {
 
     /** A copy of the world in memory: faster than a snapshot, for rollback. */
     clone(): this {
+        putVector(0, this.gravity);
         return adopt(this.constructor as WorldClass<this>, raw.world_copy(this.id));
     }
 
@@ -467,8 +451,9 @@ export class World extends Owner {
 
     /** Changes many bodies at once: none if one of the values cannot be used. The values stand side by side, in the order of the bodies. */
     changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
+        const own = apart(values);
         putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => body.handle));
-        putReals(values);
+        putReals(own);
         raw.bodies_change(this.id, BODY_CHANGES.indexOf(change), +wakeUp);
     }
 

@@ -145,3 +145,21 @@ test("a car drives and brakes", { skip: DIM === 2 }, () => {
     assert.throws(() => car.numWheels(), fails("Freed", "vehicle"));
     world.free();
 });
+
+test("a predicate may free the controller that asks it", () => {
+    const { world, collider, controller, walk } = walker();
+    let asked = 0;
+    const frees = () => {
+        asked += 1;
+        world.removeCharacterController(controller);
+        throw new Error("of the predicate");
+    };
+    assert.throws(() => walk(v(0.05, -0.1), 1, undefined, undefined, frees), fails("Freed", "character controller"));
+    assert.equal(asked, 1);
+    // The exception of the predicate is forgotten with the call that failed.
+    const next = world.createCharacterController(0.01);
+    assert.equal(next.numComputedCollisions(), 0);
+    next.computeColliderMovement(collider, v(0.05, -0.1), undefined, undefined, () => ((asked += 1), true));
+    assert.ok(asked > 1 && next.computedGrounded());
+    world.free();
+});

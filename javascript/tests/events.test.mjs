@@ -110,3 +110,73 @@ test("a hook cannot change the world, and its exception ends no step", () => {
     assert.ok(Number.isFinite(body.translation().y));
     world.free();
 });
+
+test("a hook can neither free nor use the queue of its step", () => {
+    const { world } = makeGround();
+    const other = makeGround().world;
+    const queue = new EventQueue(true);
+    const desc = ColliderDesc.ball(0.5).setActiveEvents(ActiveEvents.COLLISION_EVENTS).setActiveHooks(ActiveHooks.FILTER_CONTACT_PAIRS);
+    insert(world, 0, 0.45, desc);
+    const calls = [() => queue.free(), () => queue.clear(), () => queue.takeCollisionEvents(), () => other.step(queue)];
+    let refused = 0;
+    const hooks = {
+        filterContactPair() {
+            for (const call of calls) {
+                assert.throws(call, fails("Busy", "event queue"));
+                refused += 1;
+            }
+            other.step();
+            return SolverFlags.COMPUTE_IMPULSE;
+        },
+    };
+    world.step(queue, hooks);
+    assert.ok(refused >= calls.length);
+    // A step that is refused forgets no event.
+    other.free();
+    assert.throws(() => other.step(queue), fails("Freed", "world"));
+    assert.equal(queue.takeCollisionEvents().length, 3);
+    queue.free();
+    queue.free();
+    world.free();
+});
+
+test("an exception of a hook leaves contacts as they are", () => {
+    const { world, ground } = makeGround();
+    const { body } = insert(world, 0, 0.5, box(0.5, 0.5).setActiveHooks(ActiveHooks.MODIFY_SOLVER_CONTACTS));
+    let thrown = 0;
+    const hooks = {
+        modifySolverContacts() {
+            ground.translation();
+            throw new Error("of the hook");
+        },
+    };
+    for (let step = 0; step < 40; step += 1) {
+        try {
+            world.step(undefined, hooks);
+        } catch (error) {
+            assert.match(error.message, /of the hook/);
+            thrown += 1;
+        }
+    }
+    assert.ok(thrown > 20);
+    near(body.translation().y, 0.5, 0.02);
+    near(body.linvel().x, 0, 1e-3);
+    world.free();
+});
+
+test("contacts keep numbers of 32 bits", () => {
+    const { world } = makeGround();
+    insert(world, 0, 0.5, box(0.5, 0.5).setActiveHooks(ActiveHooks.MODIFY_SOLVER_CONTACTS));
+    for (const number of [16777217, 0xffffffff, 0x12345678]) {
+        let seen;
+        const hooks = {
+            modifySolverContacts(contacts) {
+                seen = contacts.userData;
+                contacts.userData = number;
+            },
+        };
+        steps(world, 2, undefined, hooks);
+        assert.equal(seen, number);
+    }
+    world.free();
+});

@@ -171,3 +171,45 @@ test("sensors intersect", () => {
     assert.deepEqual(others, [collider]);
     world.free();
 });
+
+test("null groups filter nothing, and an answer that is no boolean counts as true", () => {
+    const { world } = makeGround();
+    const { collider } = insert(world, 0, 5, ColliderDesc.ball(0.5));
+    world.step();
+    const ray = new RAPIER.Ray(v(0, 10), v(0, -1));
+    const cast = (...filter) => world.castRay(ray, 100, true, undefined, ...filter)?.collider;
+    assert.equal(cast(null), collider);
+    assert.equal(cast(undefined, null, null), collider);
+    assert.equal(cast(undefined, undefined, undefined, () => {}), collider);
+    assert.equal(cast(undefined, undefined, undefined, () => false), undefined);
+    let met = 0;
+    world.intersectionsWithRay(ray, 100, true, () => void (met += 1));
+    assert.equal(met, 2);
+    world.free();
+});
+
+test("a query that exhausts the stack leaves a world that lives on", () => {
+    const { world, ground } = makeGround();
+    world.step();
+    const ray = new RAPIER.Ray(v(0, 10), v(0, -1));
+    const query = () => world.castRay(ray, 100, true, undefined, undefined, undefined, undefined, () => true);
+    const at = (depth, call) => (depth > 0 ? at(depth - 1, call) : call());
+    // The depth hovers where the stack ends: in JavaScript, in the module or between them.
+    let [found, failed, streak] = [0, 0, 0];
+    for (let depth = 1000; failed < 100; ) {
+        try {
+            assert.ok(at(depth, query));
+            [found, streak] = [found + 1, streak + 1];
+            depth += streak;
+        } catch (error) {
+            assert.ok(error instanceof RangeError || error instanceof WebAssembly.RuntimeError, error);
+            [failed, streak] = [failed + 1, 0];
+            depth -= 10;
+        }
+        ground.setTranslation(v(0, -1), true);
+        world.step();
+    }
+    assert.ok(found > 0);
+    assert.ok(world.castRay(ray, 100, true));
+    world.free();
+});

@@ -49,6 +49,28 @@ test("a copy continues bit for bit", () => {
     world.free();
 });
 
+test("snapshots and copies hold the gravity that no step has used yet", () => {
+    const world = new World(v(0, -1));
+    const gravityOf = (saved) => {
+        const { y } = saved.gravity;
+        saved.free();
+        return y;
+    };
+    assert.equal(gravityOf(World.restoreSnapshot(world.takeSnapshot())), -1);
+    assert.equal(gravityOf(world.clone()), -1);
+    world.step();
+    world.gravity = v(0, -2);
+    assert.equal(gravityOf(World.restoreSnapshot(world.takeSnapshot())), -2);
+    assert.equal(gravityOf(world.clone()), -2);
+    const parts = [world.integrationParameters, world.islands, world.broadPhase, world.narrowPhase, world.bodies];
+    const data = world.serializationPipeline.serializeAll(v(0, -3), ...parts);
+    assert.equal(gravityOf(World.restoreSnapshot(data)), -3);
+    assert.equal(world.gravity.y, -2);
+    world.gravity = v(NaN, 0);
+    assert.throws(() => world.takeSnapshot(), fails("InvalidValue", "gravity"));
+    world.free();
+});
+
 test("damaged snapshots are refused", () => {
     const { world } = pile();
     const snapshot = world.takeSnapshot();

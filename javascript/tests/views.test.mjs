@@ -110,3 +110,24 @@ test("getters with a target create no garbage", { skip: !globalThis.gc }, () => 
     assert.ok(used < 4e6, `${used} bytes`);
     world.free();
 });
+
+test("a batch with one rotation that is none changes no body", { skip: DIM === 2 }, () => {
+    const { world, bodies } = rain(2);
+    const before = bodies[0].rotation();
+    const values = [0.6, 0, 0, 0.8, 0, 0, 0, 0];
+    assert.throws(() => world.changeBodies("rotation", bodies, values), fails("InvalidValue", "rotation"));
+    assert.deepEqual(bodies[0].rotation(), before);
+    world.free();
+});
+
+test("a batch may take its values from the engine's memory", () => {
+    const { world, bodies } = rain(3000);
+    const values = world.views.poses.subarray(0, DIM * bodies.length);
+    const expected = values.slice();
+    world.changeBodies("linvel", bodies, values);
+    bodies.forEach((body, index) => {
+        const { x, y } = body.linvel();
+        assert.deepEqual([x, y], [...expected.subarray(DIM * index, DIM * index + 2)]);
+    });
+    world.free();
+});

@@ -4,7 +4,7 @@ use crate::fault::{Fault, finite};
 use crate::handle::Handle;
 use crate::memory::{self, put_number};
 use crate::rapier::dynamics::{RigidBody, RigidBodyHandle};
-use crate::rapier::math::{ANG_DIM, DIM};
+use crate::rapier::math::{ANG_DIM, DIM, Real};
 use crate::registry::{body, write};
 
 /// What is changed, in the order of `Batch` in TypeScript.
@@ -53,6 +53,13 @@ fn apply(body: &mut RigidBody, what: u32, wake: bool) -> Result<(), Fault> {
     Ok(())
 }
 
+/// Moves the value of a change into the first place of the scratch block.
+fn place(numbers: &[Real]) {
+    for (component, value) in numbers.iter().enumerate() {
+        put_number(0, component, *value);
+    }
+}
+
 exports! {
     /// Changes many bodies: the list holds the handles, the real numbers the values. Nothing is changed if one of them cannot be used.
     fn bodies_change(world: u32, what: u32, wake: u32) {
@@ -67,11 +74,15 @@ exports! {
         for value in &values {
             finite("a value of the batch", *value)?;
         }
+        if matches!(what, change::ROTATION | change::NEXT_ROTATION) {
+            for numbers in values.chunks_exact(stride) {
+                place(numbers);
+                memory::rotation(0, "rotation")?;
+            }
+        }
         let world = write(world)?;
         for (handle, numbers) in handles.into_iter().zip(values.chunks_exact(stride)) {
-            for (component, value) in numbers.iter().enumerate() {
-                put_number(0, component, *value);
-            }
+            place(numbers);
             if let Some(body) = world.bodies.get_mut(RigidBodyHandle::of_number(handle)) {
                 apply(body, what, wake != 0)?;
             }

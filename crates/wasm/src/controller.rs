@@ -159,8 +159,7 @@ exports! {
         let moved = collider(world, handle)?;
         let (shape, pose, parent) = (moved.shared_shape().clone(), *moved.position(), moved.parent());
         let own = ColliderHandle::of_number(handle);
-        let character = character(number)?;
-        let controller = character.controller;
+        let controller = character(number)?.controller;
         let mut asked = filter();
         asked.exclude_collider = Some(own);
         asked.exclude_rigid_body = asked.exclude_rigid_body.or(parent);
@@ -177,6 +176,8 @@ exports! {
             let mut queries = world.query_pipeline_mut(obstacles);
             controller.solve_character_collision_impulses(dt, &mut queries, &*shape, mass as Real, &collisions);
         }
+        // A predicate may have freed the controller, so it is looked up again.
+        let character = character(number)?;
         (character.movement, character.collisions) = (movement, collisions);
     }
 

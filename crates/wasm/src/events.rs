@@ -1,6 +1,6 @@
 //! Event queues.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, Kind};
 use crate::handle::Handle;
 use crate::memory::{self, Single, put_list};
 use crate::rapier::dynamics::RigidBodySet;
@@ -14,27 +14,24 @@ use crate::registry::Registry;
 struct Records {
     collisions: Vec<(f64, f64, f64)>,
     forces: Vec<ContactForceEvent>,
+    /// Whether each step forgets the events before it.
+    auto_drain: bool,
+    /// Whether a step fills the queue. JavaScript can neither read nor free it then.
+    is_lent: bool,
 }
 
-/// Receives the events of a step.
+/// Receives the events of a step. It is shared: a call that a hook makes looks at it while the step runs.
 pub struct Events {
     records: Single<Records>,
-    auto_drain: bool,
-    is_kept: bool,
-}
-
-impl Default for Events {
-    fn default() -> Self {
-        Self { records: Single::new(Records::default()), auto_drain: true, is_kept: false }
-    }
 }
 
 impl Events {
     /// Prepares for the events of a step.
-    pub fn begin_step(&mut self, is_kept: bool) {
-        self.is_kept = is_kept;
-        if self.auto_drain {
-            *self.records() = Records::default();
+    fn begin_step(&self) {
+        let records = self.records();
+        if records.auto_drain {
+            records.collisions.clear();
+            records.forces.clear();
         }
     }
 
@@ -53,10 +50,8 @@ impl EventHandler for Events {
         event: &CollisionEvent,
         _: Option<&ContactPair>,
     ) {
-        if self.is_kept {
-            let handles = (event.collider1().to_number(), event.collider2().to_number());
-            self.records().collisions.push((handles.0, handles.1, f64::from(event.started())));
-        }
+        let handles = (event.collider1().to_number(), event.collider2().to_number());
+        self.records().collisions.push((handles.0, handles.1, f64::from(event.started())));
     }
 
     fn handle_contact_force_event(
@@ -66,37 +61,76 @@ impl EventHandler for Events {
         _: &RigidBodySet,
         _: &ColliderSet,
     ) {
-        if self.is_kept {
-            self.records().forces.push(*event);
-        }
+        self.records().forces.push(*event);
     }
 }
 
 static QUEUES: Single<Registry<Events>> = Single::new(Registry::new());
 
-/// The queue of a number.
-pub fn queue(number: u32) -> Result<&'static mut Events, Fault> {
-    // SAFETY: an exported function asks for one queue, once.
-    unsafe { QUEUES.get().get(number) }.ok_or_else(|| Fault::freed("event queue"))
+/// The queue of a number, if no step fills it.
+fn queue(number: u32) -> Result<&'static Events, Fault> {
+    // SAFETY: boxes do not move when the registry grows, and `queue_free` drops none that is lent.
+    let events = unsafe { QUEUES.get().get_shared(number) };
+    let events = events.ok_or_else(|| Fault::freed("event queue"))?;
+    match events.records().is_lent {
+        true => Err(Fault::new(Kind::Busy, "a step fills this event queue".to_string())),
+        false => Ok(events),
+    }
+}
+
+/// Lends a queue to a step, until it is given back. A number of 0 stands for no queue.
+pub fn lend(number: u32) -> Result<Option<&'static Events>, Fault> {
+    if number == 0 {
+        return Ok(None);
+    }
+    let events = queue(number)?;
+    events.records().is_lent = true;
+    Ok(Some(events))
+}
+
+/// Ends the loan of a queue.
+pub fn give_back(number: u32) {
+    // SAFETY: the reference ends with the function.
+    if let Some(events) = unsafe { QUEUES.get().get_shared(number) } {
+        events.records().is_lent = false;
+    }
+}
+
+/// Runs a step that fills a queue, or drops its events.
+pub fn fill<R>(events: Option<&Events>, step: impl FnOnce(&dyn EventHandler) -> R) -> R {
+    match events {
+        Some(events) => {
+            events.begin_step();
+            step(events)
+        }
+        None => step(&()),
+    }
 }
 
 exports! {
     /// Creates an event queue.
     fn queue_new(auto_drain: u32) -> u32 {
-        let events = Events { auto_drain: auto_drain != 0, ..Events::default() };
+        let records = Records { auto_drain: auto_drain != 0, ..Records::default() };
+        let events = Events { records: Single::new(records) };
         // SAFETY: the reference ends with the statement.
         unsafe { QUEUES.get().insert(events) }
     }
 
-    /// Frees an event queue.
+    /// Frees an event queue. A second time does nothing.
     fn queue_free(number: u32) {
+        // SAFETY: the reference ends with the statement.
+        if unsafe { QUEUES.get().get_shared(number) }.is_none() {
+            return Ok(());
+        }
+        queue(number)?;
         // SAFETY: the reference ends with the statement.
         drop(unsafe { QUEUES.get().remove(number) });
     }
 
     /// Forgets all events.
     fn queue_clear(number: u32) {
-        *queue(number)?.records() = Records::default();
+        let records = queue(number)?.records();
+        (records.collisions, records.forces) = (Vec::new(), Vec::new());
     }
 
     /// Moves the collision events into the list: two colliders and 1 for the start of a collision, 0 for its end.

@@ -15,9 +15,10 @@ const CONTACT: u32 = 0;
 const INTERSECTION: u32 = 1;
 const MODIFICATION: u32 = 2;
 
-/// The bits of the answer to a modification.
+/// The bits of the answer to a modification. The answer is 0 if the hook threw: the contacts stay as they are.
 const KEEP_CONTACTS: u32 = 1;
 const COMPUTE_IMPULSES: u32 = 2;
+const WRITTEN: u32 = 4;
 
 /// The hooks of JavaScript.
 pub struct Hooks<'a> {
@@ -79,20 +80,25 @@ impl PhysicsHooks for Hooks<'_> {
         put_vector(1, context.tangent_velocity());
         put_number(2, 0, context.friction());
         put_number(2, 1, context.restitution());
-        put_number(2, 2, context.user_data() as _);
-        put_number(2, 3, context.contacts().len() as _);
+        // A number of 32 bits does not fit into a float of 32 bits: two halves do.
+        put_number(2, 2, (context.user_data() & 0xffff) as _);
+        put_number(2, 3, (context.user_data() >> 16) as _);
+        put_number(3, 0, context.contacts().len() as _);
         let (collider1, collider2) = (context.collider1.to_number(), context.collider2.to_number());
         let (body1, body2) = (optional(context.rigid_body1), optional(context.rigid_body2));
         let answer = self.lend(context.bodies, context.colliders, || {
             host::hook(MODIFICATION, collider1, collider2, body1, body2)
         });
+        if answer & WRITTEN == 0 {
+            return;
+        }
         // The engine refuses numbers that are not valid; vectors are checked here.
         if let Ok(velocity) = vector(1, "tangentVelocity") {
             context.set_tangent_velocity(velocity);
         }
         context.set_friction(number(2, 0));
         context.set_restitution(number(2, 1));
-        context.set_user_data(number(2, 2) as u32);
+        context.set_user_data(number(2, 2) as u32 | ((number(2, 3) as u32) << 16));
         if answer & KEEP_CONTACTS == 0 {
             context.clear_contacts();
         }

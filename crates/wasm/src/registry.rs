@@ -2,6 +2,7 @@
 //!
 //! A number combines slot and generation, so that a number whose object was freed finds nothing, even if the slot is used again.
 
+use crate::events::{Events, give_back, lend};
 use crate::fault::{Fault, Kind};
 use crate::handle::Handle;
 use crate::memory::{self, Single};
@@ -10,6 +11,7 @@ use crate::rapier::dynamics::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
 use crate::rapier::pipeline::PhysicsWorld;
 use core::cell::Cell;
+use core::hint::black_box;
 use core::ptr::null;
 
 /// Bits of a number that are the slot.
@@ -131,25 +133,82 @@ fn instance(number: u32) -> Result<&'static Instance, Fault> {
     unsafe { WORLDS.get().get_shared(number) }.ok_or_else(|| Fault::freed("world"))
 }
 
-/// Steps a world. JavaScript may use it meanwhile, but only through hooks, which read the sets that they are lent.
+/// A step or query that runs.
+struct Running {
+    /// An address of its stack frame. The stack grows downwards: frames of later calls have smaller addresses.
+    frame: usize,
+    world: u32,
+    /// What happened to the world before.
+    before: Activity,
+    /// The event queue that a step fills, or 0.
+    queue: u32,
+}
+
+/// The steps and queries that run, the outermost first.
+static RUNNING: Single<Vec<Running>> = Single::new(Vec::new());
+
+/// Runs the work of a step or query, and remembers meanwhile that it runs.
+fn run<R>(
+    world: u32,
+    instance: &Instance,
+    activity: Activity,
+    queue: u32,
+    work: impl FnOnce() -> R,
+) -> R {
+    let marker = 0_u8;
+    let frame = black_box(&raw const marker) as usize;
+    let before = instance.activity.replace(activity);
+    // SAFETY: the reference ends with the statement.
+    unsafe { RUNNING.get() }.push(Running { frame, world, before, queue });
+    let result = work();
+    abandon(frame);
+    // SAFETY: the reference ends with the statement.
+    unsafe { RUNNING.get() }.pop();
+    instance.activity.set(before);
+    give_back(queue);
+    result
+}
+
+/// Ends the steps and queries whose frames lie below an address, because an exception ended them.
+fn abandon(floor: usize) {
+    // SAFETY: the reference ends with the statement.
+    while let Some(ended) = unsafe { RUNNING.get() }.pop_if(|running| running.frame < floor) {
+        give_back(ended.queue);
+        if let Ok(instance) = instance(ended.world) {
+            let was_stepped = instance.activity.get() == Activity::Stepped;
+            instance.activity.set(if was_stepped { Activity::Broken } else { ended.before });
+        }
+    }
+}
+
+exports! {
+    /// Ends the steps and queries whose stack frames lie below an address, because an exception ended them. A world that was stepped can only be freed.
+    fn calls_abandon(floor: usize) {
+        abandon(floor);
+    }
+}
+
+/// Steps a world. JavaScript may use it meanwhile, but only through hooks, which read the sets that they are lent. A queue of 0 drops events.
 pub fn stepped(
     number: u32,
-    work: impl FnOnce(&mut PhysicsWorld, &Cell<LentSets>),
+    queue: u32,
+    work: impl FnOnce(&mut PhysicsWorld, &Cell<LentSets>, Option<&Events>),
 ) -> Result<(), Fault> {
     let instance = instance(number)?;
-    let activity = instance.activity.replace(Activity::Stepped);
+    let activity = instance.activity.get();
     if activity != Activity::Idle {
-        instance.activity.set(activity);
         return Err(busy(activity));
     }
-    // SAFETY: while the activity is `Stepped`, no other function borrows the world.
-    let world = unsafe { instance.world.get() };
-    work(world, &instance.sets);
-    // SAFETY: the reference ends with the statement.
-    if let Some(mirror) = unsafe { instance.mirror.get() } {
-        mirror.update(world);
-    }
-    instance.activity.set(Activity::Idle);
+    let events = lend(queue)?;
+    run(number, instance, Activity::Stepped, queue, || {
+        // SAFETY: while the activity is `Stepped`, no other function borrows the world.
+        let world = unsafe { instance.world.get() };
+        work(world, &instance.sets, events);
+        // SAFETY: the reference ends with the statement.
+        if let Some(mirror) = unsafe { instance.mirror.get() } {
+            mirror.update(world);
+        }
+    });
     memory::pass_warning_on();
     Ok(())
 }
@@ -157,19 +216,7 @@ pub fn stepped(
 /// Lets a query read a world. JavaScript may read it meanwhile.
 pub fn queried<R>(number: u32, work: impl FnOnce(&PhysicsWorld) -> R) -> Result<R, Fault> {
     let world = read(number)?;
-    let activity = instance(number)?.activity.replace(Activity::Read);
-    let result = work(world);
-    instance(number)?.activity.set(activity);
-    Ok(result)
-}
-
-/// Marks a world whose step an exception ended.
-pub fn break_world(number: u32) -> Result<(), Fault> {
-    let instance = instance(number)?;
-    if instance.activity.get() != Activity::Idle {
-        instance.activity.set(Activity::Broken);
-    }
-    Ok(())
+    Ok(run(number, instance(number)?, Activity::Read, 0, || work(world)))
 }
 
 /// The mirror of a world, brought up to date if that is asked for.

@@ -11,9 +11,18 @@ fn refused(error: impl core::fmt::Display) -> Fault {
 }
 
 exports! {
-    /// Saves a world. The bytes hold the snapshot. Returns their number.
+    /// Saves a world. The scratch block holds the gravity. The bytes hold the snapshot. Returns their number.
     fn world_save(world: u32) -> u32 {
-        memory::put_bytes(read(world)?.to_snapshot().map_err(refused)?)
+        let (gravity, saved) = (memory::vector(0, "gravity")?, read(world)?);
+        let snapshot = if saved.gravity == gravity {
+            saved.to_snapshot()
+        } else {
+            // A query may be reading the world, so a copy takes the gravity.
+            let mut copy = saved.clone();
+            copy.gravity = gravity;
+            copy.to_snapshot()
+        };
+        memory::put_bytes(snapshot.map_err(refused)?)
     }
 
     /// Restores a world from the bytes. Returns its number.
@@ -21,9 +30,12 @@ exports! {
         insert_world(PhysicsWorld::from_snapshot(&memory::bytes()).map_err(refused)?)
     }
 
-    /// Copies a world. Returns the number of the copy.
+    /// Copies a world. The scratch block holds the gravity. Returns the number of the copy.
     fn world_copy(world: u32) -> u32 {
-        insert_world(read(world)?.clone())
+        let gravity = memory::vector(0, "gravity")?;
+        let mut copy = read(world)?.clone();
+        copy.gravity = gravity;
+        insert_world(copy)
     }
 
     /// Writes the gravity of a world.

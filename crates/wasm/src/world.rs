@@ -1,13 +1,13 @@
 //! Worlds: creation, steps, parameters and the hash.
 
-use crate::events::{Events, queue};
+use crate::events::fill;
 use crate::fault::{Fault, finite, non_negative};
 use crate::hooks::Hooks;
 use crate::memory;
 use crate::rapier::dynamics::{IntegrationParameters, SpringCoefficients};
 use crate::rapier::math::Real;
 use crate::rapier::pipeline::PhysicsWorld;
-use crate::registry::{break_world, free_world, insert_world, read, stepped, write};
+use crate::registry::{free_world, insert_world, read, stepped, write};
 
 /// The parameters, in the order of `Parameter` in TypeScript.
 mod parameter {
@@ -99,26 +99,17 @@ exports! {
     /// Moves the world forward by one time step. The scratch block holds the gravity. A queue of 0 drops events.
     fn world_step(world: u32, queue_number: u32, hooks: u32) {
         let gravity = memory::vector(0, "gravity")?;
-        let mut ignored = Events::default();
-        let events = if queue_number == 0 { &mut ignored } else { queue(queue_number)? };
-        events.begin_step(queue_number != 0);
-        stepped(world, |world, sets| {
+        stepped(world, queue_number, |world, sets, events| {
             world.gravity = gravity;
-            world.step_with_events(&Hooks::new(hooks, sets), events);
+            fill(events, |events| world.step_with_events(&Hooks::new(hooks, sets), events));
         })?;
     }
 
     /// Brings contacts and intersections up to date, and moves nothing.
     fn world_detect_collisions(world: u32, queue_number: u32, hooks: u32) {
-        let mut ignored = Events::default();
-        let events = if queue_number == 0 { &mut ignored } else { queue(queue_number)? };
-        events.begin_step(queue_number != 0);
-        stepped(world, |world, sets| world.detect_collisions(&Hooks::new(hooks, sets), events))?;
-    }
-
-    /// Ends the step of a world that an exception left: the world cannot be used any more, but freed.
-    fn world_break(world: u32) {
-        break_world(world)?;
+        stepped(world, queue_number, |world, sets, events| {
+            fill(events, |events| world.detect_collisions(&Hooks::new(hooks, sets), events));
+        })?;
     }
 
     /// A hash of the simulated state.
