@@ -1,13 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
-/** Frees what nobody freed and nobody can reach any more. */
+/** Frees objects that became unreachable without a call of `free`. */
 const forgotten = typeof FinalizationRegistry === "undefined"
     ? undefined
     : new FinalizationRegistry<() => void>((free) => {
         try {
             free();
         } catch {
-            // Nobody could catch it, and nobody can reach the object any more.
+            // No caller could catch the error, and the object is unreachable.
         }
     });
 

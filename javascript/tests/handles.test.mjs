@@ -108,7 +108,7 @@ test("errors leak no memory", () => {
     world.free();
 });
 
-test("worlds that nobody frees are freed with the garbage", { skip: !globalThis.gc }, async () => {
+test("unreachable worlds are freed with the garbage", { skip: !globalThis.gc }, async () => {
     for (let count = 0; count < 300; count += 1) {
         const { world } = makeGround();
         insert(world, 0, 3, box(0.5, 0.5));

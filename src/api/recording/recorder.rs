@@ -71,7 +71,7 @@ impl Recorder {
     /// Records the edits since the last step, steps the world, and records the hashes.
     ///
     /// # Errors
-    /// If the world cannot be saved. The world is stepped all the same, and the recording ends before this step.
+    /// If the world cannot be saved. The world is stepped all the same, and the recording lacks this step.
     pub fn step(&mut self, world: &mut PhysicsWorld) -> Result<(), RecordingError> {
         self.step_with_events(world, &(), &())
     }
@@ -79,7 +79,7 @@ impl Recorder {
     /// The same as [`Self::step`]. Hooks are not recorded: a replay needs the same ones.
     ///
     /// # Errors
-    /// If the world cannot be saved. The world is stepped all the same, and the recording ends before this step.
+    /// If the world cannot be saved. The world is stepped all the same, and the recording lacks this step.
     pub fn step_with_events(
         &mut self,
         world: &mut PhysicsWorld,

@@ -73,7 +73,7 @@ const trampoline: Scene = {
         paint(body, "blue");
         const dolls = [-1, 0, 1].map((x) => addRagdoll(context, vec(1.3 * x, 4 + 0.6 * x, 0), turn(X, 0.3 * x)));
         const check = (): boolean => dolls.flat().every((limb) => speed(limb.linvel()) < 40);
-        return { claims: [together(dolls, 240), { text: "Nobody is flung away", after: 240, check }] };
+        return { claims: [together(dolls, 240), { text: "No ragdoll is flung away", after: 240, check }] };
     },
 };
 
