@@ -96,6 +96,7 @@ fn workshop() -> PhysicsWorld {
         }
     }
     net(&mut world, vec(10.0, 9.0));
+    hub(&mut world, vec(-30.0, 5.0));
     world
 }
 
@@ -281,11 +282,27 @@ fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
     assert_eq!(first, None, "the first step that differs, in the bodies {bodies:?}");
 }
 
-/// Open: from step 3 on, chains that a bullet hits have other bits beside a far heap (3D) or a far net (2D). Neither the order of the impacts' energy sums nor the
-/// velocities that projections on joints leave cause it (both were tried).
+/// Bodies around one that is too heavy for them to move much: more contacts and joints than there are colours.
+fn hub(world: &mut PhysicsWorld, center: Vector) {
+    world.insert(RigidBodyBuilder::fixed().translation(center - vec(0.0, 6.0)), cuboid(9.0, 1.0));
+    let hub = RigidBodyBuilder::dynamic().translation(center).angvel(dim::about_z(1.5));
+    let (hub, _) = world.insert(hub, ColliderBuilder::ball(3.0).density(5.0).restitution(0.3));
+    for k in 0..120_u8 {
+        let (sin, cos) = (Real::from(k) * 0.2).sin_cos();
+        let arm = vec(cos, sin) * if k % 2 == 0 { 3.04 } else { 3.6 };
+        let satellite = RigidBodyBuilder::dynamic().translation(center + arm).linvel(arm * -0.5);
+        let ball = ColliderBuilder::ball(0.05).restitution(0.5);
+        let (satellite, _) = world.insert(satellite, ball);
+        if k % 2 == 1 {
+            let joint = dim::loose_joint(0, arm * 0.95, arm * -0.05);
+            world.insert_impulse_joint(hub, satellite, joint);
+        }
+    }
+}
+
 #[test]
-#[ignore = "open: chains that bullets hit, beside far bodies"]
 fn determinism_of_bullets_and_chains_among_strangers() {
     compare_workshops(|world| heap(world, vec(2000.0, 0.0)));
     compare_workshops(|world| net(world, vec(-2000.0, 9.0)));
+    compare_workshops(|world| hub(world, vec(2000.0, 9.0)));
 }

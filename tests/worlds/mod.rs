@@ -17,6 +17,10 @@ mod damage;
 #[cfg(feature = "serde-serialize")]
 mod damaged;
 #[cfg(feature = "serde-serialize")]
+mod forged;
+#[cfg(feature = "serde-serialize")]
+mod own_shape;
+#[cfg(feature = "serde-serialize")]
 mod recordings;
 #[cfg(feature = "serde-serialize")]
 mod samples;

@@ -1,7 +1,9 @@
 //! Runs that are recorded, replayed and compared.
 
+use super::own_shape::OwnShape;
 use super::saved::{EDITS, Edit};
 use super::scene::{at, cube, world};
+use crate::rapier::parry::shape::Ball;
 use crate::rapier::prelude::*;
 
 /// A recording of some steps, with an edit in front of one of them.
@@ -40,6 +42,26 @@ fn a_replay_repeats_every_edit() {
         }
         assert_eq!((replay.steps(), replay.world().hash()), (25, world.hash()), "{name}");
     }
+}
+
+/// A world that cannot be saved for some steps: what is recorded until then is whole, and nothing is recorded later.
+#[test]
+fn a_recording_ends_where_the_world_cannot_be_saved() {
+    let mut world = world();
+    let mut recorder = Recorder::new(&world, "until a shape comes").expect("it can be saved");
+    (0..3).for_each(|_| recorder.step(&mut world).expect("it can be saved"));
+    let own = ColliderBuilder::new(SharedShape::new(OwnShape(Ball::new(0.5))));
+    let own = world.insert_collider(own.translation(at(500.0, 0.0)), None);
+    let refused = recorder.step(&mut world).expect_err("nothing can save the shape");
+    assert!(matches!(refused, RecordingError::Snapshot(_)), "{refused}");
+    world.remove_collider(own);
+    let before = world.hash();
+    assert_eq!(recorder.step(&mut world), Err(refused), "a step is missing by now");
+    assert_ne!(world.hash(), before, "the world goes on");
+
+    let mut replay = Replay::new(recorder.bytes()).expect("its beginning was recorded");
+    while let Replayed::Step = replay.step().expect("all that is recorded is whole") {}
+    assert_eq!((replay.steps(), recorder.steps()), (3, 3));
 }
 
 /// Lets nothing touch.

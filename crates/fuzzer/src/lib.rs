@@ -80,7 +80,7 @@ pub mod flat {
     #[path = "thin.rs"]
     mod thin;
 
-    pub use both::run;
+    pub use both::{forged, run};
 }
 
 /// In 3D.
@@ -94,7 +94,7 @@ pub mod solid {
     #[path = "thin.rs"]
     mod thin;
 
-    pub use both::run;
+    pub use both::{forged, run};
 }
 
 /// In 2D with double precision.
@@ -109,7 +109,7 @@ pub mod flat_f64 {
     #[path = "thin.rs"]
     mod thin;
 
-    pub use both::run;
+    pub use both::{forged, run};
 }
 
 /// In 3D with double precision.
@@ -124,5 +124,5 @@ pub mod solid_f64 {
     #[path = "thin.rs"]
     mod thin;
 
-    pub use both::run;
+    pub use both::{forged, run};
 }

@@ -1,7 +1,7 @@
 //! Where two recordings begin to differ.
 
 use super::error::RecordingError;
-use super::frame::{Frame, Opening, read_frame, read_opening};
+use super::frame::{Frame, read_frame, read_opening};
 use crate::step::StepStage;
 
 /// The first difference between two recordings.
@@ -82,7 +82,7 @@ pub fn compare_recordings(
 ) -> Result<Option<Difference>, RecordingError> {
     let (opening1, mut frames1) = read_opening(first)?;
     let (opening2, mut frames2) = read_opening(second)?;
-    if world_of(&opening1) != world_of(&opening2) {
+    if opening1.snapshot != opening2.snapshot {
         return Ok(Some(Difference::Start));
     }
     let mut step = 0;
@@ -99,10 +99,6 @@ pub fn compare_recordings(
         (frames1, frames2) = (rest1, rest2);
         step += 1;
     }
-}
-
-fn world_of(opening: &Opening) -> &[u8] {
-    &opening.snapshot
 }
 
 fn compare_frames(step: usize, one: &Frame, two: &Frame) -> Option<Difference> {

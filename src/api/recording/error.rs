@@ -19,6 +19,12 @@ pub enum RecordingError {
         /// The format of this version.
         expected: u16,
     },
+    /// The data in front of the steps is damaged.
+    #[error("the opening of the recording: {reason}")]
+    Opening {
+        /// The defect, with the value.
+        reason: String,
+    },
     /// A snapshot in the recording cannot be made or restored.
     #[error(transparent)]
     Snapshot(#[from] SnapshotError),

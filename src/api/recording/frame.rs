@@ -88,16 +88,12 @@ pub fn read_opening(recording: &[u8]) -> Result<(Opening, &[u8]), RecordingError
     if found != FORMAT {
         return Err(RecordingError::Format { found, expected: FORMAT });
     }
-    read(rest).map_err(damaged(0))
+    read(rest).map_err(|CodecError(reason)| RecordingError::Opening { reason })
 }
 
 /// Reads a frame, and returns it with the frames that follow it.
 pub fn read_frame(frames: &[u8], step: usize) -> Result<(Frame, &[u8]), RecordingError> {
-    read(frames).map_err(damaged(step))
-}
-
-fn damaged(step: usize) -> impl FnOnce(CodecError) -> RecordingError {
-    move |CodecError(reason)| RecordingError::Damaged { step, reason }
+    read(frames).map_err(|CodecError(reason)| RecordingError::Damaged { step, reason })
 }
 
 /// Bytes as one piece: serde's derived code would read and write them one at a time.

@@ -40,6 +40,8 @@ pub struct Recorder {
     next: Vec<u8>,
     steps: usize,
     with_stages: bool,
+    /// Why the recording has ended.
+    failure: Option<RecordingError>,
 }
 
 impl Recorder {
@@ -53,7 +55,7 @@ impl Recorder {
         let opening = Opening { title: title.to_string(), engine, snapshot };
         let bytes = write_opening(&opening);
         let last = opening.snapshot;
-        Ok(Self { bytes, last, next: Vec::new(), steps: 0, with_stages: false })
+        Ok(Self { bytes, last, next: Vec::new(), steps: 0, with_stages: false, failure: None })
     }
 
     /// Records hashes after every stage of a step, too. A divergence then names the stage.
@@ -71,7 +73,8 @@ impl Recorder {
     /// Records the edits since the last step, steps the world, and records the hashes.
     ///
     /// # Errors
-    /// If the world cannot be saved. The world is stepped all the same, and the recording lacks this step.
+    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped all the same, in this call and in all later ones, which
+    /// return the same error.
     pub fn step(&mut self, world: &mut PhysicsWorld) -> Result<(), RecordingError> {
         self.step_with_events(world, &(), &())
     }
@@ -79,17 +82,30 @@ impl Recorder {
     /// The same as [`Self::step`]. Hooks are not recorded: a replay needs the same ones.
     ///
     /// # Errors
-    /// If the world cannot be saved. The world is stepped all the same, and the recording lacks this step.
+    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped all the same, in this call and in all later ones, which
+    /// return the same error.
     pub fn step_with_events(
         &mut self,
         world: &mut PhysicsWorld,
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) -> Result<(), RecordingError> {
-        let edits = self.find_edits(world);
+        let edits = self.is_open().and_then(|()| self.find_edits(world));
         world.physics_pipeline.set_stage_hashes(self.with_stages);
         world.step_with_events(hooks, events);
-        let edits = edits?;
+        let recorded = edits.and_then(|edits| self.append(world, edits));
+        if let Err(error) = &recorded {
+            self.failure = Some(error.clone());
+        }
+        recorded
+    }
+
+    fn is_open(&self) -> Result<(), RecordingError> {
+        self.failure.clone().map_or(Ok(()), Err)
+    }
+
+    /// Records what the step made of the world.
+    fn append(&mut self, world: &PhysicsWorld, edits: Option<Edits>) -> Result<(), RecordingError> {
         world.write_snapshot(&mut self.last)?;
         write_frame(&Frame::of(world, edits), &mut self.bytes);
         self.steps += 1;

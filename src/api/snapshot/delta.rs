@@ -60,8 +60,8 @@ pub fn snapshot_delta(base: &[u8], next: &[u8]) -> Result<Vec<u8>, SnapshotError
 /// If `base` is another snapshot than the one that the delta was made from, or if the delta is damaged.
 pub fn apply_snapshot_delta(base: &[u8], delta: &[u8]) -> Result<Vec<u8>, SnapshotError> {
     open(base)?;
-    let rest = delta.strip_prefix(&MAGIC).ok_or(SnapshotError::NotASnapshot)?;
-    let (expected, runs) = rest.split_first_chunk().ok_or(SnapshotError::NotASnapshot)?;
+    let rest = delta.strip_prefix(&MAGIC).ok_or(SnapshotError::NotADelta)?;
+    let (expected, runs) = rest.split_first_chunk().ok_or(SnapshotError::NotADelta)?;
     let (expected, found) = (u64::from_le_bytes(*expected), checksum(base));
     if expected != found {
         return Err(SnapshotError::Base { expected, found });

@@ -11,6 +11,9 @@ pub enum SnapshotError {
     /// The first bytes are not those of a snapshot.
     #[error("the data does not begin as a snapshot does")]
     NotASnapshot,
+    /// The first bytes are not those of a delta of snapshots.
+    #[error("the data does not begin as a delta of snapshots does")]
+    NotADelta,
     /// The data ends before its header says so.
     #[error("the snapshot has {expected} bytes, the data {found}")]
     Length {

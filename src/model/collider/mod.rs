@@ -26,6 +26,8 @@ mod record;
 mod saved;
 mod set;
 mod setters;
+#[cfg(feature = "serde-serialize")]
+mod shape_table;
 mod shapes;
 mod spread;
 mod widths;

@@ -90,7 +90,7 @@ impl Loaded for Collider {
 
     #[cfg(feature = "serde-serialize")]
     fn complete_loaded(&mut self) {
-        self.widths = Widths::of_costly(&*self.shape);
+        self.widths = super::shape_table::widths_of(&self.shape);
     }
 }
 

@@ -9,7 +9,9 @@
 
 use super::check::{check_elements, check_parts, check_points, check_shape};
 use super::grid::filled_cells;
-use super::{ColliderBuilder, InvalidCollider};
+use super::shape_table::{self, OpenTable};
+use super::widths::Widths;
+use super::{ColliderBuilder, ColliderSet, InvalidCollider};
 use crate::base::fault::Fault;
 use crate::dim::math::{Pose, Vector};
 use crate::dim::saved::{PlainShape, SavedField, check_hull};
@@ -23,21 +25,65 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 #[derive(Serialize, Deserialize)]
 enum SavedShape {
     Plain(PlainShape),
-    TriMesh { vertices: Vec<Vector>, indices: Vec<[u32; 3]>, flags: u16 },
-    Polyline { vertices: Vec<Vector>, indices: Vec<[u32; 2]>, flags: u8 },
+    TriMesh {
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 3]>,
+        flags: u16,
+    },
+    Polyline {
+        vertices: Vec<Vector>,
+        indices: Vec<[u32; 2]>,
+        flags: u8,
+    },
     HeightField(SavedField),
-    Voxels { size: Vector, cells: Vec<IVector> },
-    Compound { parts: Vec<(Pose, PlainShape)>, flags: u8 },
+    Voxels {
+        size: Vector,
+        cells: Vec<IVector>,
+    },
+    Compound {
+        parts: Vec<(Pose, PlainShape)>,
+        flags: u8,
+    },
+    /// The same as an earlier [large](super::shape_table) shape of the set, with this number.
+    Earlier(u32),
 }
 
 /// Saves a shape.
 pub fn serialize<S: Serializer>(shape: &SharedShape, serializer: S) -> Result<S::Ok, S::Error> {
-    SavedShape::of(shape).map_err(serde::ser::Error::custom)?.serialize(serializer)
+    if let Some(number) = shape_table::number_of(shape) {
+        return SavedShape::Earlier(number).serialize(serializer);
+    }
+    let saved = SavedShape::of(shape).map_err(serde::ser::Error::custom)?;
+    shape_table::enter(shape, || None);
+    saved.serialize(serializer)
 }
 
 /// Loads a shape.
 pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SharedShape, D::Error> {
-    SavedShape::deserialize(deserializer)?.restore().map_err(D::Error::custom)
+    let saved = SavedShape::deserialize(deserializer)?;
+    if let SavedShape::Earlier(number) = saved {
+        let missing = || D::Error::custom(format_args!("there is no earlier shape {number}"));
+        return shape_table::shape_at(number).ok_or_else(missing);
+    }
+    let shape = saved.restore().map_err(D::Error::custom)?;
+    shape_table::enter(&shape, || Widths::of_costly(&*shape));
+    Ok(shape)
+}
+
+/// Shapes that colliders of a set share are saved once.
+impl Serialize for ColliderSet {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let _table = OpenTable::new();
+        // The associated function that the attribute `remote` derives.
+        Self::serialize(self, serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for ColliderSet {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let _table = OpenTable::new();
+        Self::deserialize(deserializer)
+    }
 }
 
 impl From<InvalidCollider> for Fault {
@@ -95,6 +141,9 @@ impl SavedShape {
                 check_parts(&parts)?;
                 let flags = CompoundFlags::from_bits_truncate(flags);
                 SharedShape::new(Compound::with_flags(parts, flags, None))
+            }
+            Self::Earlier(number) => {
+                return Err(Fault::new(format_args!("shape {number} is not part of this one")));
             }
         };
         check_shape(&*shape)?;

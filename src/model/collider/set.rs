@@ -28,6 +28,7 @@ pub(crate) struct RemovedCollider {
 /// Iteration is in the order of the slots: the same insertions and removals give the same order.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct ColliderSet {
     colliders: Arena<Collider>,
     notes: Notes,

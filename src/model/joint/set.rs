@@ -400,17 +400,25 @@ check_when_loaded!(ImpulseJointSet);
 /// Each joint is filed under its bodies, and nothing else is.
 impl Loaded for ImpulseJointSet {
     fn check_loaded(&self) -> Result<(), Fault> {
-        let mut count = 0;
-        for (index, entry) in self.joints.iter() {
-            let handle = ImpulseJointHandle(index);
-            for slot in slots_of(entry.filed) {
-                let files = self.handles_of(slot).iter().filter(|filed| **filed == handle).count();
-                ensure!(files == 1, "{handle:?} is filed {files} times under body {slot}");
-                count += 1;
+        // By joint slot: a bit for each of its bodies under which the joint was found.
+        let mut found = vec![0_u8; self.joints.slot_count()];
+        for (&slot, handles) in &self.of_body {
+            for handle in handles {
+                let entry = self.joints.get(handle.0);
+                let side = entry.and_then(|it| slots_of(it.filed).position(|filed| filed == slot));
+                let Some(side) = side else {
+                    return Err(Fault::new(format_args!("{handle:?} is filed under body {slot}")));
+                };
+                let found = &mut found[handle.into_raw_parts().0 as usize];
+                ensure!(*found >> side & 1 == 0, "{handle:?} is filed twice under body {slot}");
+                *found |= 1 << side;
             }
         }
-        let filed: usize = self.of_body.values().map(Vec::len).sum();
-        ensure!(filed == count, "{filed} joints are filed, and {count} are there");
+        for (index, entry) in self.joints.iter() {
+            let bodies = slots_of(entry.filed).count() as u32;
+            let found = found[index.into_raw_parts().0 as usize].count_ones();
+            ensure!(found == bodies, "joint {index:?} is filed under {found} of {bodies} bodies");
+        }
         Ok(())
     }
 }

@@ -136,7 +136,10 @@ impl SolverContacts {
                 are_all || !multibodies.take_over(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
-                let members = members.map(|at| (at, slots(at)));
+                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                let mut members: Vec<_> = members.collect();
+                members.sort_unstable_by_key(|at| (contacts.collider_slots(at.pair), at.manifold));
+                let members = members.into_iter().map(|at| (at, slots(at)));
                 self.layout.add_side_by_side(members, &mut self.overflow);
             } else if are_all {
                 // Nothing is to be asked, and the list is copied as it is.

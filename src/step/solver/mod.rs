@@ -20,6 +20,7 @@ mod bodies;
 mod contacts;
 mod groups;
 mod impacts;
+mod island_sums;
 mod joints;
 mod keep;
 mod layout;

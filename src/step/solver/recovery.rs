@@ -29,6 +29,7 @@
 //! that something drives are left out: joints, multibodies, moving kinematic bodies, dominance and moving surfaces all do work.
 
 use super::bodies::SolverBodies;
+use super::island_sums::IslandSums;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::{Real, ang_dot, inertia_of, mul_inertia};
@@ -77,6 +78,8 @@ pub(super) struct Recovery {
     islands: Vec<IslandEnergy>,
     /// By index of a body: the factor on its velocity in this substep.
     scales: Vec<Real>,
+    /// What bodies gained, and of that the positive part.
+    gains: IslandSums<2>,
     is_active: bool,
 }
 
@@ -156,13 +159,20 @@ impl Recovery {
         for island in &mut self.islands {
             (island.gain, island.positive) = (0.0, 0.0);
         }
+        self.gains.clear();
         let [_, members] = bodies.moving();
         for index in members {
-            let Some(island) = self.watched(bodies.islands[index]) else { continue };
-            let (before, after) = energies(bodies, index);
-            island.gain += after - before;
-            island.positive += (after - before).max(0.0);
+            let island = bodies.islands[index];
+            if self.watched(island).is_some() {
+                let (before, after) = energies(bodies, index);
+                self.gains.push(island, [after - before, (after - before).max(0.0)]);
+            }
         }
+        self.gains.for_each(|island, [gain, positive]| {
+            let island = &mut self.islands[island as usize];
+            island.gain += gain;
+            island.positive += positive;
+        });
     }
 
     /// The fractions of its impulses that a block of contacts keeps, if not all of them: those of the body that keeps less.
@@ -177,8 +187,8 @@ impl Recovery {
         factors.0.iter().any(|&factor| factor < 1.0).then_some(factors)
     }
 
-    fn watched(&mut self, island: u32) -> Option<&mut IslandEnergy> {
-        let energy = self.islands.get_mut(island as usize)?;
+    fn watched(&self, island: u32) -> Option<&IslandEnergy> {
+        let energy = self.islands.get(island as usize)?;
         energy.is_watched().then_some(energy)
     }
 }

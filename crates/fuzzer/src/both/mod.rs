@@ -23,6 +23,8 @@ mod witness;
 mod world;
 #[path = "../../../../tests/worlds/damage.rs"]
 mod damage;
+#[path = "../../../../tests/worlds/forged.rs"]
+pub mod forged;
 #[path = "../../../../tests/worlds/sets.rs"]
 mod saved;
 #[path = "../../../../tests/worlds/tree.rs"]

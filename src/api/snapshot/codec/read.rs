@@ -40,6 +40,11 @@ impl Reader<'_> {
     }
 
     fn varint64(&mut self) -> Result<u64, CodecError> {
+        // Most numbers are small.
+        if let [byte @ ..0x80, rest @ ..] = self.rest {
+            self.rest = rest;
+            return Ok(u64::from(*byte));
+        }
         let mut value = 0;
         for shift in (0..u64::BITS).step_by(7) {
             let byte = self.byte()?;
@@ -56,6 +61,11 @@ impl Reader<'_> {
     }
 
     fn varint128(&mut self) -> Result<u128, CodecError> {
+        // Most numbers are small.
+        if let [byte @ ..0x80, rest @ ..] = self.rest {
+            self.rest = rest;
+            return Ok(u128::from(*byte));
+        }
         let mut value = 0;
         for shift in (0..u128::BITS).step_by(7) {
             let byte = self.byte()?;

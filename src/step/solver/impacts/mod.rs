@@ -82,6 +82,7 @@ mod touched;
 
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, for_each_color};
+use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
 use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
@@ -134,8 +135,8 @@ struct Memory {
     accounts: Vec<Account>,
     /// Nothing until something hits in this step.
     grants: Vec<Grant>,
-    /// Of those that are struck: the work of joints in this round.
-    works: Vec<Real>,
+    /// Of those that are struck: what the contacts and joints add to [`Account::stopped`] and [`Account::surplus`] in this round.
+    sums: IslandSums<2>,
 }
 
 /// How many visits an island is worth: how many of its contacts bounce, and the largest restitution among them.
@@ -268,7 +269,7 @@ impl Impacts {
     /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
     fn open_accounts(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
         let Self { blocks, struck, memory, .. } = self;
-        let Memory { accounts, grants, works, .. } = memory;
+        let Memory { accounts, grants, .. } = memory;
         if grants.is_empty() {
             grants.resize(bodies.island_bound().max(links.island_bound()), Grant::default());
             // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
@@ -288,8 +289,6 @@ impl Impacts {
         accounts.clear();
         let account = |grant: &Grant| Account { visits: grant.visits(), ..Account::default() };
         accounts.extend(grants.iter().map(account));
-        works.clear();
-        works.resize(grants.len(), 0.0);
         struck.clear();
     }
 
@@ -314,8 +313,8 @@ impl Impacts {
             let account = &mut accounts[island as usize];
             (account.is_struck, account.is_moving) = (false, false);
             (account.stopped, account.surplus) = (0.0, 0.0);
-            memory.works[island as usize] = 0.0;
         }
+        memory.sums.clear();
         struck.clear();
         touched.begin_round();
         for color in &*colors {
@@ -352,11 +351,11 @@ impl Impacts {
             if !self.find_moving(around.links.0) {
                 break;
             }
-            let Memory { accounts, works, .. } = &mut self.memory;
+            let Memory { accounts, sums, .. } = &mut self.memory;
             let islands = &bodies.islands;
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
             let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
-            let add_work = |body: u32, work: Real| works[islands[body as usize] as usize] += work;
+            let add_work = |body: u32, work: Real| sums.push(islands[body as usize], [work; 2]);
             let changes = Changes {
                 held: &self.touched.bodies[..held],
                 start: &self.touched.start,
@@ -368,17 +367,14 @@ impl Impacts {
         }
         around.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
         self.visit(Turn::End, bodies, around);
+        let sums = &mut self.memory.sums;
         for block in &self.struck.blocks {
             for lane in block.lanes() {
-                let account = &mut self.memory.accounts[block.islands[lane] as usize];
-                account.stopped += block.stopped.0[lane];
-                account.surplus += block.surplus.0[lane];
+                sums.push(block.islands[lane], [block.stopped.0[lane], block.surplus.0[lane]]);
             }
         }
         for contact in around.links.0.struck() {
-            let account = &mut self.memory.accounts[contact.strike.island as usize];
-            account.stopped += contact.strike.stopped;
-            account.surplus += contact.strike.surplus;
+            sums.push(contact.strike.island, [contact.strike.stopped, contact.strike.surplus]);
         }
         around.joints.share_delays(&mut self.touched.delays);
         self.settle_round(bodies, around, pass);
@@ -391,11 +387,15 @@ impl Impacts {
         around: &mut Around<'_>,
         pass: &ImpactPass,
     ) {
-        let Memory { accounts, works, .. } = &mut self.memory;
+        let Memory { accounts, sums, .. } = &mut self.memory;
+        sums.for_each(|island, [stopped, surplus]| {
+            if let Some(account) = accounts.get_mut(island as usize) {
+                account.stopped += stopped;
+                account.surplus += surplus;
+            }
+        });
         for &island in &self.struck.islands {
-            let (account, work) = (&mut accounts[island as usize], works[island as usize]);
-            account.stopped += work;
-            account.surplus += work;
+            let account = &mut accounts[island as usize];
             if account.share() == 0.0 {
                 account.visits = 0;
             }

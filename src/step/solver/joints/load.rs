@@ -14,6 +14,7 @@ use crate::dim::math::{
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
+use crate::model::constraint_graph::OVERFLOW;
 use crate::model::island::IslandManager;
 use crate::model::joint::{
     GenericJoint, ImpulseJoint, ImpulseJointSet, JointLimits, MotorModel, mask_of, nearest_turn,
@@ -65,7 +66,12 @@ impl SolverJoints {
         self.slots.clear();
         self.colors.clear();
         for (color, list) in from.islands.joint_graph.in_solving_order() {
+            let first = self.slots.len();
             self.slots.extend_from_slice(list);
+            if color == OVERFLOW {
+                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                self.slots[first..].sort_unstable();
+            }
             self.colors.push((color, list.len()));
         }
         let slots = &self.slots;

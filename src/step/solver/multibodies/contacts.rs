@@ -94,6 +94,10 @@ impl SolverMultibodies {
     ) {
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
+        // The links of one multibody take part in each other's contacts, so the order matters. That in which contacts stand in
+        // their colours depends on the rest of the world.
+        let order = |at: &ManifoldRef| (narrow_phase.contacts.collider_slots(at.pair), at.manifold);
+        self.left_out.sort_unstable_by_key(order);
         for position in 0..self.left_out.len() {
             let at = self.left_out[position];
             let slots = narrow_phase.contacts.bodies(at.pair);

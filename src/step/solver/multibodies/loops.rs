@@ -100,7 +100,9 @@ impl SolverMultibodies {
         let slots = islands.joint_graph.in_solving_order().flat_map(|(_, list)| list);
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
         let links = links.filter(|link| self.solves_one_of(link.body_slots()));
-        let joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
+        let mut joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
+        // They are solved one after the other, and their order in the colours depends on the rest of the world.
+        joined.sort_unstable_by_key(|(_, handle)| handle.into_raw_parts());
         for (slots, handle) in joined {
             let Some(joint) = joints.get(handle) else { continue };
             let sides = slots.map(|slot| self.side(slot, true, world, bodies));
