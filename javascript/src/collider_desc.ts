@@ -8,6 +8,7 @@ import {
     RotationOps,
     type Vector,
     VectorOps,
+    copyRotation,
     putMassProperties,
     putRotation,
     putVector,
@@ -59,7 +60,7 @@ export class ColliderDescBase {
     }
 
     setRotation(rot: Rotation): this {
-        this.rotation = typeof rot === "object" ? { ...(rot as object) } as Rotation : rot;
+        this.rotation = copyRotation(rot);
         return this;
     }
 

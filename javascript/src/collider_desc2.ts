@@ -96,10 +96,10 @@ export class ColliderDesc extends ColliderDescBase {
         vertices: ArrayLike<number>,
         indices: Uint32Array,
         params?: VHACDParameters,
-        _flags?: CompoundFlags,
+        flags?: CompoundFlags,
     ): ColliderDesc | null {
         try {
-            return new ColliderDesc(decompose(vertices, indices, params));
+            return new ColliderDesc(decompose(vertices, indices, params, flags));
         } catch {
             return null;
         }
