@@ -1,4 +1,4 @@
-// The parts of descriptions of colliders that both dimensions have. collider_desc2.ts and collider_desc3.ts add constructors.
+// The parts of descriptions of colliders that both dimensions have. collider_shapes.ts and those of the dimensions add constructors.
 
 import {
     type AngVector,
