@@ -1,7 +1,6 @@
 // One adapter for each engine: builds a scene, and returns the function that steps it and one that reads a height.
 
-import { join } from "node:path";
-import { pathToFileURL } from "node:url";
+import { ours as loadOurs, published as load } from "#load";
 
 /** Ours and the published packages: one API. */
 function rapier(load) {
@@ -41,21 +40,21 @@ function rapier(load) {
 }
 
 const published = (name) => async (dimension) => {
-    const RAPIER = await import(name.replace("%", dimension));
+    const RAPIER = await load(name.replace("%d", `${dimension}d`));
     await RAPIER.init();
     return RAPIER;
 };
 
 const ours = (simd) => async (dimension) => {
-    const RAPIER = await import(pathToFileURL(join(import.meta.dirname, `../../rapier${dimension}d/pkg/rapier.node.mjs`)));
+    const RAPIER = await loadOurs(dimension);
     await RAPIER.init({ simd });
     return RAPIER;
 };
 
 /** Jolt: 3D, one thread, SIMD. */
 async function jolt(_dimension, { bodies, joints }) {
-    const { default: load } = await import("jolt-physics/wasm-compat");
-    const Jolt = await load();
+    const { default: make } = await load("jolt-physics/wasm-compat");
+    const Jolt = await make();
     const settings = new Jolt.JoltSettings();
     settings.mMaxBodies = 8192;
     settings.mMaxBodyPairs = 40000;
@@ -107,8 +106,8 @@ async function jolt(_dimension, { bodies, joints }) {
 
 /** Box2D 3: 2D, one thread, SIMD. */
 async function box2d(_dimension, { bodies, joints }) {
-    const { default: load } = await import("box2d3-wasm");
-    const b2 = await load();
+    const { default: make } = await load("box2d3-wasm");
+    const b2 = await make();
     const worldDef = b2.b2DefaultWorldDef();
     worldDef.gravity.Set(0, -9.81);
     worldDef.enableSleep = false;

@@ -98,11 +98,28 @@ function meshGround(dimension, count) {
     return { bodies, joints: [] };
 }
 
+/** Chains of balls that hang from a point each, and swing down from the horizontal. */
+function chains(_dimension, count) {
+    const [bodies, joints] = [[], []];
+    for (let chain = 0; chain < count; chain += 1) {
+        const x = chain * 12;
+        let last = bodies.push({ fixed: true, at: [x, 10, 0], shape: ball(0.1) }) - 1;
+        for (let link = 1; link <= 5; link += 1) {
+            const next = bodies.push({ at: [x + link, 10, 0], shape: ball(0.3) }) - 1;
+            joints.push({ bodies: [last, next], at: [x + (link === 1 ? 0 : link - 0.5), 10, 0] });
+            last = next;
+        }
+    }
+    return { bodies, joints, steps: 2000, warm: 300 };
+}
+
 /** The scenes by name. */
 export const SCENES = {
     "1000 boxes": (dimension) => boxes(dimension, 1000),
     "5000 boxes": (dimension) => boxes(dimension, 5000),
     "50 ragdolls": (dimension) => ragdolls(dimension, 50),
     "joint grid": (dimension) => jointGrid(dimension, 30),
+    "a chain of 5": (dimension) => chains(dimension, 1),
+    "10 chains of 5": (dimension) => chains(dimension, 10),
     "mesh ground": (dimension) => meshGround(dimension, 500),
 };

@@ -154,7 +154,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Makes the character climb no steps. */
     disableAutostep(): void {
-        raw.character_set_autostep(this.id, NaN, 0, 0);
+        raw.character_clear_autostep(this.id);
     }
 
     /** The steepest slope that the character climbs, in radians. */
@@ -189,7 +189,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Stops the ground from pulling the character down. */
     disableSnapToGround(): void {
-        this.set(Setting.snap, NaN);
+        raw.character_clear_snap(this.id);
     }
 
     /** Returns whether the ground pulls the character down. */

@@ -1,4 +1,4 @@
-// The parts of descriptions of colliders that both dimensions have. collider_desc2.ts and collider_desc3.ts add constructors.
+// The parts of descriptions of colliders that both dimensions have. collider_shapes.ts and those of the dimensions add constructors.
 
 import {
     type AngVector,
@@ -8,6 +8,7 @@ import {
     RotationOps,
     type Vector,
     VectorOps,
+    copyRotation,
     putMassProperties,
     putRotation,
     putVector,
@@ -59,7 +60,7 @@ export class ColliderDescBase {
     }
 
     setRotation(rot: Rotation): this {
-        this.rotation = typeof rot === "object" ? { ...(rot as object) } as Rotation : rot;
+        this.rotation = copyRotation(rot);
         return this;
     }
 

@@ -72,3 +72,6 @@ export { DebugRenderBuffers, DebugRenderPipeline } from "./debug_render.js";
 export { BodyViews, bodyIndex } from "./views.js";
 export { type BodyChange } from "./world.js";
 export { PhysicsWorld } from "./physics_world.js";
+export { type Port } from "./shared_steps.js";
+export { WorldFollower } from "./world_follower.js";
+export { type PublishOptions, WorldPublisher, canShareMemory } from "./world_publisher.js";

@@ -1,6 +1,7 @@
 // What differs by dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
 
 import { scratch } from "./raw.js";
+import type { RealArray } from "#real";
 
 /** The number of dimensions. */
 export const DIM = 2;
@@ -88,6 +89,21 @@ function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
     return target;
 }
 
+/** A vector of its own with the same components. Those of other libraries may be accessors, which a spread leaves out. */
+export function copyVector({ x, y }: Vector): Vector {
+    return new Vector2(x, y);
+}
+
+/** An angular quantity of its own. In 2D it is a number. */
+export function copyAngular(value: AngVector): AngVector {
+    return value;
+}
+
+/** A rotation of its own. In 2D it is a number. */
+export function copyRotation(rotation: Rotation): Rotation {
+    return rotation;
+}
+
 /** The vector at a position of an array. */
 export function vectorAt(numbers: ArrayLike<number>, at: number, target?: Vector): Vector {
     return fill(target ?? VectorOps.zeros(), numbers, at);
@@ -96,6 +112,12 @@ export function vectorAt(numbers: ArrayLike<number>, at: number, target?: Vector
 /** The rotation at a position of an array. */
 export function rotationAt(numbers: ArrayLike<number>, at: number, _target?: Rotation): Rotation {
     return numbers[at]!;
+}
+
+/** Writes the rotation between two at a position of arrays: the shorter way round, `share` of it. */
+export function blendRotation(out: RealArray, at: number, from: ArrayLike<number>, to: ArrayLike<number>, share: number): void {
+    const turn = to[at]! - from[at]!;
+    out[at] = from[at]! + (turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI))) * share;
 }
 
 /** Appends the components of a vector. */

@@ -1,6 +1,7 @@
 // What differs by dimension: vectors, rotations, and enumerations. dim2.ts has the same names.
 
 import { scratch } from "./raw.js";
+import type { RealArray } from "#real";
 
 /** The number of dimensions. */
 export const DIM = 3;
@@ -196,6 +197,19 @@ function fillRotation(target: Rotation, numbers: ArrayLike<number>, at: number):
     return target;
 }
 
+/** A vector of its own with the same components. Those of other libraries may be accessors, which a spread leaves out. */
+export function copyVector({ x, y, z }: Vector): Vector {
+    return new Vector3(x, y, z);
+}
+
+/** An angular quantity of its own. */
+export const copyAngular: (value: AngVector) => AngVector = copyVector;
+
+/** A rotation of its own with the same components. */
+export function copyRotation({ x, y, z, w }: Rotation): Rotation {
+    return new Quaternion(x, y, z, w);
+}
+
 /** The vector at a position of an array. */
 export function vectorAt(numbers: ArrayLike<number>, at: number, target?: Vector): Vector {
     return fill(target ?? VectorOps.zeros(), numbers, at);
@@ -204,6 +218,24 @@ export function vectorAt(numbers: ArrayLike<number>, at: number, target?: Vector
 /** The rotation at a position of an array. */
 export function rotationAt(numbers: ArrayLike<number>, at: number, target?: Rotation): Rotation {
     return fillRotation(target ?? RotationOps.identity(), numbers, at);
+}
+
+/** Writes the rotation between two at a position of arrays: the shorter way round, `share` of it. */
+export function blendRotation(out: RealArray, at: number, from: ArrayLike<number>, to: ArrayLike<number>, share: number): void {
+    let [dot, square] = [0, 0];
+    for (let component = at; component < at + ROTATION; component += 1) {
+        dot += from[component]! * to[component]!;
+    }
+    const end = dot < 0 ? -share : share;
+    for (let component = at; component < at + ROTATION; component += 1) {
+        const value = from[component]! * (1 - share) + to[component]! * end;
+        out[component] = value;
+        square += value * value;
+    }
+    const scale = 1 / Math.sqrt(square);
+    for (let component = at; component < at + ROTATION; component += 1) {
+        out[component] = out[component]! * scale;
+    }
 }
 
 /** Appends the components of a vector. */

@@ -40,6 +40,7 @@ export enum ActiveHooks {
 
 /** What the solver does with a pair. */
 export enum SolverFlags {
+    /** Contacts are computed and reported, and the bodies pass through each other. */
     EMPTY = 0,
     COMPUTE_IMPULSE = 1,
 }

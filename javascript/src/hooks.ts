@@ -49,14 +49,13 @@ export class ContactModification {
         putNumber(2, 1, this.restitution);
         putNumber(2, 2, this.userData & 0xffff);
         putNumber(2, 3, this.userData >>> 16);
-        const computes = this.solverFlags & SolverFlags.COMPUTE_IMPULSE;
-        return Answer.written | (this.keep ? Answer.keepContacts : 0) | (computes ? Answer.computeImpulses : 0);
+        return Answer.written | (this.keep ? Answer.keepContacts : 0) | computeBit(this.solverFlags);
     }
 }
 
 /** Decides about pairs and changes contacts while a step runs. Hooks may read bodies and colliders, and change nothing. */
 export interface PhysicsHooks {
-    /** Returns whether a pair collides, and whether forces are computed. Null leaves the pair out. */
+    /** Returns what the solver does with a pair: `EMPTY` computes and reports contacts without forces. Null leaves the pair out. */
     filterContactPair?(
         collider1: ColliderHandle,
         collider2: ColliderHandle,
@@ -90,12 +89,21 @@ export function presentHooks(hooks: PhysicsHooks): number {
     );
 }
 
+/** The bits of the answer to a filter. */
+function pairAnswer(flags: SolverFlags | null): number {
+    return flags === null ? 0 : Answer.keepContacts | computeBit(flags);
+}
+
+function computeBit(flags: SolverFlags): number {
+    return flags & SolverFlags.COMPUTE_IMPULSE ? Answer.computeImpulses : 0;
+}
+
 /** The function that the module calls. */
 export function hookOf(hooks: PhysicsHooks): Hook {
     return (kind, collider1, collider2, body1, body2) => {
         switch (kind) {
             case Kind.contact:
-                return hooks.filterContactPair!(collider1, collider2, body1, body2) === null ? 0 : 1;
+                return pairAnswer(hooks.filterContactPair!(collider1, collider2, body1, body2));
             case Kind.intersection:
                 return +hooks.filterIntersectionPair!(collider1, collider2, body1, body2);
             default: {

@@ -12,6 +12,8 @@ import {
     TRANSLATIONS,
     type Vector,
     VectorOps,
+    copyAngular,
+    copyRotation,
     getAngular,
     getAngularInertia,
     getRotation,
@@ -535,7 +537,7 @@ export class RigidBodyDesc {
     }
 
     setRotation(rot: Rotation): this {
-        this.rotation = typeof rot === "object" ? { ...(rot as object) } as Rotation : rot;
+        this.rotation = copyRotation(rot);
         return this;
     }
 
@@ -557,7 +559,7 @@ export class RigidBodyDesc {
     }
 
     setAngvel(vel: AngVector): this {
-        this.angvel = typeof vel === "object" ? { ...(vel as object) } as AngVector : vel;
+        this.angvel = copyAngular(vel);
         return this;
     }
 

@@ -1,6 +1,6 @@
 // The parts of rigid bodies that only 2D has, or that have other arguments there.
 
-import { type AxisFlags, type MassProperties, ROTATIONS, lockedBits } from "#dim";
+import { type AxisFlags, type MassProperties, ROTATIONS, copyVector, lockedBits } from "#dim";
 import { RigidBodyDesc as Desc, RigidBodyType } from "./rigid_body.js";
 
 export { RigidBody } from "./rigid_body.js";
@@ -53,7 +53,7 @@ export class RigidBodyDesc extends Desc {
     setAdditionalMassProperties(...properties: MassProperties): this {
         const [mass, centerOfMass, inertia] = properties;
         this.mass = mass;
-        this.centerOfMass = { ...centerOfMass };
+        this.centerOfMass = copyVector(centerOfMass);
         this.principalAngularInertia = inertia;
         this.massOnly = false;
         this.hasMassProperties = true;

@@ -9,6 +9,8 @@ import {
     type Rotation,
     RotationOps,
     TRANSLATIONS,
+    copyRotation,
+    copyVector,
     getRotation,
     lockedBits,
     splitLast,
@@ -89,9 +91,9 @@ export class RigidBodyDesc extends Desc {
     setAdditionalMassProperties(...properties: MassProperties): this {
         const [mass, centerOfMass, inertia, frame] = properties;
         this.mass = mass;
-        this.centerOfMass = { ...centerOfMass };
-        this.principalAngularInertia = { ...inertia };
-        this.angularInertiaLocalFrame = { ...frame };
+        this.centerOfMass = copyVector(centerOfMass);
+        this.principalAngularInertia = copyVector(inertia);
+        this.angularInertiaLocalFrame = copyRotation(frame);
         this.massOnly = false;
         this.hasMassProperties = true;
         return this;

@@ -494,7 +494,7 @@ export interface VHACDParameters {
 }
 
 /** The compound of convex parts that fill what a surface encloses. */
-export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, parameters: VHACDParameters = {}): Shape {
+export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, parameters: VHACDParameters = {}, flags = 0): Shape {
     const { concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls } = parameters;
     const numbers = [concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls];
     numbers.push(+(parameters.convexHullApproximation ?? true));
@@ -502,7 +502,7 @@ export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, par
     numbers.forEach((number, index) => putNumber(4 + (index >> 2), index & 3, number ?? NaN));
     putReals(vertices);
     putIntegers(indices);
-    const number = raw.shape_new(Code.decomposition, 0, 1);
+    const number = raw.shape_new(Code.decomposition, flags, 1);
     try {
         return read(raw.shape_describe(number));
     } finally {
@@ -559,7 +559,7 @@ export function read(code: number): Shape {
 }
 
 function readCompound(): Compound {
-    const [numbers, poses] = [integersCopy(), realsCopy()];
+    const [numbers, poses, flags] = [integersCopy(), realsCopy(), getNumber(SIZES, 3)];
     const stride = DIM + ROTATION;
     const shapes = Array.from(numbers, (number) => {
         try {
@@ -570,5 +570,5 @@ function readCompound(): Compound {
     });
     const positions = shapes.map((_, index) => vectorAt(poses, index * stride));
     const rotations = shapes.map((_, index) => rotationAt(poses, index * stride + DIM));
-    return new Compound(shapes, positions, rotations);
+    return new Compound(shapes, positions, rotations, flags);
 }

@@ -85,9 +85,8 @@ export class Heightfield extends Shape {
     }
 }
 
-/** A cylinder along the y axis. */
-export class Cylinder extends Shape {
-    readonly type: ShapeType.Cylinder = ShapeType.Cylinder;
+/** A shape of revolution about the y axis. */
+abstract class Revolved extends Shape {
     radius: number;
     halfHeight: number;
 
@@ -97,71 +96,64 @@ export class Cylinder extends Shape {
         this.radius = radius;
     }
 
+    protected abstract get code(): number;
+
     /** @internal */
     register(): number {
         putSizes(this.radius, this.halfHeight);
-        return raw.shape_new(Code.cylinder, 0, 0);
+        return raw.shape_new(this.code, 0, 0);
+    }
+}
+
+/** A shape of revolution about the y axis with a round border. */
+abstract class RoundRevolved extends Revolved {
+    borderRadius: number;
+
+    constructor(halfHeight: number, radius: number, borderRadius: number) {
+        super(halfHeight, radius);
+        this.borderRadius = borderRadius;
+    }
+
+    /** @internal */
+    override register(): number {
+        putSizes(this.radius, this.halfHeight, this.borderRadius);
+        return raw.shape_new(this.code, 0, 0);
+    }
+}
+
+/** A cylinder along the y axis. */
+export class Cylinder extends Revolved {
+    readonly type: ShapeType.Cylinder = ShapeType.Cylinder;
+
+    protected get code(): number {
+        return Code.cylinder;
     }
 }
 
 /** A cylinder along the y axis with a round border. */
-export class RoundCylinder extends Shape {
+export class RoundCylinder extends RoundRevolved {
     readonly type: ShapeType.RoundCylinder = ShapeType.RoundCylinder;
-    radius: number;
-    halfHeight: number;
-    borderRadius: number;
 
-    constructor(halfHeight: number, radius: number, borderRadius: number) {
-        super();
-        this.halfHeight = halfHeight;
-        this.radius = radius;
-        this.borderRadius = borderRadius;
-    }
-
-    /** @internal */
-    register(): number {
-        putSizes(this.radius, this.halfHeight, this.borderRadius);
-        return raw.shape_new(Code.roundCylinder, 0, 0);
+    protected get code(): number {
+        return Code.roundCylinder;
     }
 }
 
 /** A cone along the y axis, its tip up. */
-export class Cone extends Shape {
+export class Cone extends Revolved {
     readonly type: ShapeType.Cone = ShapeType.Cone;
-    radius: number;
-    halfHeight: number;
 
-    constructor(halfHeight: number, radius: number) {
-        super();
-        this.halfHeight = halfHeight;
-        this.radius = radius;
-    }
-
-    /** @internal */
-    register(): number {
-        putSizes(this.radius, this.halfHeight);
-        return raw.shape_new(Code.cone, 0, 0);
+    protected get code(): number {
+        return Code.cone;
     }
 }
 
 /** A cone along the y axis with a round border. */
-export class RoundCone extends Shape {
+export class RoundCone extends RoundRevolved {
     readonly type: ShapeType.RoundCone = ShapeType.RoundCone;
-    radius: number;
-    halfHeight: number;
-    borderRadius: number;
 
-    constructor(halfHeight: number, radius: number, borderRadius: number) {
-        super();
-        this.halfHeight = halfHeight;
-        this.radius = radius;
-        this.borderRadius = borderRadius;
-    }
-
-    /** @internal */
-    register(): number {
-        putSizes(this.radius, this.halfHeight, this.borderRadius);
-        return raw.shape_new(Code.roundCone, 0, 0);
+    protected get code(): number {
+        return Code.roundCone;
     }
 }
 

@@ -30,7 +30,7 @@ import { apart, bytesCopy, listCopy, putBytes, putList, putReals, raw, withCallb
 import type { RigidBodyHandle } from "./rigid_body.js";
 import { RigidBodySet } from "./rigid_body_set.js";
 import type { Shape } from "./shape.js";
-import { BodyViews } from "./views.js";
+import { BodyViews, bodyIndex } from "./views.js";
 
 /** The number of a restored world. */
 export interface RestoredWorld {
@@ -337,16 +337,12 @@ export class World extends Owner {
 
     /** Removes a body with its colliders and joints. */
     removeRigidBody(body: RigidBody): void {
-        this.own(body, "rigid body");
-        this.bodies.remove(body.handle);
+        this.bodies.remove(this.handleOf(body, "rigid body"));
     }
 
     /** Creates a collider. */
     createCollider(desc: ColliderDesc, parent?: RigidBody | null): Collider {
-        if (parent) {
-            this.own(parent, "rigid body");
-        }
-        return this.colliders.createCollider(this.bodies, desc, parent?.handle);
+        return this.colliders.createCollider(this.bodies, desc, parent ? this.handleOf(parent, "rigid body") : undefined);
     }
 
     /** The collider of a handle. Null if the handle finds none. */
@@ -356,8 +352,7 @@ export class World extends Owner {
 
     /** Removes a collider. */
     removeCollider(collider: Collider, wakeUp: boolean): void {
-        this.own(collider, "collider");
-        this.colliders.remove(collider.handle, this.islands, this.bodies, wakeUp);
+        this.colliders.remove(this.handleOf(collider, "collider"), this.islands, this.bodies, wakeUp);
     }
 
     /** Calls a function with each collider. */
@@ -379,16 +374,14 @@ export class World extends Owner {
 
     /** Joins two bodies by an impulse joint. */
     createImpulseJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): ImpulseJoint {
-        this.own(parent1, "rigid body");
-        this.own(parent2, "rigid body");
-        return this.impulseJoints.createJoint(this.bodies, params, parent1.handle, parent2.handle, wakeUp);
+        const [first, second] = [this.handleOf(parent1, "rigid body"), this.handleOf(parent2, "rigid body")];
+        return this.impulseJoints.createJoint(this.bodies, params, first, second, wakeUp);
     }
 
     /** Makes the second body a child of the first one, in a multibody. */
     createMultibodyJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): MultibodyJoint {
-        this.own(parent1, "rigid body");
-        this.own(parent2, "rigid body");
-        return this.multibodyJoints.createJoint(params, parent1.handle, parent2.handle, wakeUp);
+        const [first, second] = [this.handleOf(parent1, "rigid body"), this.handleOf(parent2, "rigid body")];
+        return this.multibodyJoints.createJoint(params, first, second, wakeUp);
     }
 
     /** The impulse joint of a handle. Null if the handle finds none. */
@@ -403,14 +396,12 @@ export class World extends Owner {
 
     /** Removes an impulse joint. */
     removeImpulseJoint(joint: ImpulseJoint, wakeUp: boolean): void {
-        this.own(joint, "impulse joint");
-        this.impulseJoints.remove(joint.handle, wakeUp);
+        this.impulseJoints.remove(this.handleOf(joint, "impulse joint"), wakeUp);
     }
 
     /** Removes a multibody joint. */
     removeMultibodyJoint(joint: MultibodyJoint, wakeUp: boolean): void {
-        this.own(joint, "multibody joint");
-        this.multibodyJoints.remove(joint.handle, wakeUp);
+        this.multibodyJoints.remove(this.handleOf(joint, "multibody joint"), wakeUp);
     }
 
     // ---- Controllers ----
@@ -452,7 +443,7 @@ export class World extends Owner {
     /** Changes many bodies at once: none if one of the values cannot be used. The values stand side by side, in the order of the bodies. */
     changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
         const own = apart(values);
-        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => body.handle));
+        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => this.handleOf(body, "rigid body")));
         putReals(own);
         raw.bodies_change(this.id, BODY_CHANGES.indexOf(change), +wakeUp);
     }
@@ -471,7 +462,8 @@ export class World extends Owner {
     /** What a query leaves out, with colliders and bodies as objects. */
     private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
         const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
-        return [flags, groups, collider?.handle, body?.handle, accept];
+        const left = [collider && this.handleOf(collider, "collider"), body && this.handleOf(body, "rigid body")] as const;
+        return [flags, groups, ...left, accept];
     }
 
     /** The first collider that a ray hits. */
@@ -578,28 +570,36 @@ export class World extends Owner {
 
     /** Calls a function with each collider that has a contact pair with a collider. */
     contactPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
-        this.narrowPhase.contactPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+        this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider"), (handle) => f(this.colliders.get(handle)!));
     }
 
     /** Calls a function with each collider that intersects a collider, one of them a sensor. */
     intersectionPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
-        this.narrowPhase.intersectionPairsWith(collider1.handle, (handle) => f(this.colliders.get(handle)!));
+        this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider"), (handle) => f(this.colliders.get(handle)!));
     }
 
     /** Calls a function with each manifold of a pair. `flipped` says that the manifold has the colliders in the other order. */
     contactPair(collider1: Collider, collider2: Collider, f: (manifold: TempContactManifold, flipped: boolean) => void): void {
-        this.narrowPhase.contactPair(collider1.handle, collider2.handle, this.bodies, f);
+        const [first, second] = [this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider")];
+        this.narrowPhase.contactPair(first, second, this.bodies, f);
     }
 
     /** Returns whether two colliders, one of them a sensor, intersect. */
     intersectionPair(collider1: Collider, collider2: Collider): boolean {
-        return this.narrowPhase.intersectionPair(collider1.handle, collider2.handle);
+        return this.narrowPhase.intersectionPair(this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider"));
+    }
+
+    /** The handle of an object of this world. */
+    private handleOf(object: { readonly world: World; readonly handle: number }, what: string): number {
+        this.own(object, what);
+        return object.handle;
     }
 
     /** @internal Refuses objects of other worlds. */
-    own(object: { readonly world: World }, what: string): void {
-        if (object.world !== this) {
-            throw new RapierError("StaleHandle", `the ${what} belongs to another world`);
+    own(object: { readonly world: World; readonly handle: number }, what: string): void {
+        // Libraries pass proxies of worlds: the number tells worlds apart.
+        if (object.world.id !== this.id) {
+            throw new RapierError("StaleHandle", `the ${what} ${bodyIndex(object.handle)} belongs to another world`);
         }
     }
 }

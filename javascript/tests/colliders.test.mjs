@@ -104,6 +104,19 @@ test("settings come back as they went in", () => {
     world.free();
 });
 
+test("flags of a compound come back as they went in", () => {
+    const world = makeWorld();
+    const parts = [[new RAPIER.Cuboid(...c(0.5, 0.5, 0.5)), v(0, 0)], [new RAPIER.Cuboid(...c(0.5, 0.5, 0.5)), v(1, 0)]];
+    for (const flags of [0, RAPIER.CompoundFlags.FIX_INTERNAL_EDGES]) {
+        const desc = ColliderDesc.compound(parts.map(([shape]) => shape), parts.map(([, at]) => at), parts.map(() => r(0)), flags);
+        const collider = world.createCollider(desc);
+        const restored = RAPIER.World.restoreSnapshot(world.takeSnapshot());
+        assert.equal(restored.getCollider(collider.handle).shape.flags, flags);
+        restored.free();
+    }
+    world.free();
+});
+
 test("sizes of shapes can be changed", () => {
     const world = makeWorld();
     const capsule = world.createCollider(ColliderDesc.capsule(0.5, 0.25));

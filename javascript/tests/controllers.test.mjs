@@ -59,6 +59,23 @@ test("a character climbs steps only if it may", () => {
     }
 });
 
+test("sizes of steps that are not numbers are refused, and change nothing", () => {
+    const world = makeWorld();
+    const controller = world.createCharacterController(0.01);
+    controller.enableAutostep(0.5, 0.25, true);
+    controller.enableSnapToGround(0.5);
+    assert.throws(() => controller.enableAutostep(NaN, 0.25, true), fails("InvalidValue", "maxHeight", "NaN"));
+    assert.throws(() => controller.enableAutostep(0.5, NaN, true), fails("InvalidValue", "minWidth", "NaN"));
+    assert.throws(() => controller.enableSnapToGround(NaN), fails("InvalidValue", "NaN"));
+    assert.equal(controller.autostepMaxHeight(), 0.5);
+    assert.equal(controller.snapToGroundDistance(), 0.5);
+    controller.disableAutostep();
+    controller.disableSnapToGround();
+    assert.equal(controller.autostepMaxHeight(), null);
+    assert.equal(controller.snapToGroundDistance(), null);
+    world.free();
+});
+
 test("settings of a character come back as they went in", () => {
     const { world, controller } = walker();
     assert.equal(controller.snapToGroundDistance(), null);

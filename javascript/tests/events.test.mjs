@@ -74,6 +74,25 @@ test("a hook lets pairs through", () => {
     world.free();
 });
 
+test("a filter leaves contacts without forces", () => {
+    const { world, ground, collider: floor } = makeGround();
+    const desc = ColliderDesc.ball(0.5).setActiveHooks(ActiveHooks.FILTER_CONTACT_PAIRS).setActiveEvents(ActiveEvents.COLLISION_EVENTS);
+    const { body, collider } = insert(world, 0, 1, desc);
+    const queue = new EventQueue(true);
+    const events = [];
+    for (let step = 0; step < 40; step += 1) {
+        world.step(queue, { filterContactPair: () => SolverFlags.EMPTY });
+        queue.drainCollisionEvents((_one, _other, started) => events.push(started));
+    }
+    assert.deepEqual(events, [true]);
+    let contacts = 0;
+    world.contactPair(collider, floor, (manifold) => (contacts += manifold.numContacts()));
+    assert.ok(contacts > 0);
+    assert.ok(body.translation().y < ground.translation().y + 1);
+    queue.free();
+    world.free();
+});
+
 test("hooks change contacts", () => {
     const { world } = makeGround();
     const belt = box(0.5, 0.5).setFriction(1).setActiveHooks(ActiveHooks.MODIFY_SOLVER_CONTACTS);

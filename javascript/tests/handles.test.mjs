@@ -35,6 +35,12 @@ test("objects of another world are refused", () => {
     const [one, other] = [makeGround(), makeGround()];
     assert.throws(() => one.world.removeRigidBody(other.ground), fails("StaleHandle", "another world"));
     assert.throws(() => one.world.createCollider(box(1, 1), other.ground), fails("StaleHandle"));
+    const zeros = new Float32Array(DIM);
+    assert.throws(() => one.world.changeBodies("translation", [other.ground], zeros), fails("StaleHandle", "another world"));
+    assert.throws(() => one.world.intersectionPair(one.collider, other.collider), fails("StaleHandle", "another world"));
+    const ray = new RAPIER.Ray(v(0, 5), v(0, -1));
+    const cast = () => one.world.castRay(ray, 10, true, undefined, undefined, other.collider);
+    assert.throws(cast, fails("StaleHandle", "another world"));
     one.world.free();
     other.world.free();
 });

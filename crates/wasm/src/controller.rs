@@ -85,7 +85,6 @@ fn change_character(
         setting::SLIDE_ANGLE => {
             controller.min_slope_slide_angle = finite("the angle", value)? as Real
         }
-        setting::SNAP if value.is_nan() => controller.snap_to_ground = None,
         setting::SNAP => {
             controller.snap_to_ground = Some(CharacterLength::Absolute(positive("distance")?))
         }
@@ -139,18 +138,24 @@ exports! {
         change_character(&mut character(number)?.controller, setting, value)?;
     }
 
-    /// Sets the steps that a character climbs. A height of NaN means none.
+    /// Sets the steps that a character climbs.
     fn character_set_autostep(number: u32, height: f64, width: f64, include_dynamic: u32) {
-        let character = character(number)?;
-        character.controller.autostep = if height.is_nan() {
-            None
-        } else {
-            Some(CharacterAutostep {
-                max_height: CharacterLength::Absolute(non_negative("maxHeight", height)? as Real),
-                min_width: CharacterLength::Absolute(non_negative("minWidth", width)? as Real),
-                include_dynamic_bodies: include_dynamic != 0,
-            })
+        let autostep = CharacterAutostep {
+            max_height: CharacterLength::Absolute(non_negative("maxHeight", height)? as Real),
+            min_width: CharacterLength::Absolute(non_negative("minWidth", width)? as Real),
+            include_dynamic_bodies: include_dynamic != 0,
         };
+        character(number)?.controller.autostep = Some(autostep);
+    }
+
+    /// Makes the ground pull a character down no longer.
+    fn character_clear_snap(number: u32) {
+        character(number)?.controller.snap_to_ground = None;
+    }
+
+    /// Makes a character climb no steps.
+    fn character_clear_autostep(number: u32) {
+        character(number)?.controller.autostep = None;
     }
 
     /// Computes the movement of a collider, of which the scratch block holds the wish. A mass that is not NaN pushes dynamic bodies.

@@ -15,7 +15,7 @@ const CONTACT: u32 = 0;
 const INTERSECTION: u32 = 1;
 const MODIFICATION: u32 = 2;
 
-/// The bits of the answer to a modification. The answer is 0 if the hook threw: the contacts stay as they are.
+/// The bits of the answer about contacts. The answer to a modification is 0 if the hook threw: the contacts stay as they are.
 const KEEP_CONTACTS: u32 = 1;
 const COMPUTE_IMPULSES: u32 = 2;
 const WRITTEN: u32 = 4;
@@ -54,22 +54,29 @@ impl<'a> Hooks<'a> {
         result
     }
 
-    fn filter(&self, kind: u32, pair: &PairFilterContext<'_>) -> bool {
+    /// Asks about a pair. Returns the answer.
+    fn filter(&self, kind: u32, pair: &PairFilterContext<'_>) -> u32 {
         let (collider1, collider2) = (pair.collider1.to_number(), pair.collider2.to_number());
         let (body1, body2) = (optional(pair.rigid_body1), optional(pair.rigid_body2));
         self.lend(pair.bodies, pair.colliders, || {
-            host::hook(kind, collider1, collider2, body1, body2) != 0
+            host::hook(kind, collider1, collider2, body1, body2)
         })
     }
 }
 
 impl PhysicsHooks for Hooks<'_> {
-    fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> bool {
-        !self.has(CONTACT) || self.filter(CONTACT, context)
+    fn contact_pair_flags(&self, context: &PairFilterContext<'_>) -> Option<SolverFlags> {
+        if !self.has(CONTACT) {
+            return Some(SolverFlags::default());
+        }
+        let answer = self.filter(CONTACT, context);
+        let computes = answer & COMPUTE_IMPULSES != 0;
+        let flags = if computes { SolverFlags::default() } else { SolverFlags::empty() };
+        (answer & KEEP_CONTACTS != 0).then_some(flags)
     }
 
     fn filter_intersection_pair(&self, context: &PairFilterContext<'_>) -> bool {
-        !self.has(INTERSECTION) || self.filter(INTERSECTION, context)
+        !self.has(INTERSECTION) || self.filter(INTERSECTION, context) != 0
     }
 
     fn modify_solver_contact(&self, context: &mut ContactModificationContext<'_>) {

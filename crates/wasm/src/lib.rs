@@ -18,6 +18,8 @@ use rapier3d as rapier;
 
 #[macro_use]
 mod exports;
+#[cfg(target_arch = "wasm32")]
+mod allocator;
 mod fault;
 mod handle;
 mod host;

@@ -9,7 +9,7 @@ use crate::memory::{
 use crate::rapier::geometry::{ColliderBuilder, SharedShape, TriMeshFlags, TypedShape};
 use crate::rapier::math::{DIM, Pose, Real, Vector};
 use crate::rapier::parry::math::IVector;
-use crate::rapier::parry::shape::{Compound, PolylineFlags};
+use crate::rapier::parry::shape::{Compound, CompoundFlags, PolylineFlags};
 use crate::rapier::parry::transformation::vhacd::VHACDParameters;
 use crate::registry::Registry;
 
@@ -137,6 +137,19 @@ fn parts() -> Result<Vec<(Pose, SharedShape)>, Fault> {
         parts.push((memory::pose(0)?, shape(number)?));
     }
     Ok(parts)
+}
+
+/// Gives a compound its flags. Other shapes have got theirs.
+fn with_compound_flags(shape: SharedShape, kind: u32, flags: u32) -> SharedShape {
+    let flags = CompoundFlags::from_bits_truncate(flags as _);
+    match shape.as_compound() {
+        Some(compound)
+            if matches!(kind, kind::COMPOUND | kind::DECOMPOSITION) && !flags.is_empty() =>
+        {
+            SharedShape::new(Compound::with_flags(compound.shapes().to_vec(), flags, None))
+        }
+        _ => shape,
+    }
 }
 
 /// Voxels at grid coordinates (integers) or around points (real numbers).
@@ -453,6 +466,7 @@ fn describe_compound(compound: &Compound) -> u32 {
     let numbers: Vec<u32> =
         compound.shapes().iter().map(|(_, part)| register(part.clone())).collect();
     put_integers(numbers);
+    put_number(SIZES, 3, compound.flags().bits() as Real);
     put_reals(compound.shapes().iter().flat_map(|(pose, _)| {
         memory::put_rotation(1, pose.rotation);
         let rotation: Vec<Real> =
@@ -469,7 +483,7 @@ exports! {
             finite("a size of the shape", number(SIZES, component))?;
         }
         let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(Fault::invalid)?;
-        register(shape)
+        register(with_compound_flags(shape, kind, flags))
     }
 
     /// Frees a shape. Colliders keep theirs.

@@ -115,15 +115,18 @@ impl<'a> Advisor<'a> {
 
     /// Do the character and the obstacle meet at all?
     pub fn lets_meet(&self, handle: ColliderHandle, obstacle: &Collider) -> bool {
-        !self.is_asked(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS)
-            || self.hooks.filter_contact_pair(&PairFilterContext {
-                bodies: self.bodies,
-                colliders: self.colliders,
-                collider1: handle,
-                collider2: self.handle,
-                rigid_body1: obstacle.parent(),
-                rigid_body2: self.character.and_then(Collider::parent),
-            })
+        if !self.is_asked(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS) {
+            return true;
+        }
+        let flags = self.hooks.contact_pair_flags(&PairFilterContext {
+            bodies: self.bodies,
+            colliders: self.colliders,
+            collider1: handle,
+            collider2: self.handle,
+            rigid_body1: obstacle.parent(),
+            rigid_body2: self.character.and_then(Collider::parent),
+        });
+        flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
     }
 
     /// May the hooks change contacts with this obstacle?

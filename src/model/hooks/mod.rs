@@ -12,6 +12,7 @@ pub use modification::ContactModificationContext;
 
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
+use crate::model::contact::SolverFlags;
 
 /// The pair that a filter is asked about.
 #[derive(Copy, Clone)]
@@ -59,6 +60,14 @@ pub trait PhysicsHooks: Send + Sync {
     fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
+    }
+
+    /// What the solver does with the contacts of this pair; nothing for a pair that is refused. The engine calls this in place of
+    /// [`Self::filter_contact_pair`], which decides unless this is implemented. Without
+    /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES), contacts are computed and reported, and the bodies pass
+    /// through each other.
+    fn contact_pair_flags(&self, context: &PairFilterContext) -> Option<SolverFlags> {
+        self.filter_contact_pair(context).then(SolverFlags::default)
     }
 
     /// Is the intersection computed for this pair, one collider of which is a sensor? Called for

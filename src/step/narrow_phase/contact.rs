@@ -185,9 +185,11 @@ impl ContactPair {
         neighbors: [&[Neighbor<'_>]; 2],
         worker: &mut Worker,
     ) -> Computed {
-        let wanted = !view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) || {
+        let flags = if view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) {
             let context = view.filter_context([self.collider1, self.collider2]);
-            view.around.hooks.filter_contact_pair(&context)
+            view.around.hooks.contact_pair_flags(&context)
+        } else {
+            Some(SolverFlags::default())
         };
         let place = Place::of(view);
         let reach = view.prediction() + view.skin();
@@ -201,16 +203,17 @@ impl ContactPair {
             simd: view.around.simd,
         };
         self.pose12 = view.pose12;
-        let distance = if !wanted {
+        let distance = if let Some(flags) = flags {
+            self.placement = place.placement();
+            let circumstances = Circumstances { view, place: &place, flags };
+            if self.is_plain(view, neighbors) {
+                self.renew_manifold(&pair, circumstances, worker)
+            } else {
+                self.compute_manifolds(&pair, circumstances, worker)
+            }
+        } else {
             self.replace_manifolds(&mut SmallVec::new());
             reach
-        } else {
-            self.placement = place.placement();
-            if self.is_plain(view, neighbors) {
-                self.renew_manifold(&pair, (view, &place), worker)
-            } else {
-                self.compute_manifolds(&pair, (view, &place), worker)
-            }
         };
         let gap = (distance - reach).max(0.0);
         Computed { gap, left: place.left(&self.placement, self.least_friction()) }
@@ -232,14 +235,14 @@ impl ContactPair {
     fn renew_manifold(
         &mut self,
         pair: &ShapePair<'_>,
-        (view, place): (&PairView<'_>, &Place<'_>),
+        circumstances: Circumstances<'_>,
         worker: &mut Worker,
     ) -> Real {
         let distance = renew_convex_manifold(pair, &mut self.manifolds, &mut worker.scratch);
         let colliders = [self.collider1, self.collider2];
         if let Some(manifold) = self.manifolds.first_mut().filter(|one| !one.contacts().is_empty())
         {
-            let fault = complete(manifold, colliders, view, place);
+            let fault = complete(manifold, colliders, circumstances);
             worker.faults.extend(fault.map(|fault| (colliders, fault)));
         }
         distance
@@ -249,7 +252,7 @@ impl ContactPair {
     fn compute_manifolds(
         &mut self,
         pair: &ShapePair<'_>,
-        (view, place): (&PairView<'_>, &Place<'_>),
+        circumstances: Circumstances<'_>,
         worker: &mut Worker,
     ) -> Real {
         let Worker { scratch, fresh, faults, culled, .. } = worker;
@@ -258,7 +261,7 @@ impl ContactPair {
         culled.extend(scratch.is_culled().then_some(colliders));
         inherit_impulses(fresh, old);
         for manifold in fresh.iter_mut() {
-            let fault = complete(manifold, colliders, view, place);
+            let fault = complete(manifold, colliders, circumstances);
             faults.extend(fault.map(|fault| (colliders, fault)));
         }
         fresh.retain(|manifold| !manifold.contacts().is_empty());
@@ -283,14 +286,23 @@ impl ContactPair {
     }
 }
 
+/// What the manifolds of a pair are completed with.
+#[derive(Copy, Clone)]
+struct Circumstances<'a> {
+    view: &'a PairView<'a>,
+    place: &'a Place<'a>,
+    /// What the user's filter lets the solver do.
+    flags: SolverFlags,
+}
+
 /// Completes a manifold whose points are known, and leaves out what cannot be calculated with.
 fn complete(
     manifold: &mut ContactManifold,
     [collider1, collider2]: [ColliderHandle; 2],
-    view: &PairView<'_>,
-    place: &Place<'_>,
+    Circumstances { view, place, flags }: Circumstances<'_>,
 ) -> Option<QuarantineCause> {
     finish(manifold, view);
+    manifold.data.solver_flags &= flags;
     place.put(manifold);
     modify(manifold, collider1, collider2, view);
     let fault = faults::leave_out(manifold);

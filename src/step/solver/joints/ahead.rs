@@ -5,7 +5,7 @@ use super::geometry::Geometry;
 use super::passes::Bodies;
 use super::rows::Row;
 use crate::base::wide::Wide;
-use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::math::Real;
 use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::turn::turned_further;
 use crate::dim::wide::{ang_dot, cross};
@@ -36,21 +36,21 @@ impl<W: Wide> LookAhead<W> {
 
     /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of the errors.
     #[inline(always)]
-    pub fn rates(
+    pub fn rates<const N: usize>(
         &self,
         block: &mut JointBlock,
         now: &Geometry<W>,
         pass: &JointPass,
-    ) -> [W; SPATIAL_DIM] {
+    ) -> [W; N] {
         let taut = W::zero().lt(W::load(&block.is_taut));
-        let (errors, mut then) = (now.errors(), self.then.errors());
-        let seen_from_now = self.then.errors_seen_from(now, block);
+        let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
+        let seen_from_now = self.then.errors_seen_from::<N>(now, block);
         for (then, seen) in then.iter_mut().zip(seen_from_now) {
             *then = W::select(taut, *then, seen);
         }
         let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
-        let mut rates = [W::zero(); SPATIAL_DIM];
-        for k in 0..SPATIAL_DIM {
+        let mut rates = [W::zero(); N];
+        for k in 0..N {
             let bias = errors[k] * bias_rate;
             bias.store(&mut block.held_bias[k]);
             rates[k] = (then[k] - errors[k]) * inv_h + bias;
@@ -73,7 +73,7 @@ impl<W: Wide> LookAhead<W> {
             return bends;
         }
         let (exact, zero) = (Self::bent(block), W::zero());
-        let (errors, then) = (now.errors(), self.then.errors_seen_from(now, block));
+        let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
         for k in 0..N {
             let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
             let straight = rows[k].rate(&self.velocities);

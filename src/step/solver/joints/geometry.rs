@@ -19,11 +19,8 @@ pub(super) struct Geometry<W> {
     pub levers: [WideVector<W>; 2],
     /// From anchor to anchor, along the axes.
     pub separation: [W; DIM],
-    /// Errors about the axes if they were locked, and the directions that change them.
-    pub errors: [W; ANG_DIM],
-    pub directions: [WideAngVector<W>; ANG_DIM],
-    /// The second frame as seen from the first.
-    between: WideRotation<W>,
+    /// Both frames.
+    frames: [WideRotation<W>; 2],
     /// By how much the second body has turned more than the first since the step began.
     turn: WideAngVector<W>,
 }
@@ -43,8 +40,6 @@ impl<W: Wide> Geometry<W> {
         let frame1 = turn1.times(WideRotation::load(&block.frames[0]));
         let frame2 = turn2.times(WideRotation::load(&block.frames[1]));
         let axes = axes(frame1);
-        let between = frame_between(frame1, frame2);
-        let (errors, directions) = locked_rotations(between, &axes);
         let mut along = [W::zero(); DIM];
         for (along, axis) in along.iter_mut().zip(&axes) {
             *along = axis.dot(separation);
@@ -53,27 +48,32 @@ impl<W: Wide> Geometry<W> {
             axes,
             levers: [lever1 + separation, lever2],
             separation: along,
-            errors,
-            directions,
-            between,
+            frames: [frame1, frame2],
             turn: d2.angular - d1.angular,
         }
     }
 
-    /// The first rows: all, or those of the translations alone.
+    /// The second frame as seen from the first.
     #[inline(always)]
-    pub fn first_rows<const N: usize>(&self) -> [Row<W>; N] {
-        let mut rows = [Row::zero(); N];
-        rows.copy_from_slice(&self.rows()[..N]);
-        rows
+    fn between(&self) -> WideRotation<W> {
+        let [first, second] = self.frames;
+        frame_between(first, second)
     }
 
-    /// The errors of all axes if they were locked.
+    /// Errors about the axes if they were locked, and the directions that change them.
     #[inline(always)]
-    pub fn errors(&self) -> [W; SPATIAL_DIM] {
-        let mut errors = [W::zero(); SPATIAL_DIM];
+    pub fn rotations(&self) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
+        locked_rotations(self.between(), &self.axes)
+    }
+
+    /// The errors of the first axes if they were locked: of all, or of the translations alone.
+    #[inline(always)]
+    pub fn errors<const N: usize>(&self) -> [W; N] {
+        let mut errors = [W::zero(); N];
         errors[..DIM].copy_from_slice(&self.separation);
-        errors[DIM..].copy_from_slice(&self.errors);
+        if N > DIM {
+            errors[DIM..].copy_from_slice(&self.rotations().0);
+        }
         errors
     }
 
@@ -82,34 +82,41 @@ impl<W: Wide> Geometry<W> {
     /// substep that turns a body by a quarter of a radian, a Newton step would leave a tenth instead of a thirtieth. Rotations
     /// are seen from the middle of the way: so far, on average, the way has turned what an impulse adds to it.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn errors_seen_from(&self, earlier: &Self, block: &JointBlock) -> [W; SPATIAL_DIM] {
-        let mut errors = self.errors();
+    pub fn errors_seen_from<const N: usize>(&self, earlier: &Self, block: &JointBlock) -> [W; N] {
+        let mut errors = [W::zero(); SPATIAL_DIM];
+        errors[..N].copy_from_slice(&self.errors::<N>());
         for (error, locked) in errors.iter_mut().zip(&block.locked) {
             *error = W::select(W::zero().lt(W::load(locked)), *error, W::zero());
         }
         let (linear, angular) = from_components(errors);
         let (linear, mut middle) = (linear_to_world(&self.axes, linear), earlier.axes);
+        let mut seen = [W::zero(); N];
+        for (seen, axis) in seen.iter_mut().zip(&earlier.axes) {
+            *seen = axis.dot(linear);
+        }
+        if N == DIM {
+            return seen;
+        }
         for (middle, axis) in middle.iter_mut().zip(&self.axes) {
             let scale = W::splat(1.0) / (W::splat(1.0) + middle.dot(*axis)).max(W::splat(0.1));
             *middle = (*middle + *axis) * scale;
         }
         let angular = angular_to_frame(&middle, angular_to_world(&self.axes, angular));
-        let mut seen = components(linear, angular);
-        for (seen, axis) in seen.iter_mut().zip(&earlier.axes) {
-            *seen = axis.dot(linear);
-        }
+        seen[DIM..].copy_from_slice(&components(linear, angular)[DIM..]);
         seen
     }
 
-    /// The rows of all axes if they were locked.
+    /// The rows of the first axes if they were locked: of all, or of the translations alone.
     #[inline(always)]
-    pub fn rows(&self) -> [Row<W>; SPATIAL_DIM] {
-        let mut rows = [Row::zero(); SPATIAL_DIM];
+    pub fn rows<const N: usize>(&self) -> [Row<W>; N] {
+        let mut rows = [Row::zero(); N];
         for (row, &axis) in rows.iter_mut().zip(&self.axes) {
             *row = self.row_along(axis);
         }
-        for (row, &direction) in rows[DIM..].iter_mut().zip(&self.directions) {
-            row.angular = [direction; 2];
+        if N > DIM {
+            for (row, &direction) in rows[DIM..].iter_mut().zip(&self.rotations().1) {
+                row.angular = [direction; 2];
+            }
         }
         rows
     }
@@ -127,7 +134,7 @@ impl<W: Wide> Geometry<W> {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
         let turn = angular_to_frame(&self.axes, self.turn);
-        let (about, angle) = row.gauge.measure(self.between, turn);
+        let (about, angle) = row.gauge.measure(self.between(), turn);
         let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
         (along, distance + angle)

@@ -518,7 +518,7 @@ impl Kernel for Count<'_> {
         for index in self.range.filter(|&index| self.blocks[index].has_exact) {
             // SAFETY: the blow of each block belongs to one task.
             let blow = unsafe { self.blows.get_mut(index) };
-            direct::count::<W>(blow, &self.memory[index]);
+            direct::count::<W>(blow, &self.memory[index], self.blocks[index].locks_rotations);
         }
     }
 }

@@ -59,7 +59,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         for (locked, lane) in locked.iter_mut().zip(&block.locked) {
             *locked = W::load(lane);
         }
-        Self { rows: geometry.first_rows(), locked }
+        Self { rows: geometry.rows(), locked }
     }
 
     /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
@@ -98,7 +98,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
-    for (k, direction) in geometry.directions.iter().enumerate() {
+    for (k, direction) in geometry.rotations().1.iter().enumerate() {
         let along = ang_dot(*direction, couple) * locked.locked[DIM + k];
         let length_squared = ang_dot(*direction, *direction).max(W::splat(1.0e-6));
         (along / length_squared).store(&mut block.impulses[DIM + k]);
@@ -408,7 +408,7 @@ fn rates_with_bias<W: Wide, const N: usize>(
     rows: &[Row<W>; N],
     bodies: &Bodies<W>,
 ) -> [W; N] {
-    let (errors, bias_rate) = (geometry.errors(), W::load(&block.bias_rate));
+    let (errors, bias_rate) = (geometry.errors::<N>(), W::load(&block.bias_rate));
     let mut rates = [W::zero(); N];
     for k in 0..N {
         let bias = errors[k] * bias_rate;

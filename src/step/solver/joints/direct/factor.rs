@@ -1,146 +1,50 @@
-//! The matrix of one component: put together, factorised, solved.
-//!
-//! Numbers are of double precision whatever the engine's are: a chain of light links under a weight a
-//! thousand times as heavy loses three digits here, and single precision has seven.
-//!
-//! Blocks have room for a joint that locks all axes, and those of others stand in their first rows and columns. They
-//! are kept by columns: innermost is always a loop over a whole column, whose length the compiler knows.
-//!
-//! ## What is held twice
-//! Three hinges hold a door in more ways than it can move: some impulses `n` do nothing to the bodies, `A n = 0` with
-//! `A = J M⁻¹ Jᵀ`, and `A λ = b` says nothing of their share in `λ`. What is left there is rounding, divided by next to
-//! nothing: hinges that strain against each other with a thousand times what they bear. Loops alone can do that; for
-//! components that have some, of all impulses which do what they should the least are wanted. They minimise `λᵀ D λ`, where
-//! `D` holds the inverse masses that each row moves, without its levers: equal joints bear equal loads, wherever they are.
-//!
-//! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped matrix are those
-//! that solve it. One more turn with them takes away what the first one found where it should find nothing:
-//!
-//! ```text
-//! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
-//! ```
-//!
-//! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a = 0`
-//! nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned, goes away. For
-//! `a ≫ δ` it is `b/a`: what is well determined gives way by `δ D λ` of velocity, which is rounding. (The first turn alone
-//! leaves `b/δ` for `a = 0`. With `δ` large enough to make that small, bridges sag.) The idea is that of the proximal
-//! method (Rockafellar, "Monotone operators and the proximal point algorithm", 1976), turned round: its steps go to
-//! the solution from the last impulses, these go from the solution to none.
+//! The matrix of one component, with room for the rows that its joints have.
 
+use super::matrix::{Matrix, Progress};
 use super::memory::RowMemory;
 use super::pattern::{Component, Member};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Kernel, Simd, Wide};
+use crate::base::wide::Simd;
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
-/// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
-/// would. A row that differs from the others by the rounding of its numbers alone has a pivot of the square of that.
-const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
-
-/// By what share of itself each diagonal element is enlarged (Levenberg and Marquardt's damping). Without it, long
-/// chains under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their links
-/// about. It slows the correction of errors down, and adds none: at rest, nothing is left to correct.
-const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
-
-/// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
-/// make of zero, below what heavy weights on light chains make of one.
-const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
-/// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
-const SHARE_MIN: f64 = 1.0e-3;
-
-/// When taut joints are done: the share that the size of their rates, an energy, has of what it was in the first round. A
-/// round leaves the square of what it finds, so that a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹; for a chain
-/// that hangs at rest 10⁻⁵ is rounding.
-const DONE: f64 = 1.0e-4;
-
-/// When other joints are done: what is left, as a share of what their impulses do as a whole (both energies).
-const PRECISION: f64 = 1.0e-9;
-/// The rounding of where anchors are, in levers.
-const NOISE: f64 = 4.0 * Real::EPSILON as f64;
-/// With more than this share left, the joints are not where they should be.
-const ROUGH: f64 = 1.0e-3;
-/// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
-const ASTRAY: f64 = 100.0;
-
-/// How far the rounds of a solution have come.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub(super) enum Progress {
-    Done,
-    /// Another round would make it better, and that is all.
-    Near,
-    /// It takes another round.
-    Far,
-    /// The rounds lead away.
-    Astray,
+/// See [`Matrix`]. Joints that lock translations alone have half of the rows and a third of the work.
+pub(super) enum Factor {
+    /// No joint locks a rotation.
+    Translations(Matrix<DIM>),
+    All(Matrix<SPATIAL_DIM>),
 }
 
-/// A number for each row of a joint.
-type Column = [f64; SPATIAL_DIM];
-/// Columns of a matrix.
-type Block = [Column; SPATIAL_DIM];
-
-const ZERO: Block = [[0.0; SPATIAL_DIM]; SPATIAL_DIM];
-
-/// The rows of one joint, for both of its bodies.
-#[derive(Copy, Clone)]
-struct Rows {
-    /// By body: `J`, a column for each component of a velocity.
-    jacobians: [Block; 2],
-    /// By body: `M⁻¹ Jᵀ`, a column of velocities for each row.
-    responses: [Block; 2],
-}
-
-impl Rows {
-    const EMPTY: Self = Self { jacobians: [ZERO; 2], responses: [ZERO; 2] };
-
-    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
-    fn without_levers(&self, row: usize) -> f64 {
-        let share = |components: core::ops::Range<usize>| {
-            let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
-                components.clone().map(move |k| j[k][row] * response[row][k])
-            });
-            products.sum::<f64>()
-        };
-        let linear = share(0..DIM);
-        if linear > 0.0 { linear } else { share(DIM..SPATIAL_DIM) }
+impl Default for Factor {
+    fn default() -> Self {
+        Self::Translations(Matrix::default())
     }
 }
 
-/// The matrix of a component, and the buffers to solve it.
-#[derive(Default)]
-pub(super) struct Factor {
-    /// By member.
-    rows: Vec<Rows>,
-    /// By member: its diagonal block; factorised, `L` below the diagonal.
-    diagonal: Vec<Block>,
-    /// By member: the inverse pivots.
-    inverses: Vec<Column>,
-    /// By member: the diagonal of `J M⁻¹ Jᵀ`.
-    own: Vec<Column>,
-    /// The blocks below the diagonal, those of one column together; factorised, they are `L D`.
-    below: Vec<Block>,
-    /// By member: where the blocks of its column begin.
-    first_below: Vec<usize>,
-    /// By member: `δ D` of components with loops.
-    damping: Vec<Column>,
-    /// By member: right-hand side, then solution.
-    x: Vec<Column>,
-    /// By member: right-hand side of the second turn.
-    again: Vec<Column>,
-    /// How much the first solution of a substep had to do, the one before the last, and the last one.
-    first_size: f64,
-    sizes: [f64; 2],
-    /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
-    made_with: Option<f64>,
+/// Calls a method of the matrix, whatever its size.
+macro_rules! of_matrix {
+    ($factor:expr, $matrix:ident => $call:expr) => {
+        match $factor {
+            Factor::Translations($matrix) => $call,
+            Factor::All($matrix) => $call,
+        }
+    };
 }
 
 impl Factor {
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`: not for the first
-    /// time in this visit.
+    /// Makes room for the rows of a component, and forgets the matrix of the last one.
+    pub fn make_room(&mut self, component: Component<'_>) {
+        let turns = component.members.iter().any(|member| member.form.locks_rotations());
+        if turns != matches!(self, Self::All(_)) {
+            *self = if turns { Self::All(Matrix::default()) } else { Self::default() };
+        }
+        self.forget();
+    }
+
+    /// See [`Matrix::solve`].
     ///
     /// # Safety
-    /// Nobody else may touch the states of the component's movable bodies meanwhile.
+    /// As [`Matrix::solve`].
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
@@ -149,409 +53,46 @@ impl Factor {
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
-        simd.run(Solve { factor: self, component, memory });
-        let size = self.size_of_rates(component, memory);
-        if !again {
-            self.first_size = size;
-        }
-        self.sizes = [self.sizes[1], size];
         // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
+        of_matrix!(self, matrix => unsafe { matrix.solve(component, again, memory, states, simd) });
     }
 
-    /// Finds the changes of the impulses.
-    #[inline(always)]
-    fn find_changes(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
-        if self.made_with != Some(yields) {
-            self.load(component, memory);
-            self.assemble(component, memory);
-            self.eliminate(component);
-            self.made_with = Some(yields);
-        }
-        self.load_rates(component, memory);
-        if component.has_loops {
-            self.again.clone_from(&self.x);
-            self.substitute(component);
-            self.load_shares(component, memory);
-        }
-        self.substitute(component);
-    }
-
-    /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
+    /// See [`Matrix::has_converged`].
     pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
-        let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
-        if is_done {
-            self.x.fill([0.0; SPATIAL_DIM]);
-        }
-        is_done
+        of_matrix!(self, matrix => matrix.has_converged(component, memory))
     }
 
-    /// Takes all impulses of the component back.
+    /// See [`Matrix::take_back`].
     ///
     /// # Safety
-    /// As [`Self::solve`].
+    /// As [`Matrix::solve`].
     pub unsafe fn take_back(
         &mut self,
         component: Component<'_>,
         memory: &[RowMemory],
         states: &DisjointMut<'_, BodyState>,
     ) {
-        for (member, x) in component.members.iter().zip(&mut self.x) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            for (x, axis) in x.iter_mut().zip(locked_axes(member)) {
-                *x = -f64::from(from.impulses[axis].0[lane]);
-            }
-        }
         // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
+        of_matrix!(self, matrix => unsafe { matrix.take_back(component, memory, states) });
     }
 
-    /// How far the rounds have come, the last of which is at least the second one. What it has left is to what it found as
-    /// that is to what the one before it had found.
+    /// See [`Matrix::progress`].
     pub fn progress(
         &self,
         component: Component<'_>,
         memory: &[RowMemory],
         inv_h: Real,
     ) -> Progress {
-        let [before, last] = self.sizes;
-        let rest = if last < before { last * (last / before) } else { last };
-        let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
-        if rest <= PRECISION * load + noise {
-            Progress::Done
-        } else if last > load && last > ASTRAY * before {
-            Progress::Astray
-        } else if rest > ROUGH * load {
-            Progress::Far
-        } else {
-            Progress::Near
-        }
+        of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
     }
 
-    /// As [`Self::size_of_rates`], of what the impulses do as a whole, and of what rounding makes of rates.
-    fn size_of_load(
-        &self,
-        component: Component<'_>,
-        memory: &[RowMemory],
-        inv_h: f64,
-    ) -> (f64, f64) {
-        let (mut load, mut noise) = (0.0, 0.0);
-        for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            for (row, axis) in locked_axes(member).enumerate().filter(|(row, _)| own[*row] > 0.0) {
-                let impulse = from.impulses[axis].0[lane] + from.changes[axis].0[lane];
-                load += own[row] * f64::from(impulse) * f64::from(impulse);
-                let size = rows
-                    .jacobians
-                    .iter()
-                    .flatten()
-                    .fold(0.0, |most: f64, column| most.max(column[row].abs()));
-                let rounding = NOISE * size * inv_h;
-                noise += rounding * rounding / own[row];
-            }
-        }
-        (load, noise)
-    }
-
-    /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
-    fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
-        let mut sum = 0.0;
-        for (member, own) in component.members.iter().zip(&self.own) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            for (own, axis) in own.iter().zip(locked_axes(member)) {
-                let rate = f64::from(from.rates[axis].0[lane]);
-                sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
-            }
-        }
-        sum
-    }
-
-    /// The bodies have moved: the matrix must be made anew.
+    /// See [`Matrix::forget`].
     pub fn forget(&mut self) {
-        self.made_with = None;
+        of_matrix!(self, matrix => matrix.forget());
     }
 
-    /// Reads the rows.
-    #[inline(always)]
-    fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        self.rows.clear();
-        self.rows.resize(component.members.len(), Rows::EMPTY);
-        for (member, rows) in component.members.iter().zip(&mut self.rows) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            for (side, _) in member.movable() {
-                let masses = from.inverse_mass(side, lane);
-                for (row, axis) in locked_axes(member).enumerate() {
-                    let jacobian = from.rows[axis][side].map(|number| f64::from(number.0[lane]));
-                    for (column, number) in rows.jacobians[side].iter_mut().zip(jacobian) {
-                        column[row] = number;
-                    }
-                    rows.responses[side][row] = masses.response(&jacobian);
-                }
-            }
-        }
+    /// See [`Matrix::write_changes`].
+    pub fn write_changes(&self, members: &[Member], memory: &mut [RowMemory]) {
+        of_matrix!(self, matrix => matrix.write_changes(members, memory));
     }
-
-    /// Reads the right-hand side.
-    fn load_rates(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        self.x.clear();
-        for (member, own) in component.members.iter().zip(&self.own) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            let yields = yields_of(member, memory);
-            let mut x = [0.0; SPATIAL_DIM];
-            for (row, axis) in locked_axes(member).enumerate() {
-                let impulse = f64::from(from.impulses[axis].0[lane]);
-                x[row] = -f64::from(from.rates[axis].0[lane]) - yields * own[row] * impulse;
-            }
-            self.x.push(x);
-        }
-    }
-
-    /// Puts the right-hand side of the second turn in place of the first one's solution.
-    fn load_shares(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        for (at, member) in component.members.iter().enumerate() {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            for (row, axis) in locked_axes(member).enumerate() {
-                let impulse = f64::from(from.impulses[axis].0[lane]) + self.x[at][row];
-                self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
-            }
-        }
-    }
-
-    /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
-    #[inline(always)]
-    fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        let blocks = component.columns.iter().map(Vec::len).sum();
-        self.diagonal.clear();
-        self.diagonal.resize(component.members.len(), ZERO);
-        self.below.clear();
-        self.below.resize(blocks, ZERO);
-        self.own.clear();
-        self.damping.clear();
-        self.first_below.clear();
-        let mut next = 0;
-        for (at, member) in component.members.iter().enumerate() {
-            let block = &mut self.diagonal[at];
-            couple(component.members, &self.rows, [at, at], block);
-            let yields = yields_of(member, memory);
-            let (mut own, mut damping) = ([0.0; SPATIAL_DIM], [0.0; SPATIAL_DIM]);
-            for row in 0..member.form.row_count() {
-                own[row] = block[row][row];
-                damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
-                } else {
-                    DAMPING * own[row]
-                };
-                block[row][row] += yields * own[row] + damping[row];
-            }
-            self.own.push(own);
-            self.damping.push(damping);
-            self.first_below.push(next);
-            for &row in &component.columns[at] {
-                let block = &mut self.below[next];
-                couple(component.members, &self.rows, [row as usize, at], block);
-                next += 1;
-            }
-        }
-    }
-
-    /// `L D Lᵀ`, column by column: each one takes its part off those that follow.
-    #[inline(always)]
-    fn eliminate(&mut self, component: Component<'_>) {
-        self.inverses.clear();
-        for (at, column) in component.columns.iter().enumerate() {
-            let size = component.members[at].form.row_count();
-            let inverses = factorise(&mut self.diagonal[at], &self.own[at], size);
-            self.inverses.push(inverses);
-            let first = self.first_below[at];
-            for block in &mut self.below[first..first + column.len()] {
-                divide_right(block, &self.diagonal[at], size);
-            }
-            for first in 0..column.len() {
-                for second in 0..=first {
-                    self.update(component, at, first, second);
-                }
-            }
-        }
-    }
-
-    /// Takes what the elimination of the column `at` does off the block of two of its rows.
-    #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
-    #[inline(always)]
-    fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
-        let column = &component.columns[at];
-        let (row, other) = (column[first] as usize, column[second] as usize);
-        let start = self.first_below[at];
-        // Columns that follow have their blocks behind those of this one.
-        let (done, later) = self.below.split_at_mut(start + column.len());
-        let target = if row == other {
-            &mut self.diagonal[row]
-        } else {
-            let index = component.columns[other].binary_search(&(row as u32));
-            let index = index.expect("the pattern has a block wherever elimination puts one");
-            &mut later[self.first_below[other] + index - start - column.len()]
-        };
-        let (of_row, of_column) = (&done[start + first], &done[start + second]);
-        let (size, columns) =
-            (component.members[at].form.row_count(), component.members[other].form.row_count());
-        for (column, target) in target[..columns].iter_mut().enumerate() {
-            let mut sum = *target;
-            for m in 0..size {
-                add(&mut sum, &of_row[m], -(of_column[m][column] * self.inverses[at][m]));
-            }
-            *target = sum;
-        }
-    }
-
-    /// Forwards through `L`, divided by `D`, and back through `Lᵀ`.
-    #[inline(always)]
-    fn substitute(&mut self, component: Component<'_>) {
-        for (at, column) in component.columns.iter().enumerate() {
-            let size = component.members[at].form.row_count();
-            let (d, inverses) = (&self.diagonal[at], &self.inverses[at]);
-            let mut x = self.x[at];
-            for m in 0..size {
-                for i in m + 1..size {
-                    x[i] -= d[m][i] * x[m];
-                }
-            }
-            self.x[at] = x;
-            for (block, &row) in self.below[self.first_below[at]..].iter().zip(column) {
-                for m in 0..size {
-                    add(&mut self.x[row as usize], &block[m], -(inverses[m] * x[m]));
-                }
-            }
-        }
-        for (at, column) in component.columns.iter().enumerate().rev() {
-            let size = component.members[at].form.row_count();
-            let (d, inverses) = (&self.diagonal[at], &self.inverses[at]);
-            let mut x = self.x[at];
-            for (block, &row) in self.below[self.first_below[at]..].iter().zip(column) {
-                for m in 0..size {
-                    x[m] -= dot(&block[m], &self.x[row as usize]);
-                }
-            }
-            for i in (0..size).rev() {
-                x[i] *= inverses[i];
-                for m in i + 1..size {
-                    x[i] -= d[i][m] * x[m];
-                }
-            }
-            self.x[at] = x;
-        }
-    }
-
-    /// Gives the bodies what the changes do to them.
-    ///
-    /// # Safety
-    /// Nobody else may touch the states of the component's movable bodies meanwhile.
-    unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
-        for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
-            for (side, body) in member.movable() {
-                let mut change = [0.0; SPATIAL_DIM];
-                for row in 0..member.form.row_count() {
-                    add(&mut change, &rows.responses[side][row], x[row]);
-                }
-                // SAFETY: the caller's promise.
-                let state = unsafe { states.get_mut(body as usize) };
-                state.add_velocity(change.map(|value| value as Real));
-            }
-        }
-    }
-
-    /// Writes the changes of the impulses to the rows.
-    pub fn write_changes(&self, component: Component<'_>, memory: &mut [RowMemory]) {
-        for (member, x) in component.members.iter().zip(&self.x) {
-            let to = &mut memory[member.block as usize];
-            for (row, axis) in locked_axes(member).enumerate() {
-                to.changes[axis].0[member.lane as usize] = x[row] as Real;
-            }
-        }
-    }
-}
-
-/// See [`Factor::find_changes`]: in the widest registers that the machine has.
-struct Solve<'a> {
-    factor: &'a mut Factor,
-    component: Component<'a>,
-    memory: &'a [RowMemory],
-}
-
-impl Kernel for Solve<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        self.factor.find_changes(self.component, self.memory);
-    }
-}
-
-/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
-#[inline(always)]
-fn couple(members: &[Member], rows: &[Rows], [row, column]: [usize; 2], block: &mut Block) {
-    let (of_row, of_column) = (&members[row], &members[column]);
-    for (side, body) in of_row.movable() {
-        for (other_side, _) in of_column.movable().filter(|(_, other)| *other == body) {
-            let jacobian = &rows[row].jacobians[side];
-            let responses = &rows[column].responses[other_side];
-            for (target, response) in block[..of_column.form.row_count()].iter_mut().zip(responses)
-            {
-                for (component, factor) in jacobian.iter().zip(response) {
-                    add(target, component, *factor);
-                }
-            }
-        }
-    }
-}
-
-/// Factorises a diagonal block in place, and returns the inverse pivots. `own` is what stood on the diagonal before
-/// any elimination.
-#[inline(always)]
-fn factorise(d: &mut Block, own: &Column, size: usize) -> Column {
-    let mut inverses = [0.0; SPATIAL_DIM];
-    for j in 0..size {
-        let pivot = d[j][j];
-        let inverse = if pivot > PIVOT_MIN * own[j] { 1.0 / pivot } else { 0.0 };
-        inverses[j] = inverse;
-        let unscaled = d[j];
-        d[j].iter_mut().for_each(|value| *value *= inverse);
-        for m in j + 1..size {
-            let factor = d[j][m];
-            add(&mut d[m], &unscaled, -factor);
-        }
-    }
-    inverses
-}
-
-/// `block ← block L⁻ᵀ` for a diagonal block that is factorised.
-#[inline(always)]
-fn divide_right(block: &mut Block, d: &Block, size: usize) {
-    for j in 1..size {
-        let (done, rest) = block.split_at_mut(j);
-        for (m, column) in done.iter().enumerate() {
-            add(&mut rest[0], column, -d[m][j]);
-        }
-    }
-}
-
-/// Adds a multiple of a column to another.
-#[inline(always)]
-fn add(target: &mut Column, column: &Column, factor: f64) {
-    for (target, value) in target.iter_mut().zip(column) {
-        *target += value * factor;
-    }
-}
-
-#[inline(always)]
-fn dot(a: &Column, b: &Column) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn yields_of(member: &Member, memory: &[RowMemory]) -> f64 {
-    f64::from(memory[member.block as usize].yields.0[member.lane as usize])
-}
-
-fn locked_axes(member: &Member) -> impl Iterator<Item = usize> + use<> {
-    let locked = member.form.locked;
-    (0..SPATIAL_DIM).filter(move |axis| locked >> axis & 1 == 1)
 }

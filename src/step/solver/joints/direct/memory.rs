@@ -68,7 +68,10 @@ impl RowMemory {
     /// The work of the changes of a lane's impulses on its two bodies at these velocities: `λ J v`.
     pub fn work(&self, lane: usize, velocities: [(Vector, AngVector); 2]) -> Real {
         let mut work = 0.0;
-        for (row, change) in self.rows.iter().zip(&self.changes) {
+        // Rows that no joint of the block locks are those of another step.
+        let changed =
+            self.rows.iter().zip(&self.changes).filter(|(_, change)| change.0[lane] != 0.0);
+        for (row, change) in changed {
             for (row, (linvel, angvel)) in row.iter().zip(velocities) {
                 let rates = row.iter().zip(join(linvel, angvel));
                 let rate: Real = rates.map(|(number, velocity)| number.0[lane] * velocity).sum();
@@ -106,7 +109,7 @@ impl Blow {
     }
 }
 
-/// Writes down the rows of a block as its bodies stand and move now.
+/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a joint locks one.
 ///
 /// # Safety
 /// Nobody may write the states of the block's bodies meanwhile.
@@ -118,17 +121,37 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
+    unsafe {
+        match block.locks_rotations {
+            true => write_first_rows::<W, AHEAD, SPATIAL_DIM>(block, memory, states, pass),
+            false => write_first_rows::<W, AHEAD, DIM>(block, memory, states, pass),
+        }
+    }
+}
+
+/// As [`write_rows`], for a block whose first `N` axes alone may be locked.
+///
+/// # Safety
+/// As [`write_rows`].
+#[inline(always)]
+unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
+    block: &mut JointBlock,
+    memory: &mut RowMemory,
+    states: &DisjointMut<BodyState>,
+    pass: &JointPass,
+) {
+    // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, block) };
     let (rows, rates) = if AHEAD {
-        rows_ahead(block, memory, &bodies, pass)
+        rows_ahead::<W, N>(block, memory, &bodies, pass)
     } else {
-        let rows = Geometry::new(block, &bodies.displacements).rows();
+        let rows = Geometry::new(block, &bodies.displacements).rows::<N>();
         (rows, rates_here(block, &rows, &bodies))
     };
-    for k in 0..SPATIAL_DIM {
+    memory.changes = [Lane::ZERO; SPATIAL_DIM];
+    for k in 0..N {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
-        memory.changes[k] = Lane::ZERO;
         for side in 0..2 {
             let linear = if side == 0 { -rows[k].linear } else { rows[k].linear };
             let angular = if side == 0 { -rows[k].angular[0] } else { rows[k].angular[1] };
@@ -142,24 +165,24 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
 /// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
 /// where they are. Those that are thrown (`../taut.rs`) do not look ahead.
 #[inline(always)]
-fn rows_ahead<W: Wide>(
+fn rows_ahead<W: Wide, const N: usize>(
     block: &mut JointBlock,
     memory: &RowMemory,
     bodies: &Bodies<W>,
     pass: &JointPass,
-) -> ([Row<W>; SPATIAL_DIM], [W; SPATIAL_DIM]) {
+) -> ([Row<W>; N], [W; N]) {
     let are_there = W::zero().lt(W::load(&memory.are_there));
     let look_ahead = W::zero().lt(W::load(&memory.look_ahead));
     let now = Geometry::new(block, &bodies.displacements);
     let ahead = LookAhead::new(block, bodies, pass);
-    let (mut rows, then) = (now.rows(), ahead.then.rows());
+    let (mut rows, then) = (now.rows::<N>(), ahead.then.rows::<N>());
     for (row, then) in rows.iter_mut().zip(&then) {
         row.linear = WideVector::select(are_there, then.linear, row.linear);
         for side in 0..2 {
             row.angular[side] = select_ang(are_there, then.angular[side], row.angular[side]);
         }
     }
-    let mut rates = ahead.rates(block, &now, pass);
+    let mut rates = ahead.rates::<N>(block, &now, pass);
     for (k, rate) in rates.iter_mut().enumerate() {
         let here = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]);
         *rate = W::select(look_ahead, *rate, here);
@@ -190,7 +213,20 @@ pub(in super::super) fn finish<W: Wide>(
     memory: &RowMemory,
     is_last_of_substep: bool,
 ) {
-    let rows = rows_of::<W>(memory);
+    match block.locks_rotations {
+        true => finish_first_rows::<W, SPATIAL_DIM>(block, memory, is_last_of_substep),
+        false => finish_first_rows::<W, DIM>(block, memory, is_last_of_substep),
+    }
+}
+
+/// As [`finish`], for a block whose first `N` axes alone may be locked.
+#[inline(always)]
+fn finish_first_rows<W: Wide, const N: usize>(
+    block: &mut JointBlock,
+    memory: &RowMemory,
+    is_last_of_substep: bool,
+) {
+    let rows = rows_of::<W, N>(memory);
     for (impulse, change) in block.impulses.iter_mut().zip(&memory.changes) {
         (W::load(impulse) + W::load(change)).store(impulse);
     }
@@ -207,15 +243,24 @@ pub(in super::super) fn finish<W: Wide>(
 /// Counts the changes of the impulses into those of a blow. Each visit of a round changes velocities that the last one has left as
 /// the joints allow: so what the joints give in a round is the sum over its visits.
 #[inline(always)]
-pub(in super::super) fn count<W: Wide>(blow: &mut Blow, memory: &RowMemory) {
-    let rows = rows_of::<W>(memory);
+pub(in super::super) fn count<W: Wide>(blow: &mut Blow, memory: &RowMemory, locks_rotations: bool) {
+    match locks_rotations {
+        true => count_first_rows::<W, SPATIAL_DIM>(blow, memory),
+        false => count_first_rows::<W, DIM>(blow, memory),
+    }
+}
+
+/// As [`count`], for a block whose first `N` axes alone may be locked.
+#[inline(always)]
+fn count_first_rows<W: Wide, const N: usize>(blow: &mut Blow, memory: &RowMemory) {
+    let rows = rows_of::<W, N>(memory);
     let added = added(memory, &rows);
     add_to_totals((&mut blow.impulse, &mut blow.moment), memory, &rows, &added);
 }
 
 #[inline(always)]
-fn rows_of<W: Wide>(memory: &RowMemory) -> [Row<W>; SPATIAL_DIM] {
-    let mut rows = [Row::zero(); SPATIAL_DIM];
+fn rows_of<W: Wide, const N: usize>(memory: &RowMemory) -> [Row<W>; N] {
+    let mut rows = [Row::zero(); N];
     for (row, [first, second]) in rows.iter_mut().zip(&memory.rows) {
         let (_, first) = from_components::<W>(load_all(first));
         let (linear, second) = from_components::<W>(load_all(second));
@@ -226,7 +271,7 @@ fn rows_of<W: Wide>(memory: &RowMemory) -> [Row<W>; SPATIAL_DIM] {
 
 /// What the changes of the impulses give the bodies.
 #[inline(always)]
-fn added<W: Wide>(memory: &RowMemory, rows: &[Row<W>; SPATIAL_DIM]) -> Wrench<W> {
+fn added<W: Wide, const N: usize>(memory: &RowMemory, rows: &[Row<W>; N]) -> Wrench<W> {
     let mut added = Wrench::zero();
     for (row, change) in rows.iter().zip(&memory.changes) {
         added.add(row, W::load(change));
@@ -235,14 +280,14 @@ fn added<W: Wide>(memory: &RowMemory, rows: &[Row<W>; SPATIAL_DIM]) -> Wrench<W>
 }
 
 #[inline(always)]
-fn add_to_totals<W: Wide>(
+fn add_to_totals<W: Wide, const N: usize>(
     (total_impulse, total_moment): (&mut WideVector<Lane>, &mut WideAngVector<Lane>),
     memory: &RowMemory,
-    rows: &[Row<W>; SPATIAL_DIM],
+    rows: &[Row<W>; N],
     added: &Wrench<W>,
 ) {
     let mut moment = load_ang::<W>(total_moment);
-    for k in DIM..SPATIAL_DIM {
+    for k in DIM..N {
         moment = moment + rows[k].angular[1] * W::load(&memory.changes[k]);
     }
     store_ang(moment, total_moment);

@@ -18,7 +18,7 @@
 //! of the next substep share it, unless they soften it differently.
 //!
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
-//! (`factor.rs`).
+//! (`matrix.rs`).
 //!
 //! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
 //! one too; those that are thrown are solved once, where their bodies are. All rounds end when there is nothing left to do:
@@ -29,8 +29,11 @@
 //!
 //! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
 
+mod dense;
 mod factor;
+mod jacobians;
 mod masses;
+mod matrix;
 mod memory;
 mod order;
 mod pattern;
@@ -45,7 +48,8 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
-use factor::{Factor, Progress};
+use factor::Factor;
+use matrix::Progress;
 use pattern::Pattern;
 
 /// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
@@ -127,7 +131,9 @@ impl Direct {
         if self.factors.len() < count {
             self.factors.resize_with(count, Factor::default);
         }
-        self.forget_matrices();
+        for (index, factor) in self.factors[..count].iter_mut().enumerate() {
+            factor.make_room(self.pattern.component(index));
+        }
     }
 
     /// Is the joint solved here?
@@ -279,7 +285,7 @@ impl Direct {
             }
         });
         for index in (0..count).filter(is_wanted) {
-            self.factors[index].write_changes(pattern.component(index), rows);
+            self.factors[index].write_changes(pattern.component(index).members, rows);
         }
     }
 }

@@ -68,12 +68,13 @@ impl Net {
         assert_eq!(pattern.component_count(), 1);
         let mut states = vec![BodyState::default(); self.body_count];
         let mut factor = Factor::default();
+        factor.make_room(pattern.component(0));
         // SAFETY: nobody else knows the states.
         unsafe {
             let shared = DisjointMut::new(&mut states);
             factor.solve(pattern.component(0), false, &self.memory, &shared, Simd::detect());
         }
-        factor.write_changes(pattern.component(0), &mut self.memory);
+        factor.write_changes(pattern.component(0).members, &mut self.memory);
         let errors = self.members.iter().map(|member| self.worst_error(member, &states));
         errors.fold(0.0, f64::max)
     }

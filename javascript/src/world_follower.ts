@@ -1,0 +1,106 @@
+import { DIM, blendRotation } from "#dim";
+import { type RealArray, RealArrayType } from "#real";
+import { type Message, POSE, type Port, SharedSteps, type Step, listen } from "./shared_steps.js";
+
+/**
+ * Follows the world of a `WorldPublisher` in another thread: gives the poses of its bodies between the last two steps, at the times of frames. It needs no `init`. A page makes
+ * one of its worker.
+ */
+export class WorldFollower {
+    /** Numbers of a body in the poses: translation, rotation. */
+    readonly poseStride = POSE;
+    private readonly unlisten: () => void;
+    private memory: SharedSteps | null = null;
+    private previous: Step | null = null;
+    private last: Step | null = null;
+    private blended: RealArray = new RealArrayType(0);
+
+    constructor(port: Port) {
+        this.unlisten = listen(port, (message) => this.receive(message));
+        port.postMessage({ rapier: "hello" });
+    }
+
+    /** Returns whether the poses come through shared memory. */
+    isShared(): boolean {
+        return this.memory !== null;
+    }
+
+    /** The number of the last step that has arrived. 0 before the first one. */
+    get step(): number {
+        this.update();
+        return this.last?.number ?? 0;
+    }
+
+    /** The handle of the body in each slot, at the last step that has arrived. NaN for slots without a body. */
+    get handles(): Float64Array {
+        this.update();
+        return this.last?.handles ?? new Float64Array(0);
+    }
+
+    /**
+     * Translation and rotation of each body by slot, between the last two steps: one step behind the world. The array is the same in each call unless the number of
+     * slots changes. The time is in milliseconds since 1970.
+     */
+    poses(time = performance.timeOrigin + performance.now()): RealArray {
+        this.update();
+        const { last, previous } = this;
+        if (!last) {
+            return this.blended;
+        }
+        const share = Math.min(1, Math.max(0, (time - last.time) / last.interval));
+        if (this.blended.length !== last.poses.length) {
+            this.blended = new RealArrayType(last.poses.length);
+        }
+        this.blended.set(last.poses);
+        if (previous && previous.number === last.number - 1) {
+            blend(this.blended, previous, last, share);
+        }
+        return this.blended;
+    }
+
+    /** Leaves the port alone. */
+    free(): void {
+        this.unlisten();
+    }
+
+    private receive(message: Message): void {
+        if (message.rapier === "shared") {
+            this.memory = new SharedSteps(message.capacity, message.buffer);
+        } else if (message.rapier === "step") {
+            this.take(message.step);
+        }
+    }
+
+    private take(step: Step): void {
+        this.previous = this.last;
+        this.last = step;
+    }
+
+    /** Takes the last two steps from shared memory. */
+    private update(): void {
+        const number = this.memory?.last() ?? 0;
+        const known = this.last?.number ?? 0;
+        for (let next = Math.max(known + 1, number - 1); next <= number; next += 1) {
+            const step = this.memory!.read(next);
+            if (step) {
+                this.take(step);
+            }
+        }
+    }
+}
+
+/** Blends the poses of bodies that both steps have. Others stay where the last step has them. */
+function blend(poses: RealArray, previous: Step, last: Step, share: number): void {
+    const slots = Math.min(previous.handles.length, last.handles.length);
+    for (let slot = 0; slot < slots; slot += 1) {
+        if (previous.handles[slot] !== last.handles[slot]) {
+            continue;
+        }
+        const at = slot * POSE;
+        for (let component = at; component < at + DIM; component += 1) {
+            const from = previous.poses[component]!;
+            poses[component] = from + (last.poses[component]! - from) * share;
+        }
+        blendRotation(poses, at + DIM, previous.poses, last.poses, share);
+    }
+}

@@ -1,0 +1,124 @@
+import type { World } from "#world";
+import { RapierError } from "./error.js";
+import { type Port, SharedSteps, type Step, listen } from "./shared_steps.js";
+
+/** How a world is published. */
+export interface PublishOptions {
+    /** Steps per second. The world's time step becomes the inverse. */
+    rate?: number;
+    /** Whether poses are written to shared memory. If not, each step is a message. By default memory is shared where the platform allows it. */
+    shared?: boolean;
+    /** Called before each step, for forces, events and inputs. */
+    beforeStep?: (world: World) => void;
+}
+
+/** Most steps in a row that make up for a delay. More time than that is lost. */
+const CATCH_UP = 4;
+/** The least number of slots for which memory is shared. */
+const CAPACITY_MIN = 64;
+
+/** Returns whether the platform lets threads share memory. */
+export function canShareMemory(): boolean {
+    return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
+}
+
+/**
+ * Steps a world at a fixed rate, and publishes the poses of its bodies to a `WorldFollower` in another thread. A worker makes one of its world and the port to its page:
+ * `self` in a browser, `parentPort` of `node:worker_threads`.
+ */
+export class WorldPublisher {
+    private readonly world: World;
+    private readonly port: Port;
+    private readonly interval: number;
+    private readonly isShared: boolean;
+    private readonly beforeStep: ((world: World) => void) | undefined;
+    private readonly unlisten: () => void;
+    private memory: SharedSteps | null = null;
+    private number = 0;
+    private timer: ReturnType<typeof setTimeout> | undefined;
+
+    constructor(world: World, port: Port, { rate = 60, shared = canShareMemory(), beforeStep }: PublishOptions = {}) {
+        if (!(rate > 0 && Number.isFinite(rate))) {
+            throw new RapierError("InvalidValue", `the rate is ${rate}, but must be finite and greater than 0`);
+        }
+        this.world = world;
+        this.port = port;
+        this.interval = 1000 / rate;
+        this.isShared = shared;
+        this.beforeStep = beforeStep;
+        world.timestep = 1 / rate;
+        this.unlisten = listen(port, ({ rapier }) => {
+            if (rapier === "hello") {
+                this.announce();
+            }
+        });
+    }
+
+    /** Makes one step, and publishes it. */
+    step(): void {
+        this.beforeStep?.(this.world);
+        this.world.step();
+        this.publish();
+    }
+
+    /** Steps at the rate from now on. */
+    start(): void {
+        this.stop();
+        let due = performance.now();
+        const run = (): void => {
+            const now = performance.now();
+            due = Math.max(due, now - CATCH_UP * this.interval);
+            for (; due <= now; due += this.interval) {
+                this.step();
+            }
+            this.timer = setTimeout(run, Math.max(0, due - performance.now()));
+        };
+        run();
+    }
+
+    /** Steps no longer, until the next `start`. */
+    stop(): void {
+        clearTimeout(this.timer);
+        this.timer = undefined;
+    }
+
+    /** Stops, and leaves the port alone. The world lives on. */
+    free(): void {
+        this.stop();
+        this.unlisten();
+    }
+
+    private publish(): void {
+        const { views } = this.world;
+        const { handles, poses } = views;
+        this.number += 1;
+        const time = performance.timeOrigin + performance.now();
+        const step = { number: this.number, time, interval: this.interval, handles, poses };
+        if (this.isShared) {
+            this.reserve(handles.length);
+            this.memory!.write(step);
+        } else {
+            this.send({ ...step, handles: handles.slice(), poses: poses.slice() });
+        }
+    }
+
+    private send(step: Step): void {
+        this.port.postMessage({ rapier: "step", step }, [step.handles.buffer as ArrayBuffer, step.poses.buffer as ArrayBuffer]);
+    }
+
+    /** Makes larger memory if there are more slots than it has. */
+    private reserve(slots: number): void {
+        if (!this.memory || this.memory.capacity < slots) {
+            this.memory = new SharedSteps(Math.max(CAPACITY_MIN, 2 * slots));
+            this.announce();
+        }
+    }
+
+    /** Passes the shared memory on. */
+    private announce(): void {
+        if (this.memory) {
+            const { buffer, capacity } = this.memory;
+            this.port.postMessage({ rapier: "shared", buffer, capacity });
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Small dense blocks: joint against joint.
+//!
+//! Blocks are kept by columns: innermost is always a loop over a whole column, whose length the compiler knows.
+
+use crate::dim::math::Real;
+
+/// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
+/// would. A row that differs from the others by the rounding of its numbers alone has a pivot of the square of that.
+const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
+
+/// A number for each row of a joint.
+pub(super) type Column<const N: usize> = [f64; N];
+/// Columns of a matrix.
+pub(super) type Block<const N: usize> = [Column<N>; N];
+
+/// A block of zeros.
+pub(super) const fn zero<const N: usize>() -> Block<N> {
+    [[0.0; N]; N]
+}
+
+/// Factorises a diagonal block in place, and returns the inverse pivots. `own` is what stood on the diagonal before
+/// any elimination.
+#[inline(always)]
+pub(super) fn factorise<const N: usize>(
+    d: &mut Block<N>,
+    own: &Column<N>,
+    size: usize,
+) -> Column<N> {
+    let mut inverses = [0.0; N];
+    for j in 0..size {
+        let pivot = d[j][j];
+        let inverse = if pivot > PIVOT_MIN * own[j] { 1.0 / pivot } else { 0.0 };
+        inverses[j] = inverse;
+        let unscaled = d[j];
+        d[j].iter_mut().for_each(|value| *value *= inverse);
+        for m in j + 1..size {
+            let factor = d[j][m];
+            add(&mut d[m], &unscaled, -factor);
+        }
+    }
+    inverses
+}
+
+/// `block ← block L⁻ᵀ` for a diagonal block that is factorised.
+#[inline(always)]
+pub(super) fn divide_right<const N: usize>(block: &mut Block<N>, d: &Block<N>, size: usize) {
+    for j in 1..size {
+        let (done, rest) = block.split_at_mut(j);
+        for (m, column) in done.iter().enumerate() {
+            add(&mut rest[0], column, -d[m][j]);
+        }
+    }
+}
+
+/// Adds a multiple of a column to another.
+#[inline(always)]
+pub(super) fn add<const N: usize>(target: &mut [f64; N], column: &[f64; N], factor: f64) {
+    for (target, value) in target.iter_mut().zip(column) {
+        *target += value * factor;
+    }
+}
+
+#[inline(always)]
+pub(super) fn dot<const N: usize>(a: &Column<N>, b: &Column<N>) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

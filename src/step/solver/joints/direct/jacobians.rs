@@ -1,0 +1,107 @@
+//! The rows of joints in double precision, and what one joint's impulses do to the rows of another.
+
+use super::dense::{Block, add};
+use super::memory::RowMemory;
+use super::pattern::Member;
+use crate::dim::math::{DIM, SPATIAL_DIM};
+
+/// The velocity of a body.
+type Motion = [f64; SPATIAL_DIM];
+
+/// Up to `N` rows of one joint, for both of its bodies.
+#[derive(Copy, Clone)]
+pub(super) struct Rows<const N: usize> {
+    /// By body: `J`, a column for each component of a velocity.
+    jacobians: [[[f64; N]; SPATIAL_DIM]; 2],
+    /// By body: `M⁻¹ Jᵀ`, a velocity for each row.
+    responses: [[Motion; N]; 2],
+}
+
+impl<const N: usize> Rows<N> {
+    pub const EMPTY: Self =
+        Self { jacobians: [[[0.0; N]; SPATIAL_DIM]; 2], responses: [[[0.0; SPATIAL_DIM]; N]; 2] };
+
+    /// Reads the rows of a joint into an empty place.
+    #[inline(always)]
+    pub fn read(&mut self, member: &Member, memory: &[RowMemory]) {
+        let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+        for (side, _) in member.movable() {
+            let masses = from.inverse_mass(side, lane);
+            for (row, axis) in locked_axes::<N>(member).enumerate() {
+                let jacobian = from.rows[axis][side].map(|number| f64::from(number.0[lane]));
+                for (column, number) in self.jacobians[side].iter_mut().zip(jacobian) {
+                    column[row] = number;
+                }
+                self.responses[side][row] = masses.response(&jacobian);
+            }
+        }
+    }
+
+    /// The largest number of a row.
+    pub fn size_of(&self, row: usize) -> f64 {
+        let mut most: f64 = 0.0;
+        for column in self.jacobians.iter().flatten() {
+            let size = column[row].abs();
+            // `f64::max` is a function of several branches in WebAssembly.
+            most = if size > most { size } else { most };
+        }
+        most
+    }
+
+    /// The velocity that impulses along the rows give a body.
+    #[inline(always)]
+    pub fn push(&self, side: usize, impulses: &[f64; N]) -> Motion {
+        let mut change = [0.0; SPATIAL_DIM];
+        for (response, impulse) in self.responses[side].iter().zip(impulses) {
+            add(&mut change, response, *impulse);
+        }
+        change
+    }
+
+    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
+    pub fn without_levers(&self, row: usize) -> f64 {
+        let share = |components: core::ops::Range<usize>| {
+            let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
+                components.clone().map(move |k| j[k][row] * response[row][k])
+            });
+            products.sum::<f64>()
+        };
+        let linear = share(0..DIM);
+        if linear > 0.0 { linear } else { share(DIM..SPATIAL_DIM) }
+    }
+}
+
+/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
+#[inline(always)]
+pub(super) fn couple<const N: usize>(
+    members: &[Member],
+    rows: &[Rows<N>],
+    [row, column]: [usize; 2],
+    block: &mut Block<N>,
+    columns: usize,
+) {
+    for (side, body) in members[row].movable() {
+        for (other_side, _) in members[column].movable().filter(|(_, other)| *other == body) {
+            let jacobian = &rows[row].jacobians[side];
+            let responses = &rows[column].responses[other_side];
+            for (target, response) in block[..columns].iter_mut().zip(responses) {
+                for (component, factor) in jacobian.iter().zip(response) {
+                    add(target, component, *factor);
+                }
+            }
+        }
+    }
+}
+
+/// How much the rows of a joint yield.
+#[inline(always)]
+pub(super) fn yields_of(member: &Member, memory: &[RowMemory]) -> f64 {
+    f64::from(memory[member.block as usize].yields.0[member.lane as usize])
+}
+
+/// The locked axes of a joint that locks none but the first `N`.
+#[inline(always)]
+pub(super) fn locked_axes<const N: usize>(member: &Member) -> impl Iterator<Item = usize> + use<N> {
+    let locked = member.form.locked;
+    (0..N).filter(move |axis| locked >> axis & 1 == 1)
+}
