@@ -110,7 +110,7 @@ function chains(_dimension, count) {
             last = next;
         }
     }
-    return { bodies, joints, steps: 2000, warm: 300 };
+    return { bodies, joints, steps: 2000, warm: 3000 };
 }
 
 /** The scenes by name. */

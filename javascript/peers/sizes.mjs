@@ -14,7 +14,7 @@ const packages = {
     "rapier2d (ours, SIMD)": ours(2, "rapier_simd.wasm", "rapier.mjs"),
     "rapier2d (ours, scalar)": ours(2, "rapier.wasm", "rapier.mjs"),
     "@dimforge/rapier3d-compat": theirs("@dimforge/rapier3d-compat/dist/rapier_wasm3d_bg.wasm", "@dimforge/rapier3d-compat/dist/rapier.mjs"),
-    "@dimforge/rapier3d-simd-compat": theirs("@dimforge/rapier3d-simd-compat/rapier_wasm3d_bg.wasm"),
+    "@dimforge/rapier3d-simd-compat": theirs("@dimforge/rapier3d-simd-compat/dist/rapier_wasm3d_bg.wasm"),
     "@dimforge/rapier2d-compat": theirs("@dimforge/rapier2d-compat/dist/rapier_wasm2d_bg.wasm"),
     "jolt-physics": theirs("jolt-physics/dist/jolt-physics.wasm.wasm", "jolt-physics/dist/jolt-physics.wasm.js"),
     "box2d3-wasm": theirs("box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.wasm", "box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.mjs"),
