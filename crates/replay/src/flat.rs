@@ -1,6 +1,6 @@
 //! Recording and replaying in 2D.
 
-use examples2d as examples;
+use scenes2d as examples;
 use rapier2d as rapier;
 
 #[path = "both.rs"]

@@ -1,6 +1,6 @@
 //! Recording and replaying in 3D.
 
-use examples3d as examples;
+use scenes3d as examples;
 use rapier3d as rapier;
 
 #[path = "both.rs"]

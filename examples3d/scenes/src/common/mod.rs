@@ -1,0 +1,16 @@
+//! What the 2D and the 3D scenes have in common. Both crates compile these files, each against its own
+//! engine, which their roots import under the name `rapier`.
+
+mod dice;
+mod jansen;
+pub mod stands;
+mod strider;
+mod walker;
+
+#[cfg(test)]
+mod tests;
+
+pub use dice::Dice;
+pub use crate::scene::{Scene, SceneInfo};
+pub use strider::{Strider, turns};
+pub use walker::Walker;
