@@ -12,8 +12,8 @@ pub const SKY_LIGHT: Point = [0.40, 0.46, 0.56];
 pub const GROUND_LIGHT: Point = [0.17, 0.16, 0.16];
 /// Background at the top of the picture and at its bottom (linear light).
 pub const BACKGROUND: [Point; 2] = [[0.020, 0.028, 0.044], [0.052, 0.068, 0.094]];
-/// Strength of highlights, and the exponent that narrows them.
-pub const GLOSS: [f32; 2] = [0.10, 28.0];
+/// Strength of highlights. The exponent that narrows them is 32: five squarings.
+pub const GLOSS: f32 = 0.10;
 /// Fraction of the background mixed into the farthest surfaces.
 pub const HAZE: f32 = 0.35;
 /// Width of the rim of a flat shape, in pixels of a picture 720 pixels high.

@@ -2,16 +2,17 @@
 
 use crate::Point;
 use crate::vector::{add_scaled, cross, dot, normalize, sub};
+use std::collections::HashMap;
 use std::f32::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
 /// Faces that meet at less than this angle (its cosine) share a smooth normal.
 const CREASE: f32 = 0.8;
-/// Pieces of a circle, and of one that is small in the picture.
+/// Normals that agree in so many steps of their coordinates are equal.
+const NORMAL_STEPS: f32 = 4096.0;
+/// Pieces of a circle of any size, and of those with a radius below a number of pixels.
 const PIECES: u32 = 32;
-const COARSE_PIECES: u32 = 12;
-/// Radius in pixels below which the coarse form is used.
-const COARSE_BELOW: f32 = 13.0;
+const COARSE: [(u32, f32); 3] = [(20, 48.0), (12, 16.0), (8, 6.0)];
 
 /// A corner of a triangle.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -32,8 +33,10 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// Opposite corners of the box around it.
     pub bounds: [Point; 2],
-    /// The same shape with fewer triangles, for places where it is small in the picture.
-    pub coarse: Option<Arc<Mesh>>,
+    /// Whether the surface has an inside, which no eye reaches: triangles seen from there are not drawn.
+    pub closed: bool,
+    /// The same shape with fewer triangles, for radii below a number of pixels; the coarsest form last.
+    pub coarse: Vec<(Arc<Mesh>, f32)>,
 }
 
 impl Mesh {
@@ -49,7 +52,7 @@ impl Mesh {
         if vertices.is_empty() {
             bounds = [[0.0; 3]; 2];
         }
-        Self { vertices, triangles, bounds, coarse: None }
+        Self { vertices, triangles, bounds, closed: false, coarse: Vec::new() }
     }
 
     /// A surface with normals from its triangles: smooth across shallow edges, sharp across steep ones.
@@ -67,19 +70,25 @@ impl Mesh {
                 }
             }
         }
-        let mut vertices = Vec::with_capacity(3 * triangles.len());
+        // Corners with the same place and normal are one vertex: adapters in software spend most of a frame on vertices.
+        let (mut vertices, mut known) = (Vec::new(), HashMap::new());
+        let mut indices = Vec::with_capacity(triangles.len());
         for (face, triangle) in triangles.iter().enumerate() {
             let own = normalize(scaled[face]);
-            for &index in triangle {
+            indices.push(triangle.map(|index| {
                 let around = faces_of.get(index as usize).map_or(&[][..], Vec::as_slice);
                 let near = around.iter().map(|&other| scaled[other as usize]);
                 let near = near.filter(|&other| dot(normalize(other), own) > CREASE);
                 let normal = near.fold(own, |sum, other| add_scaled(sum, other, 1.0));
-                vertices.push(Vertex { position: corner(index), normal: normalize(normal) });
-            }
+                let normal = normalize(normal);
+                let key = (index, normal.map(|c| (c * NORMAL_STEPS).round() as i32));
+                *known.entry(key).or_insert_with(|| {
+                    vertices.push(Vertex { position: corner(index), normal });
+                    vertices.len() as u32 - 1
+                })
+            }));
         }
-        let triangles = (0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]);
-        Self::new(vertices, triangles.collect())
+        Self::new(vertices, indices)
     }
 
     /// A flat convex shape with a rim, from its corners in counter-clockwise order.
@@ -96,18 +105,26 @@ impl Mesh {
         parts.finish()
     }
 
-    /// This mesh or its coarse form, whichever suits an instance of it in a picture so many pixels high.
-    pub fn fitting(&self, camera: &crate::Camera, instance: &crate::Instance, height: f32) -> &Self {
-        let Some(coarse) = &self.coarse else { return self };
+    /// The position in `coarse` of the form that suits an instance in a picture so many pixels high; none for this mesh.
+    pub fn detail(&self, camera: &crate::Camera, instance: &crate::Instance, height: f32) -> Option<usize> {
+        if self.coarse.is_empty() {
+            return None;
+        }
         let largest = instance.scale.into_iter().fold(0.0, f32::max);
         let w = camera.see(instance.position).w.max(camera.nearest());
-        if largest / camera.pixel_at(w, height) < COARSE_BELOW { coarse } else { self }
+        let radius = largest / camera.pixel_at(w, height);
+        self.coarse.iter().rposition(|(_, below)| radius < *below)
+    }
+
+    /// The form with the fewest triangles.
+    pub fn coarsest(&self) -> &Self {
+        self.coarse.last().map_or(self, |(mesh, _)| mesh)
     }
 
     /// The ball of radius 1.
     pub fn ball() -> &'static Arc<Self> {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-        MESH.get_or_init(|| Arc::new(both(|pieces| revolved(&arc_profile(pieces / 2), pieces, true))))
+        MESH.get_or_init(|| Arc::new(with_coarse(true, |pieces| revolved(&arc_profile(pieces / 2), pieces, true))))
     }
 
     /// The cube with half extents of 1.
@@ -118,7 +135,7 @@ impl Mesh {
             let sides = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
             let triangles: Vec<_> =
                 sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-            Arc::new(Self::from_triangles(&corners, &triangles))
+            Arc::new(Self { closed: true, ..Self::from_triangles(&corners, &triangles) })
         })
     }
 
@@ -127,7 +144,7 @@ impl Mesh {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
         MESH.get_or_init(|| {
             let profile = [[0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, 1.0]];
-            Arc::new(both(|pieces| revolved(&profile, pieces, false)))
+            Arc::new(with_coarse(true, |pieces| revolved(&profile, pieces, false)))
         })
     }
 
@@ -136,7 +153,7 @@ impl Mesh {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
         MESH.get_or_init(|| {
             let profile = [[0.0, -1.0], [1.0, -1.0], [0.0, 1.0]];
-            Arc::new(both(|pieces| revolved(&profile, pieces, false)))
+            Arc::new(with_coarse(true, |pieces| revolved(&profile, pieces, false)))
         })
     }
 
@@ -144,7 +161,7 @@ impl Mesh {
     pub fn disc() -> &'static Arc<Self> {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
         MESH.get_or_init(|| {
-            Arc::new(both(flat_disc))
+            Arc::new(with_coarse(false, flat_disc))
         })
     }
 
@@ -157,9 +174,11 @@ impl Mesh {
     }
 }
 
-/// A mesh with its coarse form, from a function of the number of pieces of a circle.
-fn both(of: impl Fn(u32) -> Mesh) -> Mesh {
-    Mesh { coarse: Some(Arc::new(of(COARSE_PIECES))), ..of(PIECES) }
+/// A mesh with its coarse forms, from a function of the number of pieces of a circle.
+fn with_coarse(closed: bool, of: impl Fn(u32) -> Mesh) -> Mesh {
+    let form = |pieces: u32| Mesh { closed, ..of(pieces) };
+    let coarse = COARSE.map(|(pieces, below)| (Arc::new(form(pieces)), below));
+    Mesh { coarse: coarse.into(), ..form(PIECES) }
 }
 
 /// A disc with a spoke, which shows how it turns.

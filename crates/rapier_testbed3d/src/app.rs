@@ -195,14 +195,14 @@ impl Window {
     fn side_panel(&mut self, ui: &mut Ui) {
         ui.add_space(4.0);
         ui.horizontal(|ui| {
-            if ui.button("📷 Screenshot").clicked() {
+            if ui.button("Screenshot").clicked() {
                 self.screenshot();
             }
             let recording = self.recorder.is_recording();
-            if ui.button(if recording { "⏹ Stop" } else { "⏺ Record" }).clicked() {
+            if ui.button(if recording { "Stop" } else { "Record" }).clicked() {
                 self.toggle_recording();
             }
-            if ui.button("❓ Keys").clicked() {
+            if ui.button("Keys").clicked() {
                 self.help = !self.help;
             }
         });
@@ -217,9 +217,7 @@ impl Window {
             section("Parameters", true).show(ui, |ui| parameters::show(ui, session));
             section("Drawing", false).show(ui, |ui| {
                 shown::show(ui, &mut session.artist.overlays);
-                let old = self.viewport.quality();
-                let new = shown::quality(ui, old, &mut self.viewport.scale);
-                self.viewport.set_quality(new);
+                shown::quality(ui, &mut self.viewport);
             });
         });
     }
@@ -232,7 +230,7 @@ impl Window {
         if let Some(index) = clicked.inner {
             self.load(index);
         }
-        egui::Panel::right("panels").default_size(320.0).show(ui, |ui| self.side_panel(ui));
+        egui::Panel::right("panels").default_size(310.0).show(ui, |ui| self.side_panel(ui));
         egui::Panel::bottom("transport")
             .show(ui, |ui| transport::show(ui, &mut self.session, self.frame_time));
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
@@ -253,6 +251,7 @@ impl eframe::App for Window {
         let elapsed = (start - self.last_frame).as_secs_f64();
         self.last_frame = start;
         self.frame_time += SMOOTHING * (elapsed - self.frame_time);
+        self.viewport.adapt(self.frame_time);
         self.keys(ui);
         let stepping = self.session.advance(elapsed);
         self.panels(ui);

@@ -11,6 +11,13 @@ use render::{Quality, Renderer, Target};
 /// Gap between two pictures in points.
 const GAP: f32 = 4.0;
 
+/// Frame times (s) above which the resolution falls, and below which it rises.
+const SLOW: f64 = 1.0 / 29.0;
+const FAST: f64 = 1.0 / 45.0;
+/// Lowest resolution, and frames between two changes of it.
+const SCALE_MIN: f32 = 0.45;
+const PATIENCE: u32 = 12;
+
 /// A picture in the window.
 struct Screen {
     target: Target,
@@ -24,12 +31,16 @@ pub(crate) struct Viewport {
     screens: Vec<Screen>,
     /// Pixels of the picture for a pixel of the window.
     pub scale: f32,
+    /// Whether the scale follows the frame rate.
+    pub adapts: bool,
+    frames_at_scale: u32,
 }
 
 impl Viewport {
     pub(crate) fn new(state: &RenderState) -> Self {
-        let renderer = Renderer::new(&state.device, &state.queue, Quality::default());
-        Self { state: state.clone(), renderer, screens: Vec::new(), scale: 1.0 }
+        let renderer = Renderer::new(&state.device, &state.queue, Quality::for_adapter(&state.adapter));
+        let adapts = renderer.quality() != Quality::default();
+        Self { state: state.clone(), renderer, screens: Vec::new(), scale: 1.0, adapts, frames_at_scale: 0 }
     }
 
     /// Sets the cost of pictures.
@@ -38,6 +49,21 @@ impl Viewport {
             self.renderer = Renderer::new(&self.state.device, &self.state.queue, quality);
             self.drop_screens();
         }
+    }
+
+    /// Lowers the resolution while frames take too long, and raises it when they do not.
+    pub(crate) fn adapt(&mut self, frame_time: f64) {
+        self.frames_at_scale += 1;
+        if !self.adapts || self.frames_at_scale < PATIENCE {
+            return;
+        }
+        let factor = match frame_time {
+            time if time > SLOW => 0.8,
+            time if time < FAST => 1.1,
+            _ => return,
+        };
+        self.scale = (self.scale * factor).clamp(SCALE_MIN, 1.0);
+        self.frames_at_scale = 0;
     }
 
     pub(crate) fn quality(&self) -> Quality {
@@ -78,6 +104,9 @@ impl Viewport {
         }
         let drawing = session.draw(index == 1);
         let camera = framed(session, aspect, &drawing);
+        if session.other.is_some() {
+            self.renderer.renew_shadows();
+        }
         let screen = self.screen(ui, rect, index);
         let Screen { target, texture } = &self.screens[screen];
         self.renderer.draw(target, &drawing, &camera);

@@ -21,14 +21,16 @@ pub(crate) struct MeshBuffers {
     pub vertices: Buffer,
     pub indices: Buffer,
     pub index_count: u32,
+    pub closed: bool,
     /// Keeps the address of the mesh its own.
     _mesh: Arc<Mesh>,
     last_used: u64,
 }
 
-/// A draw call: a mesh by its address, and a range of instances.
+/// A draw call: a mesh and the coarse one that throws its shadow, by their addresses, and a range of instances.
 pub(crate) struct Call {
     pub mesh: usize,
+    pub shadow: usize,
     pub instances: Range<u32>,
 }
 
@@ -62,17 +64,25 @@ impl Buffers {
         let mut numbers: Vec<[f32; INSTANCE_NUMBERS]> = Vec::new();
         let mut calls = Vec::new();
         for batch in &drawing.batches {
-            let is_fine = |i: &&Instance| std::ptr::eq(batch.mesh.fitting(camera, i, height), &*batch.mesh);
-            let (fine, coarse): (Vec<_>, Vec<_>) = batch.instances.iter().partition(is_fine);
-            let coarse_mesh = batch.mesh.coarse.as_ref().unwrap_or(&batch.mesh);
-            for (mesh, part) in [(&batch.mesh, fine), (coarse_mesh, coarse)] {
+            let forms = batch.mesh.coarse.len() + 1;
+            let mut parts: Vec<Vec<(f32, &Instance)>> = vec![Vec::new(); forms];
+            for instance in &batch.instances {
+                let form = batch.mesh.detail(camera, instance, height).map_or(0, |form| form + 1);
+                parts[form].push((camera.see(instance.position).w, instance));
+            }
+            for (form, mut part) in parts.into_iter().enumerate() {
+                let mesh = if form == 0 { &batch.mesh } else { &batch.mesh.coarse[form - 1].0 };
                 if part.is_empty() || mesh.triangles.is_empty() {
                     continue;
                 }
+                // Near ones first: they hide the others, whose pixels then cost nothing. Flat scenes keep their order.
+                part.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let first = numbers.len() as u32;
-                numbers.extend(part.into_iter().map(numbers_of));
+                numbers.extend(part.into_iter().map(|(_, instance)| numbers_of(instance)));
                 let address = self.keep(device, mesh);
-                calls.push(Call { mesh: address, instances: first..numbers.len() as u32 });
+                let shadow = batch.mesh.coarse.last().map_or(&batch.mesh, |(mesh, _)| mesh);
+                let shadow = self.keep(device, shadow);
+                calls.push(Call { mesh: address, shadow, instances: first..numbers.len() as u32 });
             }
         }
         self.instances.write(device, queue, numbers.as_flattened());
@@ -120,6 +130,7 @@ fn upload_mesh(device: &Device, mesh: &Arc<Mesh>) -> MeshBuffers {
         vertices: buffer("vertices", bytemuck::cast_slice(&vertices), BufferUsages::VERTEX),
         indices: buffer("indices", bytemuck::cast_slice(&mesh.triangles), BufferUsages::INDEX),
         index_count: 3 * mesh.triangles.len() as u32,
+        closed: mesh.closed,
         _mesh: mesh.clone(),
         last_used: 0,
     }

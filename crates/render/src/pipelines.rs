@@ -4,7 +4,7 @@ use crate::buffers::{INSTANCE_NUMBERS, LINE_NUMBERS};
 use crate::target::{COLOR, DEPTH};
 use wgpu::{
     BindGroupLayout, BlendState, ColorTargetState, ColorWrites, CompareFunction, DepthBiasState,
-    DepthStencilState, Device, FragmentState, MultisampleState, PipelineLayoutDescriptor,
+    DepthStencilState, Device, Face, FragmentState, MultisampleState, PipelineLayoutDescriptor,
     PrimitiveState, PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor, ShaderModule,
     StencilState, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
@@ -12,7 +12,10 @@ use wgpu::{
 /// The pipelines for a number of samples a pixel.
 pub(crate) struct Pipelines {
     pub sky: RenderPipeline,
+    /// Surfaces that are visible from both sides.
     pub surface: RenderPipeline,
+    /// Surfaces of solid shapes, which are visible from outside.
+    pub closed: RenderPipeline,
     pub line: RenderPipeline,
     pub shadow: RenderPipeline,
 }
@@ -25,6 +28,7 @@ struct Recipe<'a> {
     buffers: &'a [Option<VertexBufferLayout<'a>>],
     topology: PrimitiveTopology,
     writes_depth: bool,
+    cull_mode: Option<Face>,
     compare: CompareFunction,
     samples: u32,
 }
@@ -57,6 +61,7 @@ impl Pipelines {
             buffers: &solid,
             topology: PrimitiveTopology::TriangleList,
             writes_depth: true,
+            cull_mode: None,
             compare: CompareFunction::GreaterEqual,
             samples,
         };
@@ -89,6 +94,7 @@ impl Pipelines {
             sky: sky.build(device, shader, view),
             line: line.build(device, shader, view),
             shadow: shadow.build(device, shader, sun_view),
+            closed: Recipe { cull_mode: Some(Face::Back), ..surface }.build(device, shader, view),
             surface: surface.build(device, shader, view),
         }
     }
@@ -115,7 +121,11 @@ impl Recipe<'_> {
                 compilation_options: Default::default(),
                 buffers: self.buffers,
             },
-            primitive: PrimitiveState { topology: self.topology, ..Default::default() },
+            primitive: PrimitiveState {
+                topology: self.topology,
+                cull_mode: self.cull_mode,
+                ..Default::default()
+            },
             depth_stencil: Some(DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(self.writes_depth),

@@ -3,7 +3,7 @@
 use crate::buffers::{Buffers, Call};
 use crate::pipelines::Pipelines;
 use crate::target::{DEPTH, Target};
-use crate::uniforms;
+use crate::uniforms::{self, Sun};
 use drawing::{Camera, Drawing};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor,
@@ -21,11 +21,23 @@ pub struct Quality {
     pub samples: u32,
     /// Side of the shadow map in texels; 0 draws no shadows.
     pub shadow_texels: u32,
+    /// Pictures for which a shadow map serves: a map costs as much as a picture without shadows.
+    pub shadow_life: u32,
+}
+
+impl Quality {
+    /// The quality for a window: on an adapter in software, borders are not smoothed and shadows are coarse.
+    pub fn for_adapter(adapter: &wgpu::Adapter) -> Self {
+        match adapter.get_info().device_type {
+            wgpu::DeviceType::Cpu => Self { samples: 1, shadow_texels: 1024, shadow_life: 3 },
+            _ => Self::default(),
+        }
+    }
 }
 
 impl Default for Quality {
     fn default() -> Self {
-        Self { samples: 4, shadow_texels: drawing::light::SHADOW_TEXELS as u32 }
+        Self { samples: 4, shadow_texels: drawing::light::SHADOW_TEXELS as u32, shadow_life: 1 }
     }
 }
 
@@ -40,6 +52,8 @@ pub struct Renderer {
     shadow_map: TextureView,
     view: BindGroup,
     sun_view: BindGroup,
+    /// The shadow map's matrix, and the number of pictures that it still serves.
+    sun: (Sun, u32),
 }
 
 impl Renderer {
@@ -81,6 +95,7 @@ impl Renderer {
             shadow_map,
             view,
             sun_view,
+            sun: (Sun::default(), 0),
         }
     }
 
@@ -94,16 +109,27 @@ impl Renderer {
         Target::new(&self.device, size, self.quality.samples)
     }
 
+    /// Lets the next picture have a shadow map of its own.
+    pub fn renew_shadows(&mut self) {
+        self.sun.1 = 0;
+    }
+
     /// Draws a picture, without labels, into a target of this renderer.
     pub fn draw(&mut self, target: &Target, drawing: &Drawing, camera: &Camera) {
         let texels = if camera.flat { 0 } else { self.quality.shadow_texels };
-        let rows = uniforms::rows(camera, target.size, texels);
+        let new_shadows = texels > 0 && self.sun.1 == 0;
+        if new_shadows {
+            self.sun = (uniforms::sun(camera, texels), self.quality.shadow_life);
+        }
+        self.sun.1 = self.sun.1.saturating_sub(1);
+        let sun = (texels > 0).then_some(&self.sun.0);
+        let rows = uniforms::rows(camera, target.size, sun, self.quality);
         self.queue.write_buffer(&self.uniforms, 0, bytemuck::cast_slice(&rows));
         let height = target.size[1] as f32;
         let (calls, lines) =
             self.buffers.upload((&self.device, &self.queue), drawing, camera, height);
         let mut encoder = self.device.create_command_encoder(&Default::default());
-        if texels > 0 {
+        if new_shadows {
             self.draw_shadows(&mut encoder, &calls);
         }
         self.draw_scene(&mut encoder, target, &calls, lines);
@@ -119,7 +145,10 @@ impl Renderer {
         });
         pass.set_pipeline(&self.pipelines.shadow);
         pass.set_bind_group(0, &self.sun_view, &[]);
-        self.draw_calls(&mut pass, calls);
+        pass.set_vertex_buffer(1, self.buffers.instances().slice(..));
+        for call in calls {
+            self.draw_mesh(&mut pass, call.shadow, call);
+        }
     }
 
     fn draw_scene(&self, encoder: &mut CommandEncoder, target: &Target, calls: &[Call], lines: u32) {
@@ -141,8 +170,14 @@ impl Renderer {
         pass.set_bind_group(0, &self.view, &[]);
         pass.set_pipeline(&self.pipelines.sky);
         pass.draw(0..3, 0..1);
-        pass.set_pipeline(&self.pipelines.surface);
-        self.draw_calls(&mut pass, calls);
+        pass.set_vertex_buffer(1, self.buffers.instances().slice(..));
+        for (pipeline, closed) in [(&self.pipelines.closed, true), (&self.pipelines.surface, false)] {
+            pass.set_pipeline(pipeline);
+            let is_closed = |call: &&Call| self.buffers.mesh(call.mesh).is_some_and(|mesh| mesh.closed);
+            for call in calls.iter().filter(|call| is_closed(call) == closed) {
+                self.draw_mesh(&mut pass, call.mesh, call);
+            }
+        }
         if lines > 0 {
             pass.set_pipeline(&self.pipelines.line);
             pass.set_vertex_buffer(0, self.buffers.lines().slice(..));
@@ -150,14 +185,11 @@ impl Renderer {
         }
     }
 
-    fn draw_calls(&self, pass: &mut RenderPass, calls: &[Call]) {
-        pass.set_vertex_buffer(1, self.buffers.instances().slice(..));
-        for call in calls {
-            let Some(mesh) = self.buffers.mesh(call.mesh) else { continue };
-            pass.set_vertex_buffer(0, mesh.vertices.slice(..));
-            pass.set_index_buffer(mesh.indices.slice(..), IndexFormat::Uint32);
-            pass.draw_indexed(0..mesh.index_count, 0, call.instances.clone());
-        }
+    fn draw_mesh(&self, pass: &mut RenderPass, mesh: usize, call: &Call) {
+        let Some(mesh) = self.buffers.mesh(mesh) else { return };
+        pass.set_vertex_buffer(0, mesh.vertices.slice(..));
+        pass.set_index_buffer(mesh.indices.slice(..), IndexFormat::Uint32);
+        pass.draw_indexed(0..mesh.index_count, 0, call.instances.clone());
     }
 }
 

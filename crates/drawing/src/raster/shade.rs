@@ -25,7 +25,8 @@ impl<'a> Shader<'a> {
     pub(super) fn paint(&self, canvas: &mut Canvas, mesh: &Mesh, instance: &Instance) {
         let albedo = instance.color.to_light();
         let size = [canvas.width, canvas.height];
-        let mesh = mesh.fitting(self.camera, instance, 720.0);
+        let detail = mesh.detail(self.camera, instance, canvas.height as f32);
+        let mesh = detail.map_or(mesh, |detail| &mesh.coarse[detail].0);
         let mut row = (usize::MAX, [0.0; 3]);
         fill::instance(self.camera, size, mesh, instance, |pixel| {
             if !canvas.is_visible(pixel.x, pixel.y, pixel.nearness) {
@@ -71,7 +72,7 @@ impl<'a> Shader<'a> {
             _ => 1.0,
         };
         let middle = normalize(add_scaled(self.sun, to_eye, 1.0));
-        let gloss = GLOSS[0] * dot(normal, middle).max(0.0).powf(GLOSS[1]) * facing.min(1.0);
+        let gloss = GLOSS * dot(normal, middle).max(0.0).powi(32) * facing.min(1.0);
         let up = 0.5 + 0.5 * normal[1];
         std::array::from_fn(|c| {
             let around = GROUND_LIGHT[c] + (SKY_LIGHT[c] - GROUND_LIGHT[c]) * up;

@@ -36,7 +36,7 @@ impl ShadowMap {
         let light = self.camera();
         let size = [SHADOW_TEXELS; 2];
         for (mesh, instance) in drawing.instances() {
-            let mesh = mesh.coarse.as_deref().unwrap_or(mesh);
+            let mesh = mesh.coarsest();
             if instance.role == Role::Ground {
                 continue;
             }

@@ -4,7 +4,10 @@ use crate::player::Player;
 use crate::rapier::dynamics::FrictionModel;
 use crate::rapier::prelude::*;
 use crate::session::Session;
-use eframe::egui::{DragValue, Grid, RichText, Slider, Ui};
+use eframe::egui::{DragValue, Grid, Label, RichText, Slider, Ui, Vec2};
+
+/// Width of the column of names, in points.
+const NAME_WIDTH: f32 = 128.0;
 
 /// Shows the parameters of the scene, or of one of the two compared ones.
 pub(crate) fn show(ui: &mut Ui, session: &mut Session) {
@@ -65,7 +68,11 @@ fn edit(ui: &mut Ui, player: &mut Player) {
 
 /// A row of the table: a name with an explanation, and something to change it with.
 fn row(ui: &mut Ui, name: &str, hint: &str, change: impl FnOnce(&mut Ui)) {
-    ui.label(RichText::new(name).small()).on_hover_text(hint);
+    // The prefix and long names leave no room for sliders.
+    let short = name.trim_start_matches("normalized_");
+    let label = Label::new(RichText::new(short).small()).truncate();
+    let size = Vec2::new(NAME_WIDTH, ui.spacing().interact_size.y);
+    ui.add_sized(size, label).on_hover_text(format!("{name}: {hint}"));
     ui.horizontal(change);
     ui.end_row();
 }
@@ -124,7 +131,9 @@ fn lengths(ui: &mut Ui, p: &mut IntegrationParameters) {
     let threshold = &mut p.normalized_restitution_velocity_threshold;
     number(ui, "normalized_restitution_velocity_threshold", "Slower impacts do not bounce", threshold, 0.0..=5.0);
     row(ui, "normalized_max_linear_velocity", "Fastest motion of a body", |ui| {
-        ui.add(DragValue::new(&mut p.normalized_max_linear_velocity).range(0.0..=Real::MAX));
+        let shown = |value: f64, _| if value > 1.0e9 { "no limit".to_owned() } else { format!("{value:.1}") };
+        let value = DragValue::new(&mut p.normalized_max_linear_velocity).range(0.0..=Real::MAX);
+        ui.add(value.custom_formatter(shown));
     });
 }
 

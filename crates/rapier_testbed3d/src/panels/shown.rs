@@ -3,7 +3,7 @@
 use crate::rapier::prelude::*;
 use crate::scene::Overlays;
 use eframe::egui::{Key, Slider, Ui};
-use render::Quality;
+use crate::viewport::Viewport;
 
 /// Parts of the debug-renderer, with their names and the keys that switch them.
 const LINES: [(DebugRenderMode, &str, Option<Key>); 9] = [
@@ -47,8 +47,9 @@ pub(crate) fn keys(ui: &Ui, overlays: &mut Overlays) {
     overlays.surfaces ^= pressed(Key::Num6);
 }
 
-/// Shows the choice of the quality of pictures; returns the new one.
-pub(crate) fn quality(ui: &mut Ui, mut quality: Quality, scale: &mut f32) -> Quality {
+/// Shows the choice of the quality of pictures.
+pub(crate) fn quality(ui: &mut Ui, viewport: &mut Viewport) {
+    let mut quality = viewport.quality();
     let mut smooth = quality.samples > 1;
     ui.checkbox(&mut smooth, "smooth borders (4 samples)");
     quality.samples = if smooth { 4 } else { 1 };
@@ -58,6 +59,7 @@ pub(crate) fn quality(ui: &mut Ui, mut quality: Quality, scale: &mut f32) -> Qua
             ui.selectable_value(&mut quality.shadow_texels, texels, name);
         }
     });
-    ui.add(Slider::new(scale, 0.25..=1.0).text("resolution"));
-    quality
+    ui.checkbox(&mut viewport.adapts, "resolution follows the frame rate");
+    ui.add_enabled(!viewport.adapts, Slider::new(&mut viewport.scale, 0.25..=1.0).text("resolution"));
+    viewport.set_quality(quality);
 }

@@ -1,7 +1,7 @@
 //! The bar below the picture: run, pause, step, speed, time, counts.
 
 use crate::session::Session;
-use eframe::egui::{RichText, Slider, Ui};
+use eframe::egui::{Button, RichText, Slider, Ui, Vec2};
 
 /// Shows the bar.
 pub(crate) fn show(ui: &mut Ui, session: &mut Session, frame_time: f64) {
@@ -21,15 +21,16 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, frame_time: f64) {
 
 fn buttons(ui: &mut Ui, session: &mut Session) {
     let running = session.pace.running;
-    let (sign, hint) = if running { ("⏸", "Pause (Space)") } else { ("▶", "Run (Space)") };
-    if ui.button(RichText::new(sign).size(18.0)).on_hover_text(hint).clicked() {
+    let word = if running { "Pause" } else { "Run" };
+    let button = Button::new(RichText::new(word).strong()).min_size(Vec2::new(52.0, 22.0));
+    if ui.add(button).on_hover_text("Space").clicked() {
         session.pace.running = !running;
     }
-    if ui.button(RichText::new("⏭").size(18.0)).on_hover_text("One step (S)").clicked() {
+    if ui.button("Step").on_hover_text("S").clicked() {
         session.pace.running = false;
         session.pace.single_steps += 1;
     }
-    if ui.button(RichText::new("⟲").size(18.0)).on_hover_text("Restart (R)").clicked() {
+    if ui.button("Restart").on_hover_text("R").clicked() {
         session.restart();
     }
 }

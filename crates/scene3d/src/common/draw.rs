@@ -69,10 +69,12 @@ impl Artist {
 
     fn add_lines(&mut self, world: &PhysicsWorld, moving: Real, drawing: &mut Drawing) {
         let Self { overlays, lines, .. } = self;
+        // Joints are inside their bodies; the axes are there to be seen.
+        let joints_on_top = overlays.lines.contains(DebugRenderMode::JOINT_AXES);
         lines.mode = overlays.lines | DebugRenderMode::COLLIDER_SHAPES;
         lines.style.contact_normal_length = overlays.length;
         lines.style.rigid_body_axes_length = overlays.length;
-        let mut pen = Pen { drawing, moving, world, everything: !overlays.surfaces };
+        let mut pen = Pen { drawing, moving, world, everything: !overlays.surfaces, joints_on_top };
         world.debug_render(lines, &mut pen);
     }
 }
@@ -125,6 +127,8 @@ struct Pen<'a> {
     world: &'a PhysicsWorld,
     /// Whether the outlines of shapes with a surface are drawn, too.
     everything: bool,
+    /// Whether joints show through the surfaces.
+    joints_on_top: bool,
 }
 
 impl Pen<'_> {
@@ -153,6 +157,7 @@ impl DebugRenderBackend for Pen<'_> {
             DebugRenderObject::Collider(_, collider) if collider.is_sensor() => (SENSOR, false),
             DebugRenderObject::Collider(_, collider) if Self::is_wire(collider) => (WIRE, false),
             DebugRenderObject::Collider(..) | DebugRenderObject::ColliderAabb(..) => (color, false),
+            DebugRenderObject::ImpulseJoint(..) | DebugRenderObject::MultibodyJoint(..) => (color, self.joints_on_top),
             _ => (color, true),
         };
         let color = Color::from_hsl(hue, saturation, lightness, opacity);
