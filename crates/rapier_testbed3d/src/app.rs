@@ -18,8 +18,6 @@ use std::time::Instant;
 const FOLDER: &str = "target/gallery";
 /// Size of the window in points.
 const SIZE: [f32; 2] = [1360.0, 840.0];
-/// Aspect of the picture with which the first camera is fitted.
-const ASPECT: f32 = 1.4;
 /// Weight of the last frame in the shown frame rate.
 const SMOOTHING: f64 = 0.08;
 
@@ -103,7 +101,7 @@ struct Window {
 
 impl Window {
     fn new(demos: Vec<Demo>, folder: &Path, viewport: Viewport) -> Self {
-        let session = Session::new(&demos[0], ASPECT);
+        let session = Session::new(&demos[0]);
         Self {
             demos,
             current: 0,
@@ -121,7 +119,7 @@ impl Window {
     /// Loads a demo; the choice of what is drawn and the pace stay.
     fn load(&mut self, index: usize) {
         self.current = index;
-        let mut session = Session::new(&self.demos[index], ASPECT);
+        let mut session = Session::new(&self.demos[index]);
         session.artist.overlays = self.session.artist.overlays;
         session.pace = self.session.pace;
         self.session = session;

@@ -35,15 +35,16 @@ pub(crate) struct Session {
     pub follow: bool,
     pub plot: StagePlot,
     home: OrbitCamera,
+    /// The camera that the scene asks for, and the aspect that the home fits.
+    wanted: Option<OrbitCamera>,
+    fitted: f32,
 }
 
 impl Session {
-    pub(crate) fn new(demo: &Demo, aspect: f32) -> Self {
+    pub(crate) fn new(demo: &Demo) -> Self {
         let player = Player::new(demo.build.clone());
-        let mut artist = Artist::default();
-        let drawing = artist.draw(&player.scene);
-        let fit = || OrbitCamera::framing(&player.scene.view, &drawing.points_to_frame(), aspect);
-        let camera = demo.camera.unwrap_or_else(fit);
+        let artist = Artist::default();
+        let camera = OrbitCamera { target: [0.0; 3], distance: 10.0, yaw: 0.0, pitch: 0.0 };
         Self {
             player,
             other: None,
@@ -56,6 +57,23 @@ impl Session {
             follow: false,
             plot: StagePlot::default(),
             home: camera,
+            wanted: demo.camera,
+            fitted: 0.0,
+        }
+    }
+
+    /// Fits the first view to a picture of an aspect, and moves the camera there unless the mouse has moved it.
+    pub(crate) fn fit(&mut self, aspect: f32) {
+        if (aspect - self.fitted).abs() < 0.01 {
+            return;
+        }
+        let at_home = self.camera == self.home;
+        let scene = self.player.history.get(0).unwrap_or(&self.player.scene);
+        let points = Artist::default().draw(scene).points_to_frame();
+        let fit = || OrbitCamera::framing(&scene.view, &points, aspect);
+        (self.home, self.fitted) = (self.wanted.unwrap_or_else(fit), aspect);
+        if at_home {
+            self.camera = self.home;
         }
     }
 

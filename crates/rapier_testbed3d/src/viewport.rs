@@ -98,6 +98,7 @@ impl Viewport {
     fn show_picture(&mut self, ui: &mut Ui, session: &mut Session, rect: Rect, index: usize) {
         let response = ui.interact(rect, ui.scope_id().with(("picture", index)), Sense::click_and_drag());
         let aspect = (rect.width() / rect.height().max(1.0)).max(0.01);
+        session.fit(aspect);
         let camera = session.camera.camera(aspect);
         if index == 0 {
             mouse(ui, &response, session, &camera, rect);

@@ -8,6 +8,8 @@ mod strider;
 mod walker;
 
 #[cfg(test)]
+mod framing;
+#[cfg(test)]
 mod tests;
 
 pub use dice::Dice;
