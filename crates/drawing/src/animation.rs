@@ -190,7 +190,10 @@ fn widest(part: &[([u8; 3], u64)]) -> (usize, u8) {
         let values = part.iter().map(|(color, _)| color[channel]);
         values.clone().max().unwrap_or(0) - values.min().unwrap_or(0)
     };
-    (0..3).map(|channel| (channel, range(channel))).max_by_key(|&(_, range)| range).unwrap_or((0, 0))
+    (0..3)
+        .map(|channel| (channel, range(channel)))
+        .max_by_key(|&(_, range)| range)
+        .unwrap_or((0, 0))
 }
 
 /// The part that gains most from a split.

@@ -274,14 +274,19 @@ impl Camera {
     /// Origin and unit direction of the line of sight through a place of the picture (both coordinates from -1 to 1).
     pub fn ray(&self, x: f32, y: f32) -> [Point; 2] {
         let through = self.point_at(x, y, 1.0);
-        if self.flat { [through, self.forward] } else { [self.eye, normalize(sub(through, self.eye))] }
+        if self.flat {
+            [through, self.forward]
+        } else {
+            [self.eye, normalize(sub(through, self.eye))]
+        }
     }
 
     /// The matrix, by columns, from the world to clip space with depth from 1 (near) to 0 (far).
     pub fn matrix(&self) -> [[f32; 4]; 4] {
         let [sx, sy] = self.scale;
         let shift = |axis: Point| -dot(axis, self.eye);
-        let row_x = [self.right[0] * sx, self.right[1] * sx, self.right[2] * sx, shift(self.right) * sx];
+        let row_x =
+            [self.right[0] * sx, self.right[1] * sx, self.right[2] * sx, shift(self.right) * sx];
         let along = [self.forward[0], self.forward[1], self.forward[2], shift(self.forward)];
         let row_w = if self.flat { [0.0, 0.0, 0.0, 1.0] } else { along };
         let row_y: [f32; 4] = std::array::from_fn(|i| {

@@ -106,7 +106,12 @@ impl Mesh {
     }
 
     /// The position in `coarse` of the form that suits an instance in a picture so many pixels high; none for this mesh.
-    pub fn detail(&self, camera: &crate::Camera, instance: &crate::Instance, height: f32) -> Option<usize> {
+    pub fn detail(
+        &self,
+        camera: &crate::Camera,
+        instance: &crate::Instance,
+        height: f32,
+    ) -> Option<usize> {
         if self.coarse.is_empty() {
             return None;
         }
@@ -124,7 +129,9 @@ impl Mesh {
     /// The ball of radius 1.
     pub fn ball() -> &'static Arc<Self> {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-        MESH.get_or_init(|| Arc::new(with_coarse(true, |pieces| revolved(&arc_profile(pieces / 2), pieces, true))))
+        MESH.get_or_init(|| {
+            Arc::new(with_coarse(true, |pieces| revolved(&arc_profile(pieces / 2), pieces, true)))
+        })
     }
 
     /// The cube with half extents of 1.
@@ -132,7 +139,14 @@ impl Mesh {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
         MESH.get_or_init(|| {
             let corners = crate::sheet::box_corners([[-1.0; 3], [1.0; 3]]);
-            let sides = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+            let sides = [
+                [0, 4, 6, 2],
+                [1, 3, 7, 5],
+                [0, 1, 5, 4],
+                [2, 6, 7, 3],
+                [0, 2, 3, 1],
+                [4, 5, 7, 6],
+            ];
             let triangles: Vec<_> =
                 sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
             Arc::new(Self { closed: true, ..Self::from_triangles(&corners, &triangles) })
@@ -160,9 +174,7 @@ impl Mesh {
     /// The flat disc of radius 1.
     pub fn disc() -> &'static Arc<Self> {
         static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-        MESH.get_or_init(|| {
-            Arc::new(with_coarse(false, flat_disc))
-        })
+        MESH.get_or_init(|| Arc::new(with_coarse(false, flat_disc)))
     }
 
     /// The flat square with half extents of 1.

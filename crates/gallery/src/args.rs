@@ -219,7 +219,8 @@ mod tests {
 
     #[test]
     fn scenes_run_in_the_order_given() {
-        let options = options("--headless rain --steps 7 tower --out=here --record=20 --renderer cpu");
+        let options =
+            options("--headless rain --steps 7 tower --out=here --record=20 --renderer cpu");
         assert_eq!(options.chosen, [1, 0]);
         assert_eq!(options.steps, Some(7));
         assert_eq!(options.folder, PathBuf::from("here"));
@@ -237,7 +238,8 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        let bad = |value: &str| UsageError::BadNumber { option: "--steps", value: value.to_owned() };
+        let bad =
+            |value: &str| UsageError::BadNumber { option: "--steps", value: value.to_owned() };
         assert_eq!(parse_words("--steps"), Err(UsageError::MissingValue("--steps")));
         assert_eq!(parse_words("--steps 0"), Err(bad("0")));
         assert_eq!(parse_words("--steps=-3"), Err(bad("-3")));

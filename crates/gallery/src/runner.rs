@@ -3,9 +3,9 @@
 use crate::album::{self, Page};
 use crate::args::Options;
 use crate::catalog::{Entry, SceneRun, StageTimes, Stats};
-use crate::recording::Recording;
 use crate::painter::Painter;
 use crate::progress::{Progress, seconds};
+use crate::recording::Recording;
 use crate::table::{Table, grouped};
 use drawing::{Camera, Image, raster};
 use std::io::{self, Write};
@@ -53,7 +53,9 @@ pub(crate) fn run(
         draw(scene.as_mut(), &page, painter).save(&options.folder.join(&page.file))?;
         if let Some(recording) = recording {
             let file = format!("{}-moving.png", entry.name);
-            recording.paint(painter, &scene.view()).save(&options.folder.join(&file), FRAMES_PER_SECOND)?;
+            recording
+                .paint(painter, &scene.view())
+                .save(&options.folder.join(&file), FRAMES_PER_SECOND)?;
             page.recording = Some(file);
         }
         writeln!(out, "{}", report_line(&page, position, options.chosen.len(), label_width))?;

@@ -209,7 +209,8 @@ impl Window {
         }
         egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let session = &mut self.session;
-            let section = |title: &str, open: bool| egui::CollapsingHeader::new(title).default_open(open);
+            let section =
+                |title: &str, open: bool| egui::CollapsingHeader::new(title).default_open(open);
             section("Time of a frame", true).show(ui, |ui| session.plot.show(ui));
             section("Selection", true).show(ui, |ui| inspect::show(ui, session));
             section("Parameters", true).show(ui, |ui| parameters::show(ui, session));
@@ -222,9 +223,8 @@ impl Window {
 
     fn panels(&mut self, ui: &mut Ui) {
         let left = egui::Panel::left("gallery").default_size(230.0);
-        let clicked = left.show(ui, |ui| {
-            self.gallery.show(ui, &self.demos, self.current, &mut self.thumbnails)
-        });
+        let clicked = left
+            .show(ui, |ui| self.gallery.show(ui, &self.demos, self.current, &mut self.thumbnails));
         if let Some(index) = clicked.inner {
             self.load(index);
         }
@@ -264,4 +264,3 @@ impl eframe::App for Window {
         ui.ctx().request_repaint();
     }
 }
-

@@ -46,7 +46,8 @@ impl Grip {
         let velocity = body.velocity_at_point(anchor);
         // The implicit form is stable at every length of the step.
         let denominator = 1.0 + 2.0 * DAMPING * omega * dt + omega * omega * dt * dt;
-        let change = (stretch * (omega * omega) - velocity * (2.0 * DAMPING * omega)) * (dt / denominator);
+        let change =
+            (stretch * (omega * omega) - velocity * (2.0 * DAMPING * omega)) * (dt / denominator);
         let impulse = change * body.mass();
         let spin = body.angvel();
         body.apply_impulse_at_point(impulse, anchor, true);
@@ -55,7 +56,11 @@ impl Grip {
 }
 
 /// The body under a ray, with the point that it hits.
-pub(crate) fn pick(world: &PhysicsWorld, origin: Vector, direction: Vector) -> Option<(ColliderHandle, Vector)> {
+pub(crate) fn pick(
+    world: &PhysicsWorld,
+    origin: Vector,
+    direction: Vector,
+) -> Option<(ColliderHandle, Vector)> {
     if DIM == 2 {
         let mut found = world.intersect_point(origin, QueryFilter::default().exclude_sensors());
         return found.next().map(|(handle, _)| (handle, origin));

@@ -98,7 +98,8 @@ impl Session {
         if wanted && self.other.is_none() {
             self.restart();
             let mut other = self.player.twin();
-            other.scene.world.integration_parameters = self.player.scene.world.integration_parameters;
+            other.scene.world.integration_parameters =
+                self.player.scene.world.integration_parameters;
             self.other = Some(other);
         }
         if !wanted {

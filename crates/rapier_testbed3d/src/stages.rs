@@ -60,7 +60,8 @@ impl StagePlot {
     fn means(&self) -> [f64; PARTS] {
         let last = self.frames.iter().rev().take(60);
         let count = last.len().max(1) as f64;
-        let sums = last.fold([0.0; PARTS], |sums, frame| std::array::from_fn(|i| sums[i] + frame[i]));
+        let sums =
+            last.fold([0.0; PARTS], |sums, frame| std::array::from_fn(|i| sums[i] + frame[i]));
         sums.map(|sum| sum / count)
     }
 
@@ -112,7 +113,10 @@ impl StagePlot {
 
 /// The next round number of milliseconds.
 fn round_up(ms: f64) -> f64 {
-    [2.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0].into_iter().find(|&top| ms <= top).unwrap_or(ms)
+    [2.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0]
+        .into_iter()
+        .find(|&top| ms <= top)
+        .unwrap_or(ms)
 }
 
 fn height_of(rect: Rect, fraction: f64) -> f32 {
@@ -120,7 +124,13 @@ fn height_of(rect: Rect, fraction: f64) -> f32 {
 }
 
 /// Fills the band between two curves, frame by frame.
-fn band(painter: &eframe::egui::Painter, rect: Rect, top: f64, (below, above): (&[f64], &[f64]), color: Color32) {
+fn band(
+    painter: &eframe::egui::Painter,
+    rect: Rect,
+    top: f64,
+    (below, above): (&[f64], &[f64]),
+    color: Color32,
+) {
     let width = rect.width() / FRAMES as f32;
     let first = FRAMES - below.len();
     let x = |i: usize| rect.left() + (first + i) as f32 * width;

@@ -71,7 +71,14 @@ impl Testbed {
         multibody_joints: MultibodyJointSet,
     ) {
         let gravity = self.world.gravity;
-        self.set_world_with_params(bodies, colliders, impulse_joints, multibody_joints, gravity, ());
+        self.set_world_with_params(
+            bodies,
+            colliders,
+            impulse_joints,
+            multibody_joints,
+            gravity,
+            (),
+        );
     }
 
     /// Shows these bodies, colliders and joints, with a gravity and hooks.

@@ -66,7 +66,8 @@ impl Thumbnails {
 
 fn load_or_paint(folder: &Path, name: &str, build: &Build) -> Image {
     let path: PathBuf = folder.join(format!("{name}.png"));
-    if let Some(image) = Image::load(&path).ok().filter(|image| [image.width, image.height] == SIZE) {
+    if let Some(image) = Image::load(&path).ok().filter(|image| [image.width, image.height] == SIZE)
+    {
         return image;
     }
     std::thread::sleep(REST);
@@ -85,6 +86,7 @@ fn paint(build: &Build) -> Image {
         scene.step();
     }
     let drawing = Artist::default().draw(&scene);
-    let camera = Camera::fit(&scene.view, &drawing.points_to_frame(), SIZE[0] as f32 / SIZE[1] as f32);
+    let camera =
+        Camera::fit(&scene.view, &drawing.points_to_frame(), SIZE[0] as f32 / SIZE[1] as f32);
     raster::picture(&drawing, &camera, SIZE)
 }

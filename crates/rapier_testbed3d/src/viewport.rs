@@ -38,9 +38,17 @@ pub(crate) struct Viewport {
 
 impl Viewport {
     pub(crate) fn new(state: &RenderState) -> Self {
-        let renderer = Renderer::new(&state.device, &state.queue, Quality::for_adapter(&state.adapter));
+        let renderer =
+            Renderer::new(&state.device, &state.queue, Quality::for_adapter(&state.adapter));
         let adapts = renderer.quality() != Quality::default();
-        Self { state: state.clone(), renderer, screens: Vec::new(), scale: 1.0, adapts, frames_at_scale: 0 }
+        Self {
+            state: state.clone(),
+            renderer,
+            screens: Vec::new(),
+            scale: 1.0,
+            adapts,
+            frames_at_scale: 0,
+        }
     }
 
     /// Sets the cost of pictures.
@@ -96,7 +104,8 @@ impl Viewport {
     }
 
     fn show_picture(&mut self, ui: &mut Ui, session: &mut Session, rect: Rect, index: usize) {
-        let response = ui.interact(rect, ui.scope_id().with(("picture", index)), Sense::click_and_drag());
+        let response =
+            ui.interact(rect, ui.scope_id().with(("picture", index)), Sense::click_and_drag());
         let aspect = (rect.width() / rect.height().max(1.0)).max(0.01);
         session.fit(aspect);
         let camera = session.camera.camera(aspect);
@@ -127,7 +136,8 @@ impl Viewport {
     /// The screen for a place of the window: an existing one if it has the size.
     fn screen(&mut self, ui: &Ui, rect: Rect, index: usize) -> usize {
         let pixels = ui.pixels_per_point() * self.scale;
-        let size = [rect.width(), rect.height()].map(|side| (side * pixels).round().max(1.0) as u32);
+        let size =
+            [rect.width(), rect.height()].map(|side| (side * pixels).round().max(1.0) as u32);
         if self.screens.get(index).is_none_or(|screen| screen.target.size != size) {
             let target = self.renderer.target(size);
             let mut egui = self.state.renderer.write();

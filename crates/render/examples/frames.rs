@@ -28,7 +28,8 @@ fn block() -> Drawing {
         let position = [0, 1, 2].map(|axis| 1.2 * cell[axis] as f32 + 0.5);
         let color = Color::from_hsl(40.0 * i as f32, 0.7, 0.6, 1.0);
         let mesh = if i % 2 == 0 { Mesh::cube() } else { Mesh::ball() };
-        drawing.add(mesh, Instance { position, scale: [0.5; 3], color, role: Role::Moving, ..base });
+        drawing
+            .add(mesh, Instance { position, scale: [0.5; 3], color, role: Role::Moving, ..base });
     }
     drawing
 }
@@ -53,7 +54,9 @@ fn main() {
     let drawing = block();
     let points = drawing.points_to_frame();
     let camera = Camera::fit(&View::orbit(30.0, 25.0), &points, size[0] as f32 / size[1] as f32);
-    for (samples, shadow_texels, shadow_life) in [(1, 0, 1), (1, 1024, 3), (1, 2048, 1), (4, 2048, 1)] {
+    for (samples, shadow_texels, shadow_life) in
+        [(1, 0, 1), (1, 1024, 3), (1, 2048, 1), (4, 2048, 1)]
+    {
         let quality = Quality { samples, shadow_texels, shadow_life };
         let mut renderer = Renderer::new(&device, &queue, quality);
         let target = renderer.target(size);

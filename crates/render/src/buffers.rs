@@ -174,5 +174,10 @@ impl Growing {
 
 fn empty(device: &Device, label: &'static str, size: u64) -> Buffer {
     let usage = BufferUsages::VERTEX | BufferUsages::COPY_DST;
-    device.create_buffer(&BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+    device.create_buffer(&BufferDescriptor {
+        label: Some(label),
+        size,
+        usage,
+        mapped_at_creation: false,
+    })
 }

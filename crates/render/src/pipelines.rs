@@ -42,8 +42,7 @@ impl Pipelines {
         samples: u32,
     ) -> Self {
         let vertices = vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-        let instances =
-            vertex_attr_array![2 => Float32x3, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Uint32];
+        let instances = vertex_attr_array![2 => Float32x3, 3 => Float32x4, 4 => Float32x3, 5 => Float32x4, 6 => Uint32];
         let strokes =
             vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32];
         let layout = |numbers: usize, step_mode, attributes| {
@@ -101,7 +100,12 @@ impl Pipelines {
 }
 
 impl Recipe<'_> {
-    fn build(&self, device: &Device, shader: &ShaderModule, view: &BindGroupLayout) -> RenderPipeline {
+    fn build(
+        &self,
+        device: &Device,
+        shader: &ShaderModule,
+        view: &BindGroupLayout,
+    ) -> RenderPipeline {
         let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
             label: Some(self.label),
             bind_group_layouts: &[Some(view)],

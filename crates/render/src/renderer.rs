@@ -7,11 +7,11 @@ use crate::uniforms::{self, Sun};
 use drawing::{Camera, Drawing};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor,
-    BindGroupLayoutEntry, BindingResource, BindingType, Buffer, BufferBindingType, BufferUsages, Color,
-    CommandEncoder, CompareFunction, Device, Extent3d, FilterMode, IndexFormat, LoadOp, Operations,
-    Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, SamplerDescriptor, ShaderStages, StoreOp, TextureDescriptor, TextureUsages,
-    TextureView,
+    BindGroupLayoutEntry, BindingResource, BindingType, Buffer, BufferBindingType, BufferUsages,
+    Color, CommandEncoder, CompareFunction, Device, Extent3d, FilterMode, IndexFormat, LoadOp,
+    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, SamplerDescriptor, ShaderStages, StoreOp, TextureDescriptor,
+    TextureUsages, TextureView,
 };
 
 /// What a picture may cost.
@@ -81,7 +81,8 @@ impl Renderer {
         let group = |label, layout: &BindGroupLayout, entries: &[BindGroupEntry]| {
             device.create_bind_group(&BindGroupDescriptor { label: Some(label), layout, entries })
         };
-        let map = BindGroupEntry { binding: 1, resource: BindingResource::TextureView(&shadow_map) };
+        let map =
+            BindGroupEntry { binding: 1, resource: BindingResource::TextureView(&shadow_map) };
         let sampler = BindGroupEntry { binding: 2, resource: BindingResource::Sampler(&sampler) };
         let sun_view = group("sun", &sun_layout, std::slice::from_ref(&numbers));
         let view = group("view", &view_layout, &[numbers, map, sampler]);
@@ -151,7 +152,13 @@ impl Renderer {
         }
     }
 
-    fn draw_scene(&self, encoder: &mut CommandEncoder, target: &Target, calls: &[Call], lines: u32) {
+    fn draw_scene(
+        &self,
+        encoder: &mut CommandEncoder,
+        target: &Target,
+        calls: &[Call],
+        lines: u32,
+    ) {
         let (view, resolve_target, store) = match &target.sampled {
             Some(sampled) => (sampled, Some(&target.view), StoreOp::Discard),
             None => (&target.view, None, StoreOp::Store),
@@ -171,9 +178,11 @@ impl Renderer {
         pass.set_pipeline(&self.pipelines.sky);
         pass.draw(0..3, 0..1);
         pass.set_vertex_buffer(1, self.buffers.instances().slice(..));
-        for (pipeline, closed) in [(&self.pipelines.closed, true), (&self.pipelines.surface, false)] {
+        for (pipeline, closed) in [(&self.pipelines.closed, true), (&self.pipelines.surface, false)]
+        {
             pass.set_pipeline(pipeline);
-            let is_closed = |call: &&Call| self.buffers.mesh(call.mesh).is_some_and(|mesh| mesh.closed);
+            let is_closed =
+                |call: &&Call| self.buffers.mesh(call.mesh).is_some_and(|mesh| mesh.closed);
             for call in calls.iter().filter(|call| is_closed(call) == closed) {
                 self.draw_mesh(&mut pass, call.mesh, call);
             }
@@ -203,7 +212,8 @@ fn depth(view: &TextureView, clear: f32, store: StoreOp) -> RenderPassDepthStenc
 
 /// Layouts of the bindings of the picture's passes, and of the shadow map's pass.
 fn layouts(device: &Device) -> [BindGroupLayout; 2] {
-    let entry = |binding, visibility, ty| BindGroupLayoutEntry { binding, visibility, ty, count: None };
+    let entry =
+        |binding, visibility, ty| BindGroupLayoutEntry { binding, visibility, ty, count: None };
     let numbers = entry(
         0,
         ShaderStages::VERTEX_FRAGMENT,
@@ -222,8 +232,11 @@ fn layouts(device: &Device) -> [BindGroupLayout; 2] {
             multisampled: false,
         },
     );
-    let sampler =
-        entry(2, ShaderStages::FRAGMENT, BindingType::Sampler(wgpu::SamplerBindingType::Comparison));
+    let sampler = entry(
+        2,
+        ShaderStages::FRAGMENT,
+        BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
+    );
     let layout = |label, entries: &[BindGroupLayoutEntry]| {
         device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries })
     };

@@ -206,7 +206,8 @@ fn line_vertex(
     // A little nearer than it is, so that the faces along it do not hide it; on top, before everything.
     p.z = select(p.z * 1.0025, 0.999 * p.w, on_top > 0.5);
     if view.eye.w > 0.5 {
-        p.z = 0.6 * p.w;
+        // Lines of flat scenes lie below the shapes, whose depth is 0.5, or on top.
+        p.z = select(0.4, 0.6, on_top > 0.5) * p.w;
     }
     var out: Stroke;
     out.clip = p;

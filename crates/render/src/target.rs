@@ -1,6 +1,8 @@
 //! The textures that a picture is drawn into.
 
-use wgpu::{Device, Extent3d, Texture, TextureDescriptor, TextureFormat, TextureUsages, TextureView};
+use wgpu::{
+    Device, Extent3d, Texture, TextureDescriptor, TextureFormat, TextureUsages, TextureView,
+};
 
 /// Format of the colours. They are encoded (sRGB) by the shader, because user interfaces sample encoded colours.
 pub(crate) const COLOR: TextureFormat = TextureFormat::Rgba8Unorm;

@@ -63,5 +63,7 @@ fn sun_matrix(center: Point, radius: f32) -> [[f32; 4]; 4] {
     let (x, y) = (across(right, 1.0 / radius), across(up, 1.0 / radius));
     let mut z = across(sun, -0.5 / (SHADOW_DEPTH * radius));
     z[3] += 0.5;
-    std::array::from_fn(|column| [x[column], y[column], z[column], if column == 3 { 1.0 } else { 0.0 }])
+    std::array::from_fn(|column| {
+        [x[column], y[column], z[column], if column == 3 { 1.0 } else { 0.0 }]
+    })
 }

@@ -9,7 +9,9 @@ pub use rapier2d as rapier;
 mod common;
 mod shapes;
 
-pub use common::{Artist, BodyColors, Overlays, Scene, SceneInfo, Script, entries, measured};
+pub use common::{
+    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, entries, gap, measured,
+};
 pub use shapes::point;
 
 /// Whether the scene has three dimensions.

@@ -88,7 +88,10 @@ fn mesh(shape: &TypedShape) -> Mesh {
         TypedShape::RoundConvexPolygon(s) => convex(&s.to_polyline(BORDER_PIECES)),
         TypedShape::RoundTriangle(s) => {
             let hull = ConvexPolygon::from_convex_hull(s.inner_shape.vertices());
-            let round = hull.map(|inner_shape| RoundConvexPolygon { inner_shape, border_radius: s.border_radius });
+            let round = hull.map(|inner_shape| RoundConvexPolygon {
+                inner_shape,
+                border_radius: s.border_radius,
+            });
             convex(&round.map_or_else(Vec::new, |round| round.to_polyline(BORDER_PIECES)))
         }
         TypedShape::HalfSpace(s) => {
@@ -115,9 +118,8 @@ fn flat(p: Vector) -> [f32; 2] {
 fn convex(corners: &[Vector]) -> Mesh {
     let mut points: Vec<_> = corners.iter().map(|&corner| flat(corner)).collect();
     let next = |i: usize| points[(i + 1) % points.len()];
-    let area: f32 = (0..points.len())
-        .map(|i| points[i][0] * next(i)[1] - points[i][1] * next(i)[0])
-        .sum();
+    let area: f32 =
+        (0..points.len()).map(|i| points[i][0] * next(i)[1] - points[i][1] * next(i)[0]).sum();
     if area < 0.0 {
         points.reverse();
     }

@@ -39,9 +39,16 @@ impl Canvas {
 
     /// A canvas with a finished picture on it.
     pub(super) fn from_image(image: &Image) -> Self {
-        let light = image.pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]].map(crate::color::decode_byte));
+        let light =
+            image.pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]].map(crate::color::decode_byte));
         let (width, height) = (image.width, image.height);
-        Self { width, height, fineness: 1, light: light.collect(), nearness: vec![0.0; width * height] }
+        Self {
+            width,
+            height,
+            fineness: 1,
+            light: light.collect(),
+            nearness: vec![0.0; width * height],
+        }
     }
 
     /// Fine pixel that a place of the picture (both coordinates from -1 to 1, y up) falls on.
@@ -104,7 +111,8 @@ impl Canvas {
                     }
                 }
                 // Half a grey level of noise that repeats every 4 pixels keeps dark gradients from banding.
-                let noise = if fineness > 1 { DITHER[y / fineness % 4][x / fineness % 4] } else { 0.0 };
+                let noise =
+                    if fineness > 1 { DITHER[y / fineness % 4][x / fineness % 4] } else { 0.0 };
                 pixels.extend(sum.map(|sum| encode(sum * share + noise * DITHER_LIGHT)));
             }
         }

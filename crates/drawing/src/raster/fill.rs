@@ -159,7 +159,8 @@ pub(super) fn parallel(
 ) {
     let [a, b, c] = corners.map(|corner| light.place(corner));
     let area = twice_area([a[0], a[1]], [b[0], b[1]], [c[0], c[1]]);
-    let range = |axis: usize| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])];
+    let range =
+        |axis: usize| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])];
     let sides = [[a, b], [b, c], [c, a]].map(|side| side.map(|p| [p[0], p[1]]));
     for y in whole(range(1), size[1]) {
         for x in whole(range(0), size[0]) {

@@ -3,7 +3,9 @@
 use super::canvas::{Canvas, Dab};
 use super::shadow::ShadowMap;
 use super::{clarity, fill};
-use crate::light::{FLAT_LIGHT, GLOSS, GROUND_LIGHT, HIGHLIGHT, RIM_LIGHT, SKY_LIGHT, SUN, SUN_LIGHT, cell_size};
+use crate::light::{
+    FLAT_LIGHT, GLOSS, GROUND_LIGHT, HIGHLIGHT, RIM_LIGHT, SKY_LIGHT, SUN, SUN_LIGHT, cell_size,
+};
 use crate::vector::{add_scaled, dot, normalize, smoothstep, sub};
 use crate::{Camera, Instance, Mesh, Point, Role};
 

@@ -41,7 +41,8 @@ impl ShadowMap {
                 continue;
             }
             // The parallel camera sees no depth, so depth travels as the coordinate of the pixel's plane.
-            let points: Vec<Point> = mesh.vertices.iter().map(|v| instance.place(v.position)).collect();
+            let points: Vec<Point> =
+                mesh.vertices.iter().map(|v| instance.place(v.position)).collect();
             for triangle in &mesh.triangles {
                 let [a, b, c] = triangle.map(|i| points[i as usize]);
                 let plane = Plane::through([a, b, c], &light);
@@ -57,7 +58,13 @@ impl ShadowMap {
 
     /// The sun as a parallel camera.
     fn camera(&self) -> Light {
-        Light { right: self.right, up: self.up, sun: self.sun, center: self.center, radius: self.radius }
+        Light {
+            right: self.right,
+            up: self.up,
+            sun: self.sun,
+            center: self.center,
+            radius: self.radius,
+        }
     }
 
     /// Fraction of the sun's light that reaches a point of a surface with this unit normal.

@@ -1,7 +1,7 @@
 //! Lines: strokes with smooth borders.
 
 use super::canvas::{Canvas, Dab};
-use super::{clip, clarity, whole};
+use super::{clarity, clip, whole};
 use crate::{Camera, Line};
 
 /// Width of a line in pixels of the finished picture.
@@ -14,6 +14,8 @@ const SHORT_LINE: f32 = 9.0;
 const FAINTEST: f32 = 0.3;
 /// Factor on the nearness of a line, so that the faces along it do not hide it.
 const LINE_LIFT: f32 = 1.0025;
+/// Nearness of a line in a flat scene: below the shapes, whose nearness is 1.
+const BELOW: f32 = 0.9;
 
 /// Paints a line of the scene.
 pub(super) fn line(canvas: &mut Canvas, camera: &Camera, line: &Line) {
@@ -24,7 +26,11 @@ pub(super) fn line(canvas: &mut Canvas, camera: &Camera, line: &Line) {
     let strength = (length / SHORT_LINE).clamp(FAINTEST, 1.0);
     let stroke = Stroke {
         ends: [a, b],
-        nearness: ends.map(|end| if line.on_top { f32::MAX } else { LINE_LIFT / end.w }),
+        nearness: ends.map(|end| match (line.on_top, camera.flat) {
+            (true, _) => f32::MAX,
+            (false, true) => BELOW,
+            (false, false) => LINE_LIFT / end.w,
+        }),
         light: line.color.to_light(),
         opacity: ends.map(|end| line.color.opacity * strength * clarity(camera, end.w)),
         width: LINE_WIDTH * canvas.fineness as f32 * if line.on_top { ON_TOP } else { 1.0 },

@@ -85,7 +85,10 @@ fn flat_shapes_have_a_bright_rim() {
 fn each_pixel_belongs_to_the_nearest_instance() {
     let mut drawing = Drawing::default();
     drawing.add(Mesh::ball(), instance([0.0; 3], [1.0; 3], Role::Moving));
-    drawing.add(Mesh::cube(), Instance { id: 9, ..instance([0.0, 0.0, -3.0], [3.0, 3.0, 0.1], Role::Fixed) });
+    drawing.add(
+        Mesh::cube(),
+        Instance { id: 9, ..instance([0.0, 0.0, -3.0], [3.0, 3.0, 0.1], Role::Fixed) },
+    );
     let camera = Camera::looking([0.0, 0.0, 6.0], [0.0; 3], ASPECT);
     let seen = visible(&drawing, &camera, [64, 36]);
     assert_eq!(seen[18 * 64 + 32], Some((Role::Moving, 7)));
@@ -160,12 +163,15 @@ fn the_matrix_agrees_with_the_camera() {
 #[test]
 fn a_floor_through_the_eye_is_cut_and_seen_from_above_only() {
     let mut drawing = Drawing::default();
-    let corners = [[-900.0, 0.0, -900.0], [-900.0, 0.0, 900.0], [900.0, 0.0, 900.0], [900.0, 0.0, -900.0]];
-    let plane = |triangles: &[[u32; 3]]| std::sync::Arc::new(Mesh::from_triangles(&corners, triangles));
+    let corners =
+        [[-900.0, 0.0, -900.0], [-900.0, 0.0, 900.0], [900.0, 0.0, 900.0], [900.0, 0.0, -900.0]];
+    let plane =
+        |triangles: &[[u32; 3]]| std::sync::Arc::new(Mesh::from_triangles(&corners, triangles));
     let ground = instance([0.0; 3], [1.0; 3], Role::Ground);
     drawing.add(&plane(&[[0, 1, 2], [0, 2, 3]]), ground);
     let camera = Camera::looking([0.0, 2.0, 6.0], [0.0, 1.0, 0.0], ASPECT);
-    let below = |drawing: &Drawing| pixel(&picture(drawing, &camera, SIZE), SIZE[0] / 2, SIZE[1] * 3 / 4);
+    let below =
+        |drawing: &Drawing| pixel(&picture(drawing, &camera, SIZE), SIZE[0] / 2, SIZE[1] * 3 / 4);
     let [red, _, blue] = below(&drawing);
     assert!(red > blue, "the red floor should show");
     let mut other = Drawing::default();

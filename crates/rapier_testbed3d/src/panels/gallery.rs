@@ -26,7 +26,11 @@ impl GalleryPanel {
     ) -> Option<usize> {
         ui.add_space(6.0);
         let hint = format!("Search {} scenes", demos.len());
-        ui.add(egui::TextEdit::singleline(&mut self.search).hint_text(hint).desired_width(f32::INFINITY));
+        ui.add(
+            egui::TextEdit::singleline(&mut self.search)
+                .hint_text(hint)
+                .desired_width(f32::INFINITY),
+        );
         self.choose_category(ui, demos);
         ui.separator();
         let mut clicked = None;

@@ -26,8 +26,11 @@ const MOUSE: [(&str, &str); 4] = [
     ("Middle, Shift + left", "move the view"),
     ("Wheel", "zoom"),
 ];
-const FLAT_MOUSE: [(&str, &str); 3] =
-    [("Left on a body", "select it and pull it"), ("Left beside, right, middle", "move the view"), ("Wheel", "zoom")];
+const FLAT_MOUSE: [(&str, &str); 3] = [
+    ("Left on a body", "select it and pull it"),
+    ("Left beside, right, middle", "move the view"),
+    ("Wheel", "zoom"),
+];
 
 /// Shows the list while it is open.
 pub(crate) fn show(ctx: &Context, open: &mut bool) {
@@ -35,9 +38,12 @@ pub(crate) fn show(ctx: &Context, open: &mut bool) {
         *open = false;
     }
     let mouse: &[_] = if IN_SPACE { &MOUSE } else { &FLAT_MOUSE };
-    Window::new("Keys").open(open).collapsible(false).resizable(false).anchor(Align2::CENTER_CENTER, [0.0; 2]).show(
-        ctx,
-        |ui| {
+    Window::new("Keys")
+        .open(open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, [0.0; 2])
+        .show(ctx, |ui| {
             Grid::new("keys").num_columns(2).spacing([24.0, 4.0]).striped(true).show(ui, |ui| {
                 for (key, effect) in KEYS.iter().chain(mouse) {
                     ui.label(RichText::new(*key).strong());
@@ -45,6 +51,5 @@ pub(crate) fn show(ctx: &Context, open: &mut bool) {
                     ui.end_row();
                 }
             });
-        },
-    );
+        });
 }

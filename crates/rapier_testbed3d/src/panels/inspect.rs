@@ -42,7 +42,8 @@ fn fact(ui: &mut Ui, name: &str, value: String) {
 }
 
 fn vector(v: Vector) -> String {
-    let parts: Vec<String> = Vector::AXES.iter().map(|axis| format!("{:.3}", v.dot(*axis))).collect();
+    let parts: Vec<String> =
+        Vector::AXES.iter().map(|axis| format!("{:.3}", v.dot(*axis))).collect();
     parts.join("  ")
 }
 
@@ -101,7 +102,11 @@ fn show_collider(ui: &mut Ui, world: &mut PhysicsWorld, handle: ColliderHandle) 
         ui.end_row();
         fact(ui, "density", format!("{:.3}", collider.density()));
         let groups = collider.collision_groups();
-        fact(ui, "groups", format!("{:08x} / {:08x}", groups.memberships.bits(), groups.filter.bits()));
+        fact(
+            ui,
+            "groups",
+            format!("{:08x} / {:08x}", groups.memberships.bits(), groups.filter.bits()),
+        );
     });
 }
 

@@ -38,7 +38,8 @@ fn edit(ui: &mut Ui, player: &mut Player) {
         lengths(ui, &mut parameters);
         continuous(ui, &mut parameters);
         row(ui, "gravity", "Along each axis (length/s²)", |ui| {
-            let mut values: Vec<Real> = Vector::AXES.iter().map(|axis| gravity.dot(*axis)).collect();
+            let mut values: Vec<Real> =
+                Vector::AXES.iter().map(|axis| gravity.dot(*axis)).collect();
             for value in &mut values {
                 ui.add(DragValue::new(value).speed(0.1).max_decimals(2));
             }
@@ -77,15 +78,29 @@ fn row(ui: &mut Ui, name: &str, hint: &str, change: impl FnOnce(&mut Ui)) {
     ui.end_row();
 }
 
-fn count(ui: &mut Ui, name: &str, hint: &str, value: &mut usize, range: std::ops::RangeInclusive<usize>) {
+fn count(
+    ui: &mut Ui,
+    name: &str,
+    hint: &str,
+    value: &mut usize,
+    range: std::ops::RangeInclusive<usize>,
+) {
     row(ui, name, hint, |ui| {
         ui.add(Slider::new(value, range));
     });
 }
 
-fn number(ui: &mut Ui, name: &str, hint: &str, value: &mut Real, range: std::ops::RangeInclusive<Real>) {
+fn number(
+    ui: &mut Ui,
+    name: &str,
+    hint: &str,
+    value: &mut Real,
+    range: std::ops::RangeInclusive<Real>,
+) {
     row(ui, name, hint, |ui| {
-        ui.add(Slider::new(value, range).clamping(eframe::egui::SliderClamping::Never).max_decimals(4));
+        ui.add(
+            Slider::new(value, range).clamping(eframe::egui::SliderClamping::Never).max_decimals(4),
+        );
     });
 }
 
@@ -98,11 +113,23 @@ fn time_and_passes(ui: &mut Ui, p: &mut IntegrationParameters) {
     });
     count(ui, "num_solver_iterations", "Substeps of a step", &mut p.num_solver_iterations, 1..=32);
     let extra = &mut p.num_additional_friction_iterations;
-    count(ui, "num_additional_friction_iterations", "More iterations, with friction", extra, 0..=16);
+    count(
+        ui,
+        "num_additional_friction_iterations",
+        "More iterations, with friction",
+        extra,
+        0..=16,
+    );
     let pgs = &mut p.num_internal_pgs_iterations;
     count(ui, "num_internal_pgs_iterations", "Iterations of a substep", pgs, 1..=8);
     let warm = &mut p.warmstart_coefficient;
-    number(ui, "warmstart_coefficient", "Fraction of the last impulses to start from", warm, 0.0..=1.0);
+    number(
+        ui,
+        "warmstart_coefficient",
+        "Fraction of the last impulses to start from",
+        warm,
+        0.0..=1.0,
+    );
     row(ui, "friction_model", "Friction for a manifold, or for each point", |ui| {
         ui.selectable_value(&mut p.friction_model, FrictionModel::Standard, "Standard");
         ui.selectable_value(&mut p.friction_model, FrictionModel::Coulomb, "Coulomb");
@@ -110,9 +137,21 @@ fn time_and_passes(ui: &mut Ui, p: &mut IntegrationParameters) {
 }
 
 fn softness(ui: &mut Ui, p: &mut IntegrationParameters) {
-    number(ui, "erp", "Fraction of a contact's error that a substep removes", &mut p.erp, 0.0..=1.0);
+    number(
+        ui,
+        "erp",
+        "Fraction of a contact's error that a substep removes",
+        &mut p.erp,
+        0.0..=1.0,
+    );
     number(ui, "damping_ratio", "Softness of contacts", &mut p.damping_ratio, 0.0..=20.0);
-    number(ui, "joint_erp", "Fraction of a joint's error that a substep removes", &mut p.joint_erp, 0.0..=1.0);
+    number(
+        ui,
+        "joint_erp",
+        "Fraction of a joint's error that a substep removes",
+        &mut p.joint_erp,
+        0.0..=1.0,
+    );
     number(ui, "joint_damping_ratio", "Softness of joints", &mut p.joint_damping_ratio, 0.0..=20.0);
 }
 
@@ -123,15 +162,41 @@ fn lengths(ui: &mut Ui, p: &mut IntegrationParameters) {
     let prediction = &mut p.normalized_prediction_distance;
     number(ui, "normalized_prediction_distance", "Gap with contacts", prediction, 0.0..=0.5);
     let recycle = &mut p.normalized_contact_recycle_distance;
-    number(ui, "normalized_contact_recycle_distance", "Motion that keeps contact points", recycle, 0.0..=0.2);
+    number(
+        ui,
+        "normalized_contact_recycle_distance",
+        "Motion that keeps contact points",
+        recycle,
+        0.0..=0.2,
+    );
     let corrective = &mut p.normalized_max_corrective_velocity;
-    number(ui, "normalized_max_corrective_velocity", "Speed that undoes overlap", corrective, 0.0..=50.0);
+    number(
+        ui,
+        "normalized_max_corrective_velocity",
+        "Speed that undoes overlap",
+        corrective,
+        0.0..=50.0,
+    );
     let joint = &mut p.normalized_max_joint_corrective_velocity;
-    number(ui, "normalized_max_joint_corrective_velocity", "Speed that joins anchors", joint, 0.0..=500.0);
+    number(
+        ui,
+        "normalized_max_joint_corrective_velocity",
+        "Speed that joins anchors",
+        joint,
+        0.0..=500.0,
+    );
     let threshold = &mut p.normalized_restitution_velocity_threshold;
-    number(ui, "normalized_restitution_velocity_threshold", "Slower impacts do not bounce", threshold, 0.0..=5.0);
+    number(
+        ui,
+        "normalized_restitution_velocity_threshold",
+        "Slower impacts do not bounce",
+        threshold,
+        0.0..=5.0,
+    );
     row(ui, "normalized_max_linear_velocity", "Fastest motion of a body", |ui| {
-        let shown = |value: f64, _| if value > 1.0e9 { "no limit".to_owned() } else { format!("{value:.1}") };
+        let shown = |value: f64, _| {
+            if value > 1.0e9 { "no limit".to_owned() } else { format!("{value:.1}") }
+        };
         let value = DragValue::new(&mut p.normalized_max_linear_velocity).range(0.0..=Real::MAX);
         ui.add(value.custom_formatter(shown));
     });

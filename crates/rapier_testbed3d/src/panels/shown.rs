@@ -2,8 +2,8 @@
 
 use crate::rapier::prelude::*;
 use crate::scene::Overlays;
-use eframe::egui::{Key, Slider, Ui};
 use crate::viewport::Viewport;
+use eframe::egui::{Key, Slider, Ui};
 
 /// Parts of the debug-renderer, with their names and the keys that switch them.
 const LINES: [(DebugRenderMode, &str, Option<Key>); 9] = [
@@ -60,6 +60,9 @@ pub(crate) fn quality(ui: &mut Ui, viewport: &mut Viewport) {
         }
     });
     ui.checkbox(&mut viewport.adapts, "resolution follows the frame rate");
-    ui.add_enabled(!viewport.adapts, Slider::new(&mut viewport.scale, 0.25..=1.0).text("resolution"));
+    ui.add_enabled(
+        !viewport.adapts,
+        Slider::new(&mut viewport.scale, 0.25..=1.0).text("resolution"),
+    );
     viewport.set_quality(quality);
 }

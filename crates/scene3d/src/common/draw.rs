@@ -58,7 +58,12 @@ impl Artist {
             if !self.overlays.surfaces && !scenery {
                 continue;
             }
-            let look = Look { color, role, id: handle.into_raw_parts().0, highlighted: self.selected == Some(handle) };
+            let look = Look {
+                color,
+                role,
+                id: handle.into_raw_parts().0,
+                highlighted: self.selected == Some(handle),
+            };
             self.surfaces.add(&mut drawing, collider, &look);
         }
         self.surfaces.forget_unused();
@@ -157,7 +162,9 @@ impl DebugRenderBackend for Pen<'_> {
             DebugRenderObject::Collider(_, collider) if collider.is_sensor() => (SENSOR, false),
             DebugRenderObject::Collider(_, collider) if Self::is_wire(collider) => (WIRE, false),
             DebugRenderObject::Collider(..) | DebugRenderObject::ColliderAabb(..) => (color, false),
-            DebugRenderObject::ImpulseJoint(..) | DebugRenderObject::MultibodyJoint(..) => (color, self.joints_on_top),
+            DebugRenderObject::ImpulseJoint(..) | DebugRenderObject::MultibodyJoint(..) => {
+                (color, self.joints_on_top)
+            }
             _ => (color, true),
         };
         let color = Color::from_hsl(hue, saturation, lightness, opacity);

@@ -19,7 +19,9 @@ impl Islands {
         }
         for (first, second, pair) in world.narrow_phase.contact_pairs() {
             let body = |handle| world.colliders.get(handle).and_then(Collider::parent);
-            if let (true, Some(a), Some(b)) = (pair.has_any_active_contact, body(first), body(second)) {
+            if let (true, Some(a), Some(b)) =
+                (pair.has_any_active_contact, body(first), body(second))
+            {
                 islands.join(a, b);
             }
         }

@@ -3,6 +3,7 @@
 
 mod draw;
 mod islands;
+mod law;
 mod overlays;
 mod palette;
 mod run;
@@ -10,6 +11,7 @@ mod scene;
 
 pub use draw::Artist;
 pub(crate) use draw::Look;
+pub use law::{Law, gap};
 pub use overlays::Overlays;
 pub use run::{entries, measured};
 pub use scene::{BodyColors, Scene, SceneInfo, Script};

@@ -70,7 +70,8 @@ impl Overlays {
 
     /// Impulses of contacts; the largest of the scene has twice the length of a normal.
     fn mark_impulses(&self, world: &PhysicsWorld, out: &mut Drawing) {
-        let manifolds = || world.narrow_phase.contact_pairs().flat_map(|(_, _, pair)| &pair.manifolds);
+        let manifolds =
+            || world.narrow_phase.contact_pairs().flat_map(|(_, _, pair)| &pair.manifolds);
         let impulses = manifolds().flat_map(|manifold| &manifold.data).map(|c| c.impulse);
         let largest = impulses.fold(0.0, Real::max);
         if largest <= 0.0 {

@@ -20,7 +20,12 @@ const SCENERY: [f32; 3] = [218.0, 0.16, 0.40];
 const ASLEEP: [f32; 2] = [0.55, 0.72];
 
 /// The colour of a collider. Neighbouring handles have different colours.
-pub(super) fn color(handle: ColliderHandle, body: Option<&RigidBody>, scenery: bool, sleep: bool) -> Color {
+pub(super) fn color(
+    handle: ColliderHandle,
+    body: Option<&RigidBody>,
+    scenery: bool,
+    sleep: bool,
+) -> Color {
     let [hue, mut saturation, mut lightness] = match body {
         Some(body) if body.is_dynamic() => {
             // Multiples of the golden section spread evenly.

@@ -1,10 +1,11 @@
 //! A scene: a world, and what happens to it beside physics.
 
 use super::draw::Artist;
+use super::law::Law;
 use crate::rapier::prelude::*;
 use crate::shapes::point;
-use gallery::{Category, View};
 use drawing::Color;
+use gallery::{Category, View};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -20,6 +21,8 @@ pub struct SceneInfo {
     pub category: Category,
     /// After how many steps there is something to see.
     pub steps: usize,
+    /// What must hold of it.
+    pub law: Law,
     /// Builds the scene in its usual size.
     pub build: fn() -> Scene,
 }
@@ -75,10 +78,7 @@ pub struct Scene {
 /// shared.
 impl Clone for Scene {
     fn clone(&self) -> Self {
-        Self {
-            world: self.world.clone(),
-            ..self.without_world()
-        }
+        Self { world: self.world.clone(), ..self.without_world() }
     }
 
     /// Reuses the memory of the target's world.
@@ -144,7 +144,10 @@ impl Scene {
     }
 
     /// Does something to the world before each step.
-    pub fn script(mut self, script: impl FnMut(&mut PhysicsWorld, usize) + Clone + 'static) -> Self {
+    pub fn script(
+        mut self,
+        script: impl FnMut(&mut PhysicsWorld, usize) + Clone + 'static,
+    ) -> Self {
         self.script = Some(Box::new(script));
         self
     }

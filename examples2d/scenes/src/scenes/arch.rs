@@ -1,6 +1,9 @@
 //! An arch of loose stones.
+//!
+//! After 200 steps no overlap is deeper than 0.015, no body is below 0.2, none is farther out than 7.1, none is
+//! faster than 0.1, and the top is above 8.47.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,14 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "An arch of 17 wedges, without mortar, carries a stack of boxes.",
     category: Category::Shapes,
     steps: 360,
+    law: Law {
+        overlap_max: 0.015,
+        height_min: 0.2,
+        reach_max: 7.1,
+        speed_max: 0.1,
+        top_min: 8.47,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Bodies that change their type while the world runs.
+//!
+//! After 200 steps no overlap is deeper than 0.2, no body is below 0.0, and none is farther out than 18.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Planks become kinematic, fixed and dynamic in turn, under heaps of balls and boxes.",
     category: Category::Basics,
     steps: 300,
+    law: Law { overlap_max: 0.2, height_min: 0.0, reach_max: 18.0, ..Law::after(200) },
     build,
 };
 

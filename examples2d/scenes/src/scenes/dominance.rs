@@ -1,6 +1,8 @@
 //! Bodies that give way and bodies that do not, whatever they weigh.
+//!
+//! After 75 steps no overlap is deeper than 0.011, no body is below 0.1, and none is farther out than 19.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Balls shot at walls: the one with a higher dominance group goes through as if the wall weighed nothing.",
     category: Category::Basics,
     steps: 75,
+    law: Law { overlap_max: 0.011, height_min: 0.1, reach_max: 19.0, ..Law::after(75) },
     build,
 };
 

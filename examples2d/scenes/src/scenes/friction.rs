@@ -1,6 +1,8 @@
 //! What slides down a ramp and what stays.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below -10.3, and none is farther out than 41.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -10,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Boxes with a friction from 0 to 1 on ramps of 27 degrees: those above 0.5 stay.",
     category: Category::Basics,
     steps: 150,
+    law: Law { overlap_max: 0.01, height_min: -10.3, reach_max: 41.0, ..Law::after(150) },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Bodies that feel more or less gravity, or the opposite.
+//!
+//! After 55 steps no overlap is deeper than 0.16, no body is below 0.1, and none is farther out than 11.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Balls with a gravity scale from -1 to 2 between floor and ceiling.",
     category: Category::Basics,
     steps: 55,
+    law: Law { overlap_max: 0.16, height_min: 0.1, reach_max: 11.0, ..Law::after(55) },
     build,
 };
 

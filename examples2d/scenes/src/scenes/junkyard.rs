@@ -1,6 +1,8 @@
 //! Scrap in a yard, stirred by a blade: polygons in motion, with contacts that come and go.
+//!
+//! After 20 steps no overlap is deeper than 0.84, no body is below -0.2, and none is farther out than 55.0.
 
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, square, stone, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A blade stirs a yard with 8,000 pieces of scrap.",
     category: Category::Stress,
     steps: 240,
+    law: Law { overlap_max: 0.84, height_min: -0.2, reach_max: 55.0, ..Law::after(20) },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Bodies that cannot move or turn in some directions.
+//!
+//! After 200 steps no overlap is deeper than 0.02, no body is below -0.1, and none is farther out than 23.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A turnstile that only spins, a slider that only slides, pillars that cannot fall, under a rain of boxes.",
     category: Category::Basics,
     steps: 300,
+    law: Law { overlap_max: 0.02, height_min: -0.1, reach_max: 23.0, ..Law::after(200) },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Many small pyramids: many islands, each of which could fall asleep by itself.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 130.0, none is
+//! faster than 0.1, and the top is above 230.36.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,14 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "400 pyramids of 55 boxes each on 20 shelves: 22,000 boxes.",
     category: Category::Stress,
     steps: 150,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 0.1,
+        reach_max: 130.0,
+        speed_max: 0.1,
+        top_min: 230.36,
+        ..Law::after(20)
+    },
     build,
 };
 

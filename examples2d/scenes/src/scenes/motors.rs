@@ -1,6 +1,9 @@
 //! What motors of joints do: reach velocities and positions, as hard as they may.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -5.5, none is farther out than 12.0, and no joint
+//! is open by more than 0.005.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, add_post, hinge, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Motors: a fan, servos stiff and soft, one that is too weak for its load, a lift, a shaker.",
     category: Category::Joints,
     steps: 200,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -5.5,
+        reach_max: 12.0,
+        gap_max: 0.005,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Newton's cradle: momentum and energy go through a row of balls.
+//!
+//! After 112 steps no overlap is deeper than 0.01, no body is below -4.3, none is farther out than 50.0, and no joint
+//! is open by more than 0.005.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_post, hinge};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Newton's cradles: as many balls swing out on one side as came in on the other.",
     category: Category::Joints,
     steps: 112,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -4.3,
+        reach_max: 50.0,
+        gap_max: 0.005,
+        ..Law::after(112)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Rays that look around, and a drone that is led by feedback.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 17.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -12,6 +14,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "64 rays from above mark what they hit; a PD controller leads a drone over it.",
     category: Category::Queries,
     steps: 240,
+    law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 17.0, ..Law::after(200) },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Ragdolls: bodies of limbs on hinges whose limits are those of people.
+//!
+//! After 20 steps no overlap is deeper than 0.12, no body is below 3.5, none is farther out than 6.8, and no joint is
+//! open by more than 0.13.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, hinge, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Ragdolls tumble down stairs: hinges with the limits of necks, shoulders, elbows, hips and knees.",
     category: Category::Stress,
     steps: 110,
+    law: Law {
+        overlap_max: 0.12,
+        height_min: 3.5,
+        reach_max: 6.8,
+        gap_max: 0.13,
+        ..Law::after(20)
+    },
     build,
 };
 

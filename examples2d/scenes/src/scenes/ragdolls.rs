@@ -1,7 +1,10 @@
 //! A thousand people fall on bumpy ground.
+//!
+//! After 200 steps no overlap is deeper than 0.25, no body is below -0.3, none is farther out than 48.0, and no joint
+//! is open by more than 0.58.
 
 use super::ragdoll_stairs::add_ragdoll;
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -12,6 +15,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "1,000 people of ten bodies each rain on bumps: 9,000 hinges with limits.",
     category: Category::Joints,
     steps: 300,
+    law: Law {
+        overlap_max: 0.25,
+        height_min: -0.3,
+        reach_max: 48.0,
+        gap_max: 0.58,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Bodies come and go.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below 8.1, and none is farther out than 12.0.
 
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -10,8 +12,9 @@ use std::collections::VecDeque;
 pub const INFO: SceneInfo = SceneInfo {
     name: "rain",
     description: "Two bodies are added every step and the oldest removed: 500 stay.",
-    category: Category::Stress,
+    category: Category::Basics,
     steps: 400,
+    law: Law { overlap_max: 0.01, height_min: 8.1, reach_max: 12.0, ..Law::after(20) },
     build,
 };
 

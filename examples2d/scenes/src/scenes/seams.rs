@@ -1,6 +1,8 @@
 //! Ground of many pieces, which feels like one.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 37.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Boxes, balls and capsules glide over storeys of a polyline, a height field, tiles and hulls.",
     category: Category::PastBugs,
     steps: 210,
+    law: Law { overlap_max: 0.01, height_min: 0.1, reach_max: 37.0, ..Law::after(200) },
     build,
 };
 

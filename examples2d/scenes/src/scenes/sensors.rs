@@ -1,6 +1,8 @@
 //! Zones that notice who enters and leaves, without touching anyone.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 9.8.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -13,6 +15,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
     category: Category::Queries,
     steps: 420,
+    law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 9.8, ..Law::after(200) },
     build,
 };
 

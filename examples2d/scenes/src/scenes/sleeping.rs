@@ -1,6 +1,9 @@
 //! What does not move costs nothing, until something touches it.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 36.0, and none is
+//! faster than 0.1.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Five pyramids fall asleep (darker); balls wake the ones they hit and no others.",
     category: Category::Basics,
     steps: 280,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 0.1,
+        reach_max: 36.0,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
     build,
 };
 

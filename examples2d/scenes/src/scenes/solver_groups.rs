@@ -1,6 +1,9 @@
 //! Contacts that are seen but not felt.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
+//! faster than 0.84.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Ghosts pass a wall, with contacts and events, that stops the others.",
     category: Category::Events,
     steps: 150,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 0.0,
+        reach_max: 7.2,
+        speed_max: 0.84,
+        ..Law::after(150)
+    },
     build,
 };
 

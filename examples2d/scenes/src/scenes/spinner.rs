@@ -1,6 +1,8 @@
 //! A blade in a round pit: fast contacts at its tips, a slow pile below.
+//!
+//! After 200 steps no overlap is deeper than 1.2, no body is below -40.1, and none is farther out than 47.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A blade spins in a pit with 3,040 balls, boxes and capsules.",
     category: Category::Basics,
     steps: 300,
+    law: Law { overlap_max: 1.2, height_min: -40.1, reach_max: 47.0, ..Law::after(200) },
     build,
 };
 

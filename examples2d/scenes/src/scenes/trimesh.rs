@@ -1,6 +1,8 @@
 //! Bodies on a triangle mesh.
+//!
+//! After 200 steps no overlap is deeper than 0.023, no body is below -0.7, and none is farther out than 17.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Balls and boxes roll along a winding channel made of triangles.",
     category: Category::Shapes,
     steps: 360,
+    law: Law { overlap_max: 0.023, height_min: -0.7, reach_max: 17.0, ..Law::after(200) },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! A turning box: everything moves all the time.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below -8.6, and none is farther out than 9.4.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A box turns 2,025 small ones over and over.",
     category: Category::Stress,
     steps: 400,
+    law: Law { overlap_max: 0.01, height_min: -8.6, reach_max: 9.4, ..Law::after(20) },
     build,
 };
 

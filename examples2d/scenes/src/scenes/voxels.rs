@@ -1,6 +1,8 @@
 //! Bodies on a terrain of voxels that is dug up while the world runs.
+//!
+//! After 200 steps no overlap is deeper than 0.14, no body is below 1.9, and none is farther out than 9.9.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::parry::math::IVector;
 use crate::rapier::prelude::*;
@@ -12,6 +14,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A crater is dug into voxels, step by step, and what lies on them follows.",
     category: Category::Shapes,
     steps: 300,
+    law: Law { overlap_max: 0.14, height_min: 1.9, reach_max: 9.9, ..Law::after(200) },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! A turning drum with paddles: everything moves all the time.
+//!
+//! After 20 steps no overlap is deeper than 0.35, no body is below -30.9, and none is farther out than 37.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, directions, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A drum with paddles turns 8,000 boxes and balls over and over.",
     category: Category::Stress,
     steps: 300,
+    law: Law { overlap_max: 0.35, height_min: -30.9, reach_max: 37.0, ..Law::after(20) },
     build,
 };
 

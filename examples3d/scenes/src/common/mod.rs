@@ -12,7 +12,7 @@ mod framing;
 #[cfg(test)]
 mod tests;
 
+pub use crate::scene::{Law, Scene, SceneInfo};
 pub use dice::Dice;
-pub use crate::scene::{Scene, SceneInfo};
 pub use strider::{Strider, turns};
 pub use walker::Walker;

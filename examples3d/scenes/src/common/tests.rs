@@ -2,7 +2,8 @@
 
 use crate::SCENES;
 use crate::rapier::prelude::*;
-use gallery::{Category, SceneRun};
+use crate::scene::gap;
+use gallery::SceneRun;
 
 #[test]
 fn names_are_distinct_words() {
@@ -14,12 +15,16 @@ fn names_are_distinct_words() {
     }
 }
 
-/// The first steps of every scene: enough for those that edit their world to have begun with it.
+/// Every scene keeps its law, moves within a finite space, and can be drawn.
 #[test]
-fn every_scene_runs_and_can_be_drawn() {
+fn every_scene_keeps_its_law() {
+    let mut complaints = Vec::new();
     for info in &SCENES {
         let mut scene = (info.build)();
-        scene.run(if info.category == Category::Stress { 2 } else { 100 });
+        scene.run(info.law.after);
+        if let Err(complaint) = info.law.check(&scene) {
+            complaints.push(format!("{}: {complaint}", info.name));
+        }
         for (_, body) in scene.world.bodies.iter() {
             let place = body.translation();
             assert!(place.is_finite() && place.length() < 1.0e3, "{}: {place}", info.name);
@@ -28,6 +33,7 @@ fn every_scene_runs_and_can_be_drawn() {
         assert!(instances > 0, "{} shows nothing", info.name);
         assert!(scene.stats().bodies > 0, "{} is empty", info.name);
     }
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
 
 /// The scenes that other crates measure have the size that their names promise.
@@ -48,27 +54,6 @@ fn after(name: &str, steps: usize) -> crate::Scene {
     scene
 }
 
-/// The largest distance of two points that joints hold together, of joints that lock at least two translations.
-fn apart(world: &PhysicsWorld) -> Real {
-    let mut largest: Real = 0.0;
-    for (_, joint) in world.impulse_joints.iter() {
-        let locked = joint.data.locked_axes & JointAxesMask::LIN_AXES;
-        if !joint.data.is_enabled() || locked.bits().count_ones() < 2 {
-            continue;
-        }
-        let [body1, body2] = [joint.body1(), joint.body2()].map(|body| &world.bodies[body]);
-        let frame = *body1.position() * joint.data.local_frame1;
-        let place = *body2.position() * joint.data.local_anchor2();
-        let seen = frame.inverse() * place;
-        for (axis, direction) in Vector::AXES.into_iter().enumerate() {
-            if locked.bits() >> axis & 1 == 1 {
-                largest = largest.max(seen.dot(direction).abs());
-            }
-        }
-    }
-    largest
-}
-
 /// The machine takes strides of its own length upright, and its many loops of bars stay closed: to 4.5 mm on average. A foot
 /// that hits a cube parts them for a moment, by up to 26 mm in eight walks of ten seconds.
 #[test]
@@ -83,7 +68,7 @@ fn the_strider_walks() {
         let level = scene.world.bodies[body].rotation().inverse() * Vector::Y;
         assert!((place.y - start.y).abs() < 0.2, "at {place}");
         assert!(level.y > 0.97, "leans {level}");
-        assert!(apart(&scene.world) < 0.04, "bars are {} apart", apart(&scene.world));
+        assert!(gap(&scene.world) < 0.04, "bars are {} apart", gap(&scene.world));
     }
     // Feet go 0.68 · 2 in half a round of the crank, which takes π / 4 s; less slip and what starting takes.
     let way = scene.world.bodies[body].translation().x - start.x;
@@ -115,7 +100,7 @@ fn one_bridge_holds_and_the_other_does_not() {
     let (weak, strong): (Vec<_>, Vec<_>) = joints.partition(|joint| joint.break_force.is_finite());
     assert!(weak.iter().any(|joint| !joint.is_enabled()));
     assert!(strong.iter().all(GenericJoint::is_enabled));
-    assert!(apart(&scene.world) < 0.05, "planks are {} apart", apart(&scene.world));
+    assert!(gap(&scene.world) < 0.05, "planks are {} apart", gap(&scene.world));
 }
 
 /// The car arrives on its four wheels, or two.
@@ -126,5 +111,5 @@ fn the_car_drives() {
     let chassis = dynamic.max_by(|a, b| a.1.mass().total_cmp(&b.1.mass())).expect("there is one").1;
     let (place, up) = (chassis.translation(), *chassis.rotation() * Vector::Y);
     assert!(place.x > 0.0 && up.y > 0.8, "at {place}, up is {up}");
-    assert!(apart(&scene.world) < 0.02, "joints are {} apart", apart(&scene.world));
+    assert!(gap(&scene.world) < 0.02, "joints are {} apart", gap(&scene.world));
 }

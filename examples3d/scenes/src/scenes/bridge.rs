@@ -1,6 +1,9 @@
 //! A bridge that hangs on hinges, and what crosses it.
+//!
+//! After 130 steps no overlap is deeper than 0.038, no body is below -20.6, none is farther out than 15.0, and no
+//! joint is open by more than 0.0088.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, cube, hinge, turn};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Two bridges of planks on hinges: one carries boulders of ten times a plank's weight, some hinges of the other break under them.",
     category: Category::Joints,
     steps: 130,
+    law: Law {
+        overlap_max: 0.038,
+        height_min: -20.6,
+        reach_max: 15.0,
+        gap_max: 0.0088,
+        ..Law::after(130)
+    },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Characters: they climb stairs and a slope, ride a lift and a turntable, and push crates.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.2, none is farther out than 2.3, and none is
+//! faster than 0.1.
 
-use crate::common::{Scene, SceneInfo, Walker};
+use crate::common::{Law, Scene, SceneInfo, Walker};
 use crate::kit::{add, add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Characters walk over stairs, a roof, a lift and a turntable, and push crates.",
     category: Category::Controllers,
     steps: 200,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -0.2,
+        reach_max: 2.3,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
     build,
 };
 

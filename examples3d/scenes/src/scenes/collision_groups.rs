@@ -1,6 +1,9 @@
 //! Who meets whom.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 2.1, none is farther out than 5.4, and none is
+//! faster than 0.1.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Balls and boxes fall through each other's shelf and rest on their own.",
     category: Category::Events,
     steps: 240,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 2.1,
+        reach_max: 5.4,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Things that break when they are hit hard enough.
+//!
+//! After 120 steps no overlap is deeper than 0.096, no body is below -0.1, and none is farther out than 22.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -13,6 +15,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Contact-force events tell which crates a heavy ball breaks into pieces.",
     category: Category::Events,
     steps: 120,
+    law: Law { overlap_max: 0.096, height_min: -0.1, reach_max: 22.0, ..Law::after(120) },
     build,
 };
 

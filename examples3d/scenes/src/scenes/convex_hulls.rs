@@ -1,6 +1,8 @@
 //! Rocks of random shape.
+//!
+//! After 200 steps no overlap is deeper than 0.015, no body is below -0.8, and none is farther out than 12.0.
 
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Rocks of 5 to 16 corners and all sizes fall into a box.",
     category: Category::Shapes,
     steps: 360,
+    law: Law { overlap_max: 0.015, height_min: -0.8, reach_max: 12.0, ..Law::after(200) },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! How fast motion dies away by itself.
+//!
+//! After 120 steps no overlap is deeper than 0.01, no body is below -0.3, and none is farther out than 19.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::cube;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Weightless boxes, flung and spun alike, with a damping that grows from bottom to top.",
     category: Category::Basics,
     steps: 120,
+    law: Law { overlap_max: 0.01, height_min: -0.3, reach_max: 19.0, ..Law::after(120) },
     build,
 };
 

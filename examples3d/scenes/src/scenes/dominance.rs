@@ -1,6 +1,8 @@
 //! Bodies that give way and bodies that do not, whatever they weigh.
+//!
+//! After 110 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 23.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Balls shot at walls: those with a higher dominance group go through as if the wall weighed nothing.",
     category: Category::Basics,
     steps: 110,
+    law: Law { overlap_max: 0.01, height_min: 0.1, reach_max: 23.0, ..Law::after(110) },
     build,
 };
 

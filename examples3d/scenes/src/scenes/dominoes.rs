@@ -1,6 +1,8 @@
 //! One push, and all fall.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 11.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A spiral of 200 dominoes falls, one after the other.",
     category: Category::Basics,
     steps: 1000,
+    law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 11.0, ..Law::after(200) },
     build,
 };
 

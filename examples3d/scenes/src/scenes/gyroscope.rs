@@ -1,6 +1,9 @@
 //! Free rotation: a handle that turns over and over.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.6, none is farther out than 5.2, and none is
+//! faster than 0.1.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
@@ -10,6 +13,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Weightless T-handles spin about each of their three axes; the middle one keeps flipping.",
     category: Category::Basics,
     steps: 400,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -0.6,
+        reach_max: 5.2,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
     build,
 };
 

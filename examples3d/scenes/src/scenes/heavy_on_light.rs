@@ -1,6 +1,9 @@
 //! Light boxes that carry a heavy one: a hard test for a solver.
+//!
+//! After 200 steps no overlap is deeper than 0.023, no body is below 0.1, none is farther out than 4.9, none is
+//! faster than 0.1, and the top is above 4.35.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,14 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Stacks of light boxes carry a box 1, 10, 30 and 100 times as heavy as each of them.",
     category: Category::Robustness,
     steps: 300,
+    law: Law {
+        overlap_max: 0.023,
+        height_min: 0.1,
+        reach_max: 4.9,
+        speed_max: 0.1,
+        top_min: 4.35,
+        ..Law::after(200)
+    },
     build,
 };
 

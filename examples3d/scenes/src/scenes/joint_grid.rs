@@ -1,6 +1,9 @@
 //! A curtain of balls, each joined to its left and its upper neighbour: thousands of loops.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below -99.9, none is farther out than 59.0, and no joint
+//! is open by more than 0.15.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::add;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "100 × 100 balls joined to a net of 19,800 sockets, held by seven in the middle of its top row.",
     category: Category::Stress,
     steps: 200,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -99.9,
+        reach_max: 59.0,
+        gap_max: 0.15,
+        ..Law::after(20)
+    },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Every joint, each with what it leaves free.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below -5.8, none is farther out than 16.0, and no joint
+//! is open by more than 0.005.
 
-use crate::common::{Scene, SceneInfo, stands};
+use crate::common::{Law, Scene, SceneInfo, stands};
 use crate::kit::HALF_TURN;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Every joint, with its free axes as far as their limits reach; all are pushed every two seconds.",
     category: Category::Joints,
     steps: 150,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -5.8,
+        reach_max: 16.0,
+        gap_max: 0.005,
+        ..Law::after(150)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Scrap in a yard, pushed about by a blade: hulls in motion, with contacts that come and go.
+//!
+//! After 20 steps no overlap is deeper than 0.14, no body is below 2.3, and none is farther out than 24.0.
 
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A blade sweeps through a yard with 4,000 pieces of scrap.",
     category: Category::Stress,
     steps: 240,
+    law: Law { overlap_max: 0.14, height_min: 2.3, reach_max: 24.0, ..Law::after(20) },
     build,
 };
 

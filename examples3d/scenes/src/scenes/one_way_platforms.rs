@@ -1,6 +1,9 @@
 //! Platforms through which one can jump up, and on which one can then stand.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, none is farther out than 4.7, and none is
+//! faster than 0.1.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Boxes shot upwards pass three platforms from below and land on them from above.",
     category: Category::Events,
     steps: 260,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -0.1,
+        reach_max: 4.7,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Rays that look around, and a drone that is led by feedback.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.2, and none is farther out than 13.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "96 rays from a mast mark what they hit; a PD controller leads a drone around it.",
     category: Category::Queries,
     steps: 240,
+    law: Law { overlap_max: 0.01, height_min: 0.2, reach_max: 13.0, ..Law::after(200) },
     build,
 };
 

@@ -1,7 +1,10 @@
 //! Hundreds of people fall on hills.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below -1.1, none is farther out than 26.0, and no joint
+//! is open by more than 0.005.
 
 use super::ragdolls::add_ragdoll;
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -12,6 +15,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "390 people of 11 bodies each rain on a mesh of 20,000 triangles.",
     category: Category::Stress,
     steps: 300,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -1.1,
+        reach_max: 26.0,
+        gap_max: 0.005,
+        ..Law::after(20)
+    },
     build,
 };
 

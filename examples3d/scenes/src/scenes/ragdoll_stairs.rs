@@ -1,6 +1,9 @@
 //! Ragdolls: bodies of limbs on joints whose limits are those of people.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below 3.5, none is farther out than 5.1, and no joint is
+//! open by more than 0.005.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, add_fixed};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Ragdolls tumble down stairs: shoulders, hips and necks swing and twist as far as people's do, elbows and knees bend one way.",
     category: Category::Stress,
     steps: 110,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 3.5,
+        reach_max: 5.1,
+        gap_max: 0.005,
+        ..Law::after(20)
+    },
     build,
 };
 
@@ -42,7 +52,7 @@ pub fn build() -> Scene {
         }
     }
     Scene::new(world, View::orbit(55.0, 16.0))
-        .focusing(Vector::new(-1.0, 0.0, -2.0), Vector::new(9.0, 5.0, 2.0))
+        .focusing(Vector::new(0.2, 0.4, -1.6), Vector::new(8.3, 4.4, 1.6))
 }
 
 /// A limb: a capsule along y, from its middle to either end.

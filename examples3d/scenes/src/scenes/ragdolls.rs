@@ -1,6 +1,9 @@
 //! Two hundred people fall into a pit.
+//!
+//! After 200 steps no overlap is deeper than 0.13, no body is below -0.3, none is farther out than 8.1, and no joint
+//! is open by more than 0.092.
 
-use crate::common::{Dice, Scene, SceneInfo};
+use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "200 people of 11 bodies each tumble into a heap; cones and limits keep their limbs human.",
     category: Category::Joints,
     steps: 300,
+    law: Law {
+        overlap_max: 0.13,
+        height_min: -0.3,
+        reach_max: 8.1,
+        gap_max: 0.092,
+        ..Law::after(200)
+    },
     build,
 };
 

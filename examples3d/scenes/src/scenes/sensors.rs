@@ -1,6 +1,9 @@
 //! Zones that notice who enters and leaves, without touching anyone.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
+//! faster than 2.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -13,6 +16,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
     category: Category::Queries,
     steps: 420,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 0.0,
+        reach_max: 7.2,
+        speed_max: 2.0,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! Closed loops of joints: Theo Jansen's walking machine.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -0.2, none is farther out than 3.4, and no joint
+//! is open by more than 0.0062.
 
-use crate::common::{Scene, SceneInfo, Strider, turns};
+use crate::common::{Law, Scene, SceneInfo, Strider, turns};
 use crate::kit::{HALF_TURN, add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,13 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Theo Jansen's walking machine: eight legs of bars and hinges in closed loops, and one motor.",
     category: Category::Joints,
     steps: 240,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -0.2,
+        reach_max: 3.4,
+        gap_max: 0.0062,
+        ..Law::after(200)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! A floor of ten thousand boxes.
+//!
+//! After 20 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 66.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Boxes and balls slide over a floor of 100 × 100 tiles, each a body of its own.",
     category: Category::Stress,
     steps: 300,
+    law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 66.0, ..Law::after(20) },
     build,
 };
 

@@ -1,6 +1,9 @@
 //! A tower, in which every error of the solver adds up from the bottom to the top.
+//!
+//! After 20 steps no overlap is deeper than 0.026, no body is below 0.1, none is farther out than 0.51, none is
+//! faster than 0.11, and the top is above 28.42.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -11,6 +14,14 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A tower of 30 boxes stays up and falls asleep.",
     category: Category::Stress,
     steps: 300,
+    law: Law {
+        overlap_max: 0.026,
+        height_min: 0.1,
+        reach_max: 0.51,
+        speed_max: 0.11,
+        top_min: 28.42,
+        ..Law::after(20)
+    },
     build,
 };
 

@@ -1,6 +1,8 @@
 //! Cars on a landscape with ramps.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 21.0.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add_fixed, add_pyramid, cube};
 use crate::rapier::parry::utils::Array2;
 use crate::rapier::prelude::*;
@@ -12,6 +14,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Three cars on rays: one jumps a ramp into a wall of boxes, one circles in the hills, one parks on a slope.",
     category: Category::Controllers,
     steps: 270,
+    law: Law { overlap_max: 0.01, height_min: 0.1, reach_max: 21.0, ..Law::after(200) },
     build,
 };
 

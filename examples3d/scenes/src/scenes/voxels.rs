@@ -1,6 +1,8 @@
 //! Bodies on a terrain of voxels that is dug up while the world runs.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.5, and none is farther out than 6.5.
 
-use crate::common::{Scene, SceneInfo};
+use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube};
 use crate::rapier::parry::math::IVector;
 use crate::rapier::prelude::*;
@@ -12,6 +14,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A crater is dug into voxels, step by step, and the balls on them follow.",
     category: Category::Shapes,
     steps: 300,
+    law: Law { overlap_max: 0.01, height_min: 0.5, reach_max: 6.5, ..Law::after(200) },
     build,
 };
 
