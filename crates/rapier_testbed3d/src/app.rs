@@ -73,6 +73,8 @@ impl TestbedApp {
         }
         let options = eframe::NativeOptions {
             renderer: eframe::Renderer::Wgpu,
+            // Noise for every pixel of the window costs an adapter in software more than it gains.
+            dithering: false,
             viewport: egui::ViewportBuilder::default().with_inner_size(SIZE).with_title("Testbed"),
             ..Default::default()
         };

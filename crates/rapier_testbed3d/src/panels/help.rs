@@ -6,7 +6,7 @@ use eframe::egui::{Align2, Context, Grid, Key, RichText, Window};
 /// Keys and their effects.
 const KEYS: [(&str, &str); 13] = [
     ("Space", "run, pause"),
-    ("S  or  →", "one step"),
+    ("S  or  Right", "one step"),
     ("R", "restart"),
     ("Page Down, Page Up", "next scene, previous scene"),
     ("B", "throw a ball at the pointer"),
