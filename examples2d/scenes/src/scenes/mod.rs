@@ -54,11 +54,17 @@ pub mod junkyard;
 pub mod ragdolls;
 pub mod washer;
 pub mod joint_grid;
+pub mod wrecking_ball;
+pub mod pendulum_wave;
+pub mod seesaw;
+pub mod trampoline;
+pub mod heavy_chain;
+pub mod deep_overlap;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 54] = [
+pub const SCENES: [SceneInfo; 60] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -113,4 +119,10 @@ pub const SCENES: [SceneInfo; 54] = [
     ragdolls::INFO,
     washer::INFO,
     joint_grid::INFO,
+    wrecking_ball::INFO,
+    pendulum_wave::INFO,
+    seesaw::INFO,
+    trampoline::INFO,
+    heavy_chain::INFO,
+    deep_overlap::INFO,
 ];

@@ -50,7 +50,7 @@ fn cameras_frame_what_moves() {
     for info in &SCENES {
         let mut scene = (info.build)();
         let stress = info.category == Category::Stress;
-        scene.run(if stress { info.law.after } else { info.steps.min(STEPS) });
+        scene.run(if stress { 2 } else { info.steps.min(STEPS) });
         let drawing = Artist::default().draw(&scene);
         let aspect = SIZE[0] as f32 / SIZE[1] as f32;
         let camera = Camera::fit(&scene.view, &drawing.points_to_frame(), aspect);

@@ -3,6 +3,7 @@
 
 mod dice;
 mod jansen;
+pub mod plays;
 pub mod stands;
 mod strider;
 mod walker;

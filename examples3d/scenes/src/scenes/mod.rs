@@ -58,11 +58,20 @@ pub mod joint_grid;
 pub mod ragdolls;
 pub mod ragdoll_rain;
 pub mod trees;
+pub mod wrecking_ball;
+pub mod pendulum_wave;
+pub mod seesaw;
+pub mod trampoline;
+pub mod heavy_chain;
+pub mod deep_overlap;
+pub mod marble_run;
+pub mod laser_scanner;
+pub mod spinning_rods;
 
 use crate::common::SceneInfo;
 
 /// All scenes, in the order in which the gallery shows them.
-pub const SCENES: [SceneInfo; 61] = [
+pub const SCENES: [SceneInfo; 70] = [
     primitives::INFO,
     all_shapes::INFO,
     compound::INFO,
@@ -124,4 +133,13 @@ pub const SCENES: [SceneInfo; 61] = [
     trees::TREES100,
     trees::TREES50,
     trees::TREES25,
+    wrecking_ball::INFO,
+    pendulum_wave::INFO,
+    seesaw::INFO,
+    trampoline::INFO,
+    heavy_chain::INFO,
+    deep_overlap::INFO,
+    marble_run::INFO,
+    laser_scanner::INFO,
+    spinning_rods::INFO,
 ];
