@@ -10,7 +10,7 @@ use gallery::{Category, View};
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "marble_run",
-    description: "Two dozen marbles roll down six ramps with rims, from one to the next, down to the floor.",
+    description: "Three dozen marbles roll down six ramps with rims, from one to the next, down to the floor.",
     category: Category::Shapes,
     steps: 300,
     law: Law { overlap_max: 0.02, height_min: 0.0, reach_max: 12.0, ..Law::after(200) },
@@ -33,13 +33,17 @@ pub fn build() -> Scene {
         let stop = Vector::new(middle.x + side * (HALF + 1.0), middle.y - 0.6, 0.0);
         add_fixed(&mut world, stop, ColliderBuilder::cuboid(0.1, 1.0, 0.8));
     }
-    for i in 0..24 {
+    for i in 0..36 {
         let [row, column] = [i / 2, i % 2].map(|n| n as Real);
-        let place = Vector::new(-2.6 + 0.62 * row, 12.6, 0.64 * (column - 0.5));
+        let place = Vector::new(
+            -3.0 + 0.66 * (row % 9.0),
+            12.6 + 0.7 * (row / 9.0).floor(),
+            0.64 * (column - 0.5),
+        );
         add(&mut world, place, ColliderBuilder::ball(0.3).restitution(0.2));
     }
     Scene::new(world, View::orbit(14.0, 8.0))
-        .focusing(Vector::new(-6.0, 0.0, -0.8), Vector::new(6.0, 12.0, 0.8))
+        .focusing(Vector::new(-4.8, 3.0, -0.8), Vector::new(4.8, 12.5, 0.8))
 }
 
 /// A board between two rims, tilted about the axis that points to the eye.

@@ -52,7 +52,7 @@ pub fn build() -> Scene {
         }
     }
     Scene::new(world, View::orbit(55.0, 16.0))
-        .focusing(Vector::new(0.2, 0.4, -1.6), Vector::new(8.3, 4.4, 1.6))
+        .focusing(Vector::new(-1.0, 0.0, -2.0), Vector::new(9.0, 5.0, 2.0))
 }
 
 /// A limb: a capsule along y, from its middle to either end.
