@@ -91,7 +91,8 @@ fn triangle_pixels(
         return fill(size, seen, corners.map(|corner| corner.normal), visit);
     }
     // Triangles that cross a border of the view are flat enough for one normal.
-    let normal = corners.iter().fold([0.0; 3], |sum, corner| add_scaled(sum, corner.normal, 1.0));
+    let third = 1.0 / 3.0;
+    let normal = corners.iter().fold([0.0; 3], |sum, corner| add_scaled(sum, corner.normal, third));
     let polygon = clip::triangle(seen, camera.nearest());
     let [first, rest @ ..] = polygon.as_slice() else { return };
     for pair in rest.windows(2) {

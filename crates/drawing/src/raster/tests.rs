@@ -81,6 +81,18 @@ fn flat_shapes_have_a_bright_rim() {
     assert!(row[border + 5] < 100);
 }
 
+/// A shape that crosses the border of the picture has the light of one that does not.
+#[test]
+fn flat_shapes_beyond_the_picture_keep_their_light() {
+    let camera = Camera::level([0.0; 2], 2.0, ASPECT);
+    let light = |half: f32| {
+        let mut drawing = Drawing::default();
+        drawing.add(Mesh::square(), instance([0.0; 3], [half; 3], Role::Moving));
+        pixel(&picture(&drawing, &camera, SIZE), SIZE[0] / 2, SIZE[1] / 2)
+    };
+    assert_eq!(light(1.0), light(50.0));
+}
+
 #[test]
 fn each_pixel_belongs_to_the_nearest_instance() {
     let mut drawing = Drawing::default();

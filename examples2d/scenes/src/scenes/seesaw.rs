@@ -9,7 +9,7 @@ use gallery::{Category, View};
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "seesaw",
-    description: "Planks on pivots: in balance by equal weights, by arms in proportion, and not at all.",
+    description: "Planks on pivots: equal weights, a double weight on half the arm, and one that falls and throws another.",
     category: Category::Joints,
     steps: 200,
     law: Law {
