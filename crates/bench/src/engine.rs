@@ -48,7 +48,7 @@ pub struct Probes {
 impl Probes {
     /// Random ones that begin within a box (lowest and highest corner).
     pub fn random(count: usize, [low, high]: [[f32; 3]; 2], seed: u64) -> Self {
-        let mut dice = examples3d::common::Dice::new(seed);
+        let mut dice = scenes3d::common::Dice::new(seed);
         let mut origins = Vec::with_capacity(count);
         let mut directions = Vec::with_capacity(count);
         while origins.len() < count {

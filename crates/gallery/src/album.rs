@@ -15,6 +15,8 @@ pub(crate) struct Page<'a> {
     pub entry: &'a Entry,
     /// File name of the picture.
     pub file: String,
+    /// File name of the moving picture, if there is one.
+    pub recording: Option<String>,
     pub outcome: Outcome,
 }
 
@@ -50,7 +52,7 @@ fn figures(page: &Page) -> String {
 
 /// The pages of one category, or nothing if there are none.
 fn sections<'a>(pages: &'a [Page<'a>]) -> impl Iterator<Item = (&'static str, Vec<&'a Page<'a>>)> {
-    [Category::Capability, Category::Stress].into_iter().filter_map(move |category| {
+    Category::ALL.into_iter().filter_map(move |category| {
         let pages: Vec<_> = pages.iter().filter(|page| page.entry.category == category).collect();
         (!pages.is_empty()).then_some((category.heading(), pages))
     })
@@ -75,9 +77,10 @@ fn html(title: &str, pages: &[Page]) -> String {
         let _ = writeln!(text, "<h2>{heading}</h2>\n<main>");
         for page in pages {
             let (name, file) = (page.entry.name, &page.file);
+            let shown = page.recording.as_ref().unwrap_or(file);
             let _ = writeln!(
                 text,
-                "<figure><a href=\"{file}\"><img src=\"{file}\" alt=\"{name}\" loading=\"lazy\"></a>\
+                "<figure><a href=\"{file}\"><img src=\"{shown}\" alt=\"{name}\" loading=\"lazy\"></a>\
                  <figcaption><b>{name}</b> {}<small>{}</small></figcaption></figure>",
                 escaped(page.entry.description),
                 figures(page)

@@ -27,6 +27,21 @@ pub(crate) struct Options {
     pub steps: Option<usize>,
     /// Folder of the pictures.
     pub folder: PathBuf,
+    /// Number of frames of a moving picture of every scene, if there shall be one.
+    pub record: Option<usize>,
+    /// The renderer of pictures.
+    pub renderer: Renderer,
+}
+
+/// A way to paint pictures.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Renderer {
+    /// The graphics adapter if there is one, else the processor.
+    Auto,
+    /// The processor.
+    Cpu,
+    /// The graphics adapter.
+    Gpu,
 }
 
 /// Why the command line cannot be followed.
@@ -34,7 +49,8 @@ pub(crate) struct Options {
 pub(crate) enum UsageError {
     UnknownOption(String),
     MissingValue(&'static str),
-    BadSteps(String),
+    BadNumber { option: &'static str, value: String },
+    BadRenderer(String),
     UnknownScene { name: String, known: Vec<&'static str> },
 }
 
@@ -45,8 +61,11 @@ impl fmt::Display for UsageError {
                 write!(f, "unknown option `{option}`; `--help` lists the options")
             }
             UsageError::MissingValue(option) => write!(f, "`{option}` needs a value after it"),
-            UsageError::BadSteps(value) => {
-                write!(f, "`--steps` needs a whole number of at least 1, not `{value}`")
+            UsageError::BadNumber { option, value } => {
+                write!(f, "`{option}` needs a whole number of at least 1, not `{value}`")
+            }
+            UsageError::BadRenderer(value) => {
+                write!(f, "`--renderer` is `auto`, `gpu` or `cpu`, not `{value}`")
             }
             UsageError::UnknownScene { name, known } => {
                 write!(f, "no scene is called `{name}`; the scenes are:")?;
@@ -63,6 +82,8 @@ pub(crate) fn parse(arguments: &[String], entries: &[Entry]) -> Result<Request, 
         chosen: Vec::new(),
         steps: None,
         folder: PathBuf::from(DEFAULT_FOLDER),
+        record: None,
+        renderer: Renderer::Auto,
     };
     let mut list = false;
     let mut rest = arguments.iter().map(String::as_str);
@@ -78,7 +99,9 @@ pub(crate) fn parse(arguments: &[String], entries: &[Entry]) -> Result<Request, 
             "-h" | "--help" => return Ok(Request::Help),
             "--list" => list = true,
             "--headless" => options.headless = true,
-            "--steps" => options.steps = Some(parse_steps(value("--steps")?)?),
+            "--steps" => options.steps = Some(parse_number("--steps", value("--steps")?)?),
+            "--record" => options.record = Some(parse_number("--record", value("--record")?)?),
+            "--renderer" => options.renderer = parse_renderer(value("--renderer")?)?,
             "--out" => options.folder = PathBuf::from(value("--out")?),
             _ if name.starts_with('-') => return Err(UsageError::UnknownOption(name.to_owned())),
             scene => options.chosen.push(find(scene, entries)?),
@@ -96,10 +119,19 @@ pub(crate) fn parse(arguments: &[String], entries: &[Entry]) -> Result<Request, 
     Ok(Request::Run(options))
 }
 
-fn parse_steps(value: &str) -> Result<usize, UsageError> {
+fn parse_number(option: &'static str, value: &str) -> Result<usize, UsageError> {
     match value.parse() {
-        Ok(steps) if steps > 0 => Ok(steps),
-        _ => Err(UsageError::BadSteps(value.to_owned())),
+        Ok(number) if number > 0 => Ok(number),
+        _ => Err(UsageError::BadNumber { option, value: value.to_owned() }),
+    }
+}
+
+fn parse_renderer(value: &str) -> Result<Renderer, UsageError> {
+    match value {
+        "auto" => Ok(Renderer::Auto),
+        "gpu" => Ok(Renderer::Gpu),
+        "cpu" => Ok(Renderer::Cpu),
+        _ => Err(UsageError::BadRenderer(value.to_owned())),
     }
 }
 
@@ -115,16 +147,18 @@ fn find(name: &str, entries: &[Entry]) -> Result<usize, UsageError> {
 pub(crate) fn print_help(out: &mut dyn Write, program: &str) -> io::Result<()> {
     writeln!(
         out,
-        "Runs the scenes and leaves a picture of each.
+        "Shows the scenes in a window. Without a display, runs them and leaves a picture of each.
 
 Usage: {program} [OPTIONS] [SCENE]...
 
-  SCENE         run only the scenes with these names, in this order (default: all)
+  SCENE         show or run only the scenes with these names, in this order (default: all)
 
   --list        print the names of the scenes, and what there is to see
   --headless    open no window
   --steps N     take N steps in every scene, not the scene's own number
   --out DIR     folder of the pictures and their page (default: {DEFAULT_FOLDER})
+  --record N    also leave a moving picture of the last N frames (30 a second) of every scene
+  --renderer R  paint with `gpu`, `cpu`, or the first of them that works (`auto`, the default)
   -h, --help    print this
 
 Through cargo the options come after two dashes:
@@ -135,7 +169,7 @@ Through cargo the options come after two dashes:
 /// Prints the names of the scenes and what there is to see, by category.
 pub(crate) fn print_list(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
     let width = entries.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
-    for category in [Category::Capability, Category::Stress] {
+    for category in Category::ALL {
         writeln!(out, "{}", category.heading())?;
         for entry in entries.iter().filter(|entry| entry.category == category) {
             writeln!(out, "  {:width$}  {}", entry.name, entry.description)?;
@@ -154,7 +188,7 @@ mod tests {
             .map(|name| Entry {
                 name,
                 description: "a scene",
-                category: Category::Capability,
+                category: Category::Basics,
                 steps: 10,
                 start: Box::new(|| unreachable!("parsing starts no scene")),
             })
@@ -180,15 +214,18 @@ mod tests {
         assert_eq!(options.steps, None);
         assert_eq!(options.folder, PathBuf::from("target/gallery"));
         assert!(!options.headless);
+        assert_eq!((options.record, options.renderer), (None, Renderer::Auto));
     }
 
     #[test]
     fn scenes_run_in_the_order_given() {
-        let options = options("--headless rain --steps 7 tower --out=here");
+        let options =
+            options("--headless rain --steps 7 tower --out=here --record=20 --renderer cpu");
         assert_eq!(options.chosen, [1, 0]);
         assert_eq!(options.steps, Some(7));
         assert_eq!(options.folder, PathBuf::from("here"));
         assert!(options.headless);
+        assert_eq!((options.record, options.renderer), (Some(20), Renderer::Cpu));
     }
 
     #[test]
@@ -201,10 +238,13 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
+        let bad =
+            |value: &str| UsageError::BadNumber { option: "--steps", value: value.to_owned() };
         assert_eq!(parse_words("--steps"), Err(UsageError::MissingValue("--steps")));
-        assert_eq!(parse_words("--steps 0"), Err(UsageError::BadSteps("0".into())));
-        assert_eq!(parse_words("--steps=-3"), Err(UsageError::BadSteps("-3".into())));
+        assert_eq!(parse_words("--steps 0"), Err(bad("0")));
+        assert_eq!(parse_words("--steps=-3"), Err(bad("-3")));
         assert_eq!(parse_words("--quick"), Err(UsageError::UnknownOption("--quick".into())));
+        assert_eq!(parse_words("--renderer x"), Err(UsageError::BadRenderer("x".into())));
         assert_eq!(parse_words("--list=no"), Err(UsageError::UnknownOption("--list=no".into())));
     }
 

@@ -1,23 +1,57 @@
-//! What a gallery knows of a scene: its entry in the list, and the run that the entry starts.
+//! A scene in the list of a gallery, and the run that the entry starts.
 
-use crate::picture::{Pen, View};
+use drawing::{Drawing, View};
 use std::time::Duration;
 
-/// What a scene is for.
+/// The kind of a scene.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Category {
-    /// Shows one thing the engine can do.
-    Capability,
-    /// Large, to see how fast the engine is.
+    /// Bodies, forces, materials.
+    Basics,
+    /// The shapes of colliders, and terrains.
+    Shapes,
+    /// Joints, motors, mechanisms.
+    Joints,
+    /// Characters and vehicles.
+    Controllers,
+    /// Rays, casts, sensors.
+    Queries,
+    /// Events, hooks, edits while the world runs.
+    Events,
+    /// Large scenes, which show the speed of the engine.
     Stress,
+    /// Inputs that are hard for a solver.
+    Robustness,
+    /// Scenes that once went wrong.
+    PastBugs,
 }
 
 impl Category {
-    /// The heading under which the list shows the scenes of this category.
-    pub(crate) fn heading(self) -> &'static str {
+    /// All of them, in the order of lists.
+    pub const ALL: [Self; 9] = [
+        Self::Basics,
+        Self::Shapes,
+        Self::Joints,
+        Self::Controllers,
+        Self::Queries,
+        Self::Events,
+        Self::Stress,
+        Self::Robustness,
+        Self::PastBugs,
+    ];
+
+    /// The heading of its scenes in a list.
+    pub fn heading(self) -> &'static str {
         match self {
-            Category::Capability => "Capabilities",
-            Category::Stress => "Stress scenes",
+            Self::Basics => "Basics",
+            Self::Shapes => "Shapes",
+            Self::Joints => "Joints",
+            Self::Controllers => "Controllers",
+            Self::Queries => "Queries",
+            Self::Events => "Events and hooks",
+            Self::Stress => "Stress tests",
+            Self::Robustness => "Robustness",
+            Self::PastBugs => "Past bugs",
         }
     }
 }
@@ -28,7 +62,7 @@ pub struct Entry {
     pub name: &'static str,
     /// One sentence that says what there is to see.
     pub description: &'static str,
-    /// What the scene is for.
+    /// The kind of the scene.
     pub category: Category,
     /// How many steps it takes unless the user says otherwise.
     pub steps: usize,
@@ -44,8 +78,8 @@ pub trait SceneRun {
     /// Counts what there is now. Not part of the time measured.
     fn stats(&self) -> Stats;
 
-    /// Draws what there is now.
-    fn draw(&self, pen: &mut dyn Pen);
+    /// Draws the current state.
+    fn draw(&mut self) -> Drawing;
 
     /// From where to look at it.
     fn view(&self) -> View;

@@ -3,11 +3,18 @@
 use crate::album::{self, Page};
 use crate::args::Options;
 use crate::catalog::{Entry, SceneRun, StageTimes, Stats};
-use crate::picture::Picture;
+use crate::painter::Painter;
 use crate::progress::{Progress, seconds};
+use crate::recording::Recording;
 use crate::table::{Table, grouped};
+use drawing::{Camera, Image, raster};
 use std::io::{self, Write};
 use std::time::Instant;
+
+/// Size of a picture in pixels.
+const SIZE: [usize; 2] = [1280, 720];
+/// Frames per second of moving pictures: one for two steps of the usual length.
+const FRAMES_PER_SECOND: u16 = 30;
 
 /// What a run has come to.
 pub(crate) struct Outcome {
@@ -23,6 +30,7 @@ pub(crate) fn run(
     title: &str,
     entries: &[Entry],
     options: &Options,
+    painter: &mut dyn Painter,
 ) -> io::Result<()> {
     // Before hours of stepping: can the pictures be written at all?
     album::create_folder(&options.folder)?;
@@ -36,11 +44,20 @@ pub(crate) fn run(
         let steps = options.steps.unwrap_or(entry.steps);
         let mut progress = Progress::new(entry.name, label_width, steps);
         let mut scene = (entry.start)();
-        let outcome = take_steps(scene.as_mut(), steps, &mut progress);
+        let mut recording = options.record.map(|frames| Recording::new(frames, steps));
+        let outcome = take_steps(scene.as_mut(), steps, &mut progress, recording.as_mut());
         progress.clear();
 
-        let page = Page { entry, file: format!("{}.png", entry.name), outcome };
-        draw(scene.as_ref(), &page).save(&options.folder.join(&page.file))?;
+        let mut page =
+            Page { entry, file: format!("{}.png", entry.name), recording: None, outcome };
+        draw(scene.as_mut(), &page, painter).save(&options.folder.join(&page.file))?;
+        if let Some(recording) = recording {
+            let file = format!("{}-moving.png", entry.name);
+            recording
+                .paint(painter, &scene.view())
+                .save(&options.folder.join(&file), FRAMES_PER_SECOND)?;
+            page.recording = Some(file);
+        }
         writeln!(out, "{}", report_line(&page, position, options.chosen.len(), label_width))?;
         out.flush()?;
         table.push(cells(&page));
@@ -61,7 +78,12 @@ pub(crate) fn run(
 }
 
 /// Takes the steps and adds up what they cost.
-fn take_steps(scene: &mut dyn SceneRun, steps: usize, progress: &mut Progress) -> Outcome {
+fn take_steps(
+    scene: &mut dyn SceneRun,
+    steps: usize,
+    progress: &mut Progress,
+    mut recording: Option<&mut Recording>,
+) -> Outcome {
     let mut times = StageTimes::default();
     let mut stats = scene.stats();
     let mut penetration = 0.0;
@@ -69,23 +91,28 @@ fn take_steps(scene: &mut dyn SceneRun, steps: usize, progress: &mut Progress) -
         times += scene.step();
         stats = scene.stats();
         penetration = stats.penetration.max(penetration);
+        if let Some(recording) = &mut recording {
+            recording.after_step(scene, done);
+        }
         progress.advance(done);
     }
     Outcome { steps, times, stats: Stats { penetration, ..stats } }
 }
 
-fn draw(scene: &dyn SceneRun, page: &Page) -> Picture {
-    let mut picture = Picture::new(scene.view());
-    scene.draw(&mut picture);
+fn draw(scene: &mut dyn SceneRun, page: &Page, painter: &mut dyn Painter) -> Image {
+    let drawing = scene.draw();
+    let aspect = SIZE[0] as f32 / SIZE[1] as f32;
+    let camera = Camera::fit(&scene.view(), &drawing.points_to_frame(), aspect);
+    let picture = painter.paint(&drawing, &camera, SIZE);
     let stats = &page.outcome.stats;
-    picture.caption(
-        &page.entry.name.replace('_', " "),
-        &format!(
+    let caption = [
+        page.entry.name.replace('_', " "),
+        format!(
             "{} steps   {} bodies   {} contacts",
             page.outcome.steps, stats.bodies, stats.contacts
         ),
-    );
-    picture
+    ];
+    raster::write(&picture, &camera, &drawing.labels, &caption)
 }
 
 /// What the log says when a scene is done.

@@ -1,7 +1,7 @@
 //! Recording and replaying in 2D.
 
-use examples2d as examples;
 use rapier2d as rapier;
+use scenes2d as examples;
 
 #[path = "both.rs"]
 mod both;

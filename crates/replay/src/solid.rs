@@ -1,7 +1,7 @@
 //! Recording and replaying in 3D.
 
-use examples3d as examples;
 use rapier3d as rapier;
+use scenes3d as examples;
 
 #[path = "both.rs"]
 mod both;

@@ -1,9 +1,9 @@
 //! The scenes in 2D, and the engines that run them.
 
-use examples2d as examples;
 use rapier2d as ours;
 use rapier2d_f64 as double_engine;
 use rapier2d_peer as peer;
+use scenes2d as examples;
 
 #[cfg(feature = "box2d")]
 mod box2d;

@@ -1,9 +1,9 @@
 //! The scenes in 3D, and the engines that run them.
 
-use examples3d as examples;
 use rapier3d as ours;
 use rapier3d_f64 as double_engine;
 use rapier3d_peer as peer;
+use scenes3d as examples;
 
 #[cfg(feature = "box3d")]
 mod box3d;

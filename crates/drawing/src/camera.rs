@@ -1,0 +1,300 @@
+//! The camera, and the fit of a camera to the content of a scene.
+
+use crate::Point;
+use crate::sheet::box_corners;
+use crate::vector::{add_scaled, cross, dot, normalize, sub};
+
+/// From where to look at a scene.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct View {
+    kind: Kind,
+    focus: Option<[Point; 2]>,
+}
+
+#[derive(Copy, Clone, Debug, PartialEq)]
+enum Kind {
+    Flat,
+    Orbit { yaw: f32, pitch: f32 },
+}
+
+impl View {
+    /// Straight at a flat scene.
+    pub fn flat() -> Self {
+        Self { kind: Kind::Flat, focus: None }
+    }
+
+    /// At a scene in space, in perspective. Angles in degrees: `yaw` 0 looks along -z and 90 along
+    /// -x, `pitch` is how far the camera looks down.
+    pub fn orbit(yaw: f32, pitch: f32) -> Self {
+        Self { kind: Kind::Orbit { yaw, pitch }, focus: None }
+    }
+
+    /// Whether the projection is parallel, onto the plane of a flat scene.
+    pub fn is_flat(&self) -> bool {
+        self.kind == Kind::Flat
+    }
+
+    /// Yaw and pitch (degrees); zero for a flat view.
+    pub fn angles(&self) -> [f32; 2] {
+        match self.kind {
+            Kind::Flat => [0.0; 2],
+            Kind::Orbit { yaw, pitch } => [yaw, pitch],
+        }
+    }
+
+    /// The box that it shows, if one was chosen.
+    pub fn focus_box(&self) -> Option<[Point; 2]> {
+        self.focus
+    }
+
+    /// Shows the box with these two opposite corners, rather than all that moves.
+    pub fn focus(mut self, min: Point, max: Point) -> Self {
+        self.focus = Some([min, max]);
+        self
+    }
+}
+
+/// Half the picture's height over the distance to it, for a lens of 38 degrees.
+const LENS: f32 = 0.344;
+/// Share of the picture that the scene may fill; the rest is margin.
+const FILL: f32 = 0.86;
+/// How far up the scene is moved, in half heights of the picture. Down, as the caption stands above.
+const LIFT: f32 = -0.04;
+/// Share of the points on each side that may be strays: one body that flew off must not shrink all
+/// others to dots.
+const STRAYS: f32 = 0.004;
+/// Strays are left out only if the rest then looks larger by more than this factor.
+const WORTH_CROPPING: f32 = 1.6;
+
+/// A point as the camera sees it: in the picture while `|x| <= w` and `|y| <= w`.
+#[derive(Copy, Clone, Debug)]
+pub struct Seen {
+    /// To the right.
+    pub x: f32,
+    /// Up.
+    pub y: f32,
+    /// Distance along the line of sight; 1 for everything in a flat view.
+    pub w: f32,
+}
+
+/// A camera in its place.
+#[derive(Clone, Debug)]
+pub struct Camera {
+    /// Position of the eye.
+    pub eye: Point,
+    /// Direction to the right of the picture.
+    pub right: Point,
+    /// Direction to its top.
+    pub up: Point,
+    /// Direction of sight.
+    pub forward: Point,
+    /// Scales of the two axes of the picture.
+    pub scale: [f32; 2],
+    /// How far the content is moved up, in half heights of the picture.
+    pub lift: f32,
+    /// Whether the projection is parallel, along -z.
+    pub flat: bool,
+    /// Nearest and farthest distance of what is shown.
+    pub depth: [f32; 2],
+    /// Middle of what is shown, and its radius.
+    pub center: Point,
+    /// Its radius.
+    pub radius: f32,
+}
+
+impl Camera {
+    /// The camera that shows all of `points` (except a few strays) from the side that `view` asks for.
+    pub fn fit(view: &View, points: &[Point], aspect: f32) -> Self {
+        let corners = view.focus.map(box_corners);
+        let points = corners.as_ref().map_or(points, |corners| corners.as_slice());
+        let points = if points.is_empty() { &[[0.0; 3]] } else { points };
+        let mut camera = match view.kind {
+            Kind::Flat => Self::fit_flat(points, aspect),
+            Kind::Orbit { yaw, pitch } => Self::fit_orbit(yaw, pitch, points, aspect),
+        };
+        let span = |axis: Point| {
+            let [low, high] = extent(points.iter().map(|&p| dot(p, axis)));
+            (0.5 * (low + high), 0.5 * (high - low))
+        };
+        let spans = [span([1.0, 0.0, 0.0]), span([0.0, 1.0, 0.0]), span([0.0, 0.0, 1.0])];
+        camera.center = spans.map(|(middle, _)| middle);
+        camera.radius = spans.iter().map(|(_, half)| half * half).sum::<f32>().sqrt().max(0.5);
+        camera
+    }
+
+    fn fit_flat(points: &[Point], aspect: f32) -> Self {
+        let [left, right] = extent(points.iter().map(|p| p[0]));
+        let [bottom, top] = extent(points.iter().map(|p| p[1]));
+        let half_height = (0.5 * (top - bottom)).max(0.5 * (right - left) / aspect).max(0.5) / FILL;
+        Self {
+            eye: [0.5 * (left + right), 0.5 * (bottom + top), 0.0],
+            right: [1.0, 0.0, 0.0],
+            up: [0.0, 1.0, 0.0],
+            forward: [0.0, 0.0, -1.0],
+            scale: [1.0 / (half_height * aspect), 1.0 / half_height],
+            lift: LIFT,
+            flat: true,
+            depth: [0.0, 1.0],
+            center: [0.0; 3],
+            radius: 1.0,
+        }
+    }
+
+    /// The eye goes as near as it can. With the axes of the picture fixed, a point (x, y, z) is to
+    /// the left of the right edge if `x - eye.x <= t (z - eye.z)`, t being the slope of that edge; the
+    /// other three edges likewise. So each edge asks for the largest of one linear function over all
+    /// points, and two opposite edges together give one coordinate of the eye and a bound on its z.
+    fn fit_orbit(yaw: f32, pitch: f32, points: &[Point], aspect: f32) -> Self {
+        let (yaw, pitch) = (yaw.to_radians(), pitch.to_radians());
+        let back = [yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()];
+        let forward = back.map(|c| -c);
+        let right = normalize(cross(forward, [0.0, 1.0, 0.0]));
+        let up = cross(right, forward);
+
+        let along = |axis: Point, slope: f32| {
+            let most = |sign: f32| {
+                extent(points.iter().map(|&p| sign * dot(p, axis) - slope * dot(p, forward)))[1]
+            };
+            let (a, b) = (most(1.0), most(-1.0));
+            (0.5 * (a - b), -(a + b) / (2.0 * slope))
+        };
+        let (x, z_for_width) = along(right, LENS * aspect * FILL);
+        let (y, z_for_height) = along(up, LENS * FILL);
+        let [near, far] = extent(points.iter().map(|&p| dot(p, forward)));
+        let z = z_for_width.min(z_for_height).min(near - 0.1 * (far - near) - 0.5);
+
+        let eye = add_scaled(add_scaled(right.map(|c| c * x), up, y), forward, z);
+        Self {
+            eye,
+            right,
+            up,
+            forward,
+            scale: [1.0 / (LENS * aspect), 1.0 / LENS],
+            lift: LIFT,
+            flat: false,
+            depth: [near - z, (far - z).max(near - z + 1.0e-3)],
+            center: [0.0; 3],
+            radius: 1.0,
+        }
+    }
+
+    /// The point as the camera sees it.
+    pub fn see(&self, point: Point) -> Seen {
+        let p = sub(point, self.eye);
+        let w = if self.flat { 1.0 } else { dot(p, self.forward) };
+        Seen {
+            x: dot(p, self.right) * self.scale[0],
+            y: dot(p, self.up) * self.scale[1] + self.lift * w,
+            w,
+        }
+    }
+
+    /// Nothing nearer than this is drawn.
+    pub fn nearest(&self) -> f32 {
+        if self.flat { 0.5 } else { 0.02 * self.depth[0] }
+    }
+
+    /// Where the line of sight through a place of the picture (both coordinates from -1 to 1) is at
+    /// a distance.
+    pub fn point_at(&self, x: f32, y: f32, w: f32) -> Point {
+        let p = add_scaled(self.eye, self.right, x / self.scale[0] * w);
+        let p = add_scaled(p, self.up, (y - self.lift) / self.scale[1] * w);
+        if self.flat { p } else { add_scaled(p, self.forward, w) }
+    }
+
+    /// How large a thing of size 1 at distance 1 stands in a picture of height 2.
+    pub fn scale_up(&self) -> f32 {
+        self.scale[1]
+    }
+
+    /// Direction from a point to the eye.
+    pub fn toward_eye(&self, point: Point) -> Point {
+        if self.flat { self.forward.map(|c| -c) } else { sub(self.eye, point) }
+    }
+}
+
+/// The range of the values, without strays at either end if there are any.
+fn extent(values: impl Iterator<Item = f32>) -> [f32; 2] {
+    let mut values: Vec<f32> = values.collect();
+    let strays = (values.len() as f32 * STRAYS) as usize;
+    let last = values.len() - 1;
+    let mut range = |skipped: usize| -> [f32; 2] {
+        [skipped, last - skipped].map(|i| *values.select_nth_unstable_by(i, f32::total_cmp).1)
+    };
+    let (all, most) = (range(0), range(strays));
+    if all[1] - all[0] > WORTH_CROPPING * (most[1] - most[0]) { most } else { all }
+}
+
+impl Camera {
+    /// A camera in perspective that looks from one point to another.
+    pub fn looking(eye: Point, target: Point, aspect: f32) -> Self {
+        let to_target = sub(target, eye);
+        let distance = dot(to_target, to_target).sqrt().max(1.0e-3);
+        let forward = if distance > 1.0e-3 { normalize(to_target) } else { [0.0, 0.0, -1.0] };
+        let right = match normalize(cross(forward, [0.0, 1.0, 0.0])) {
+            right if dot(right, right) > 0.0 => right,
+            _ => [1.0, 0.0, 0.0],
+        };
+        Self {
+            eye,
+            right,
+            up: cross(right, forward),
+            forward,
+            scale: [1.0 / (LENS * aspect), 1.0 / LENS],
+            lift: 0.0,
+            flat: false,
+            depth: [0.3 * distance, 4.0 * distance],
+            center: target,
+            radius: 0.5 * distance,
+        }
+    }
+
+    /// A camera on a flat scene: its middle, and half the height that it shows.
+    pub fn level(middle: [f32; 2], half_height: f32, aspect: f32) -> Self {
+        let half_height = half_height.max(1.0e-3);
+        Self {
+            eye: [middle[0], middle[1], 0.0],
+            right: [1.0, 0.0, 0.0],
+            up: [0.0, 1.0, 0.0],
+            forward: [0.0, 0.0, -1.0],
+            scale: [1.0 / (half_height * aspect), 1.0 / half_height],
+            lift: 0.0,
+            flat: true,
+            depth: [0.0, 1.0],
+            center: [middle[0], middle[1], 0.0],
+            radius: half_height,
+        }
+    }
+
+    /// Length of a pixel of a picture so many pixels high, at a distance along the line of sight.
+    pub fn pixel_at(&self, w: f32, height: f32) -> f32 {
+        2.0 * w / (height * self.scale[1])
+    }
+
+    /// Origin and unit direction of the line of sight through a place of the picture (both coordinates from -1 to 1).
+    pub fn ray(&self, x: f32, y: f32) -> [Point; 2] {
+        let through = self.point_at(x, y, 1.0);
+        if self.flat {
+            [through, self.forward]
+        } else {
+            [self.eye, normalize(sub(through, self.eye))]
+        }
+    }
+
+    /// The matrix, by columns, from the world to clip space with depth from 1 (near) to 0 (far).
+    pub fn matrix(&self) -> [[f32; 4]; 4] {
+        let [sx, sy] = self.scale;
+        let shift = |axis: Point| -dot(axis, self.eye);
+        let row_x =
+            [self.right[0] * sx, self.right[1] * sx, self.right[2] * sx, shift(self.right) * sx];
+        let along = [self.forward[0], self.forward[1], self.forward[2], shift(self.forward)];
+        let row_w = if self.flat { [0.0, 0.0, 0.0, 1.0] } else { along };
+        let row_y: [f32; 4] = std::array::from_fn(|i| {
+            let up = [self.up[0], self.up[1], self.up[2], shift(self.up)];
+            up[i] * sy + self.lift * row_w[i]
+        });
+        // Reversed depth: `near / w`, which keeps its digits far away.
+        let row_z = if self.flat { [0.0, 0.0, 0.0, 0.5] } else { [0.0, 0.0, 0.0, self.nearest()] };
+        std::array::from_fn(|column| [row_x[column], row_y[column], row_z[column], row_w[column]])
+    }
+}

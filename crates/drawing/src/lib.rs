@@ -1,0 +1,27 @@
+//! # Drawing: a scene as data, and pictures of it
+//!
+//! A [`Drawing`] holds meshes with their instances, lines and labels; a [`Camera`] holds a point of view. Two
+//! renderers read both: the one of the crate `render`, on a graphics adapter, and [`raster`], which paints on the
+//! processor, needs no driver and gives the same bytes on every machine.
+//!
+//! The crate contains no physics. Points are `[f32; 3]` in every dimension and precision; flat scenes lie at z = 0.
+
+mod animation;
+mod camera;
+mod color;
+mod image;
+pub mod light;
+mod mesh;
+pub mod raster;
+mod sheet;
+pub mod vector;
+
+pub use animation::Animation;
+pub use camera::{Camera, Seen, View};
+pub use color::Color;
+pub use image::Image;
+pub use mesh::{Mesh, Vertex};
+pub use sheet::{Batch, Drawing, Instance, Label, Line, Role};
+
+/// A position in the scene; y is up.
+pub type Point = [f32; 3];

@@ -1,0 +1,140 @@
+//! The shadow map: the depth of the scene as the sun sees it.
+
+use super::fill;
+use crate::light::{SHADOW_REACH, SHADOW_TEXELS, SUN};
+use crate::vector::{add_scaled, cross, dot, normalize, sub};
+use crate::{Camera, Drawing, Point, Role};
+
+/// Offset along the normal, and towards the sun, in texels: keeps surfaces from shadowing themselves.
+const BIAS: f32 = 1.6;
+
+/// Distances from the sun.
+pub(super) struct ShadowMap {
+    right: Point,
+    up: Point,
+    sun: Point,
+    center: Point,
+    radius: f32,
+    /// Heights towards the sun, in radii; the lowest float where nothing is.
+    heights: Vec<f32>,
+}
+
+impl ShadowMap {
+    /// The map of the region that the camera shows.
+    pub(super) fn new(drawing: &Drawing, camera: &Camera) -> Self {
+        let sun = normalize(SUN);
+        let right = normalize(cross([0.0, 1.0, 0.0], sun));
+        let up = cross(sun, right);
+        let radius = camera.radius * SHADOW_REACH;
+        let heights = vec![f32::MIN; SHADOW_TEXELS * SHADOW_TEXELS];
+        let mut map = Self { right, up, sun, center: camera.center, radius, heights };
+        map.paint(drawing);
+        map
+    }
+
+    fn paint(&mut self, drawing: &Drawing) {
+        let light = self.camera();
+        let size = [SHADOW_TEXELS; 2];
+        for (mesh, instance) in drawing.instances() {
+            let mesh = mesh.coarsest();
+            if instance.role == Role::Ground {
+                continue;
+            }
+            // The parallel camera sees no depth, so depth travels as the coordinate of the pixel's plane.
+            let points: Vec<Point> =
+                mesh.vertices.iter().map(|v| instance.place(v.position)).collect();
+            for triangle in &mesh.triangles {
+                let [a, b, c] = triangle.map(|i| points[i as usize]);
+                let plane = Plane::through([a, b, c], &light);
+                let Some(plane) = plane else { continue };
+                fill::parallel(&light, size, [a, b, c], |x, y| {
+                    let height = plane.height_at(x, y);
+                    let texel = &mut self.heights[y * SHADOW_TEXELS + x];
+                    *texel = texel.max(height);
+                });
+            }
+        }
+    }
+
+    /// The sun as a parallel camera.
+    fn camera(&self) -> Light {
+        Light {
+            right: self.right,
+            up: self.up,
+            sun: self.sun,
+            center: self.center,
+            radius: self.radius,
+        }
+    }
+
+    /// Fraction of the sun's light that reaches a point of a surface with this unit normal.
+    pub(super) fn light_at(&self, point: Point, normal: Point) -> f32 {
+        let texel = 2.0 * self.radius / SHADOW_TEXELS as f32;
+        let raised = add_scaled(add_scaled(point, normal, BIAS * texel), self.sun, BIAS * texel);
+        let [x, y, height] = self.camera().place(raised);
+        let (x, y) = (x - 0.5, y - 0.5);
+        let last = (SHADOW_TEXELS - 2) as f32;
+        if x < 1.0 || y < 1.0 || x > last || y > last {
+            return 1.0;
+        }
+        // Three by three texels, weighted so that the result is continuous.
+        let (left, top) = (x.floor(), y.floor());
+        let weights = |fraction: f32| [1.0 - fraction, 1.0, fraction].map(|w| w * 0.5);
+        let (across, down) = (weights(x - left), weights(y - top));
+        let mut lit = 0.0;
+        for (j, wy) in down.into_iter().enumerate() {
+            for (i, wx) in across.into_iter().enumerate() {
+                let index = (top as usize + j) * SHADOW_TEXELS + left as usize + i;
+                if self.heights.get(index).is_none_or(|&blocker| blocker <= height) {
+                    lit += wx * wy;
+                }
+            }
+        }
+        lit
+    }
+}
+
+/// Coordinates in the picture that the sun sees.
+pub(super) struct Light {
+    right: Point,
+    up: Point,
+    sun: Point,
+    center: Point,
+    radius: f32,
+}
+
+impl Light {
+    /// Texel coordinates of a point, and its height towards the sun.
+    pub(super) fn place(&self, point: Point) -> [f32; 3] {
+        let offset = sub(point, self.center);
+        let texels = |axis: Point, sign: f32| {
+            (sign * dot(offset, axis) / self.radius * 0.5 + 0.5) * SHADOW_TEXELS as f32
+        };
+        [texels(self.right, 1.0), texels(self.up, -1.0), dot(offset, self.sun)]
+    }
+}
+
+/// Height as a linear function of the place in the map.
+struct Plane {
+    origin: [f32; 3],
+    slope: [f32; 2],
+}
+
+impl Plane {
+    /// The plane of a triangle; none where the sun sees its edge only.
+    fn through(corners: [Point; 3], light: &Light) -> Option<Self> {
+        let [a, b, c] = corners.map(|corner| light.place(corner));
+        let (u, v) = (sub(b, a), sub(c, a));
+        let area = u[0] * v[1] - u[1] * v[0];
+        if area.abs() < 1.0e-4 {
+            return None;
+        }
+        let slope = [(u[2] * v[1] - u[1] * v[2]) / area, (u[0] * v[2] - u[2] * v[0]) / area];
+        Some(Self { origin: a, slope })
+    }
+
+    fn height_at(&self, x: usize, y: usize) -> f32 {
+        let offset = [x as f32 + 0.5 - self.origin[0], y as f32 + 0.5 - self.origin[1]];
+        self.origin[2] + self.slope[0] * offset[0] + self.slope[1] * offset[1]
+    }
+}

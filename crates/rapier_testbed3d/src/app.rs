@@ -1,0 +1,268 @@
+//! The window: a list of demos, the running session, panels around the picture.
+
+use crate::panels::gallery::{GalleryPanel, title_of};
+use crate::panels::{help, inspect, parameters, shown, transport};
+use crate::recorder::Recorder;
+use crate::scene::SceneInfo;
+use crate::session::{Demo, Session};
+use crate::testbed::Testbed;
+use crate::thumbnails::Thumbnails;
+use crate::viewport::Viewport;
+use eframe::egui::{self, Key, Ui};
+use gallery::{Category, WindowRequest};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Folder of pictures and recordings where the program chooses none.
+const FOLDER: &str = "target/gallery";
+/// Size of the window in points.
+const SIZE: [f32; 2] = [1360.0, 840.0];
+/// Weight of the last frame in the shown frame rate.
+const SMOOTHING: f64 = 0.08;
+
+/// A list of demos, and a window for them.
+pub struct TestbedApp {
+    demos: Vec<Demo>,
+    folder: PathBuf,
+}
+
+impl TestbedApp {
+    /// Demos from functions that build a world in a [`Testbed`].
+    pub fn from_builders<F>(builders: Vec<(&str, F)>) -> Self
+    where
+        F: Fn(&mut Testbed) + Send + Sync + 'static,
+    {
+        let demos = builders.into_iter().map(|(name, init)| {
+            let init = Arc::new(init);
+            let make = move || {
+                let mut testbed = Testbed::new();
+                init(&mut testbed);
+                testbed.into_scene()
+            };
+            Demo {
+                name: name.to_owned(),
+                description: String::new(),
+                category: Category::Basics,
+                camera: make().1,
+                build: Arc::new(move || make().0),
+            }
+        });
+        Self { demos: demos.collect(), folder: PathBuf::from(FOLDER) }
+    }
+
+    /// The chosen ones of a gallery's scenes.
+    pub fn from_scenes(scenes: &[SceneInfo], request: &WindowRequest) -> Self {
+        let demos = request.chosen.iter().filter_map(|&index| scenes.get(index)).map(|info| Demo {
+            name: info.name.to_owned(),
+            description: info.description.to_owned(),
+            category: info.category,
+            build: Arc::new(info.build),
+            camera: None,
+        });
+        Self { demos: demos.collect(), folder: request.folder.to_owned() }
+    }
+
+    /// Opens the window and returns when it is closed.
+    ///
+    /// # Errors
+    /// There is no scene, no display, or no graphics adapter.
+    pub fn run(self) -> Result<(), String> {
+        if self.demos.is_empty() {
+            return Err("there is no scene".to_owned());
+        }
+        let options = eframe::NativeOptions {
+            renderer: eframe::Renderer::Wgpu,
+            // Noise for every pixel of the window costs an adapter in software more than it gains.
+            dithering: false,
+            viewport: egui::ViewportBuilder::default().with_inner_size(SIZE).with_title("Testbed"),
+            ..Default::default()
+        };
+        let create: eframe::AppCreator = Box::new(move |context| {
+            let state = context.wgpu_render_state.as_ref().ok_or("no graphics adapter")?;
+            context.egui_ctx.set_theme(egui::Theme::Dark);
+            Ok(Box::new(Window::new(self.demos, &self.folder, Viewport::new(state))))
+        });
+        eframe::run_native("rapier testbed", options, create).map_err(|error| error.to_string())
+    }
+}
+
+/// The open window.
+struct Window {
+    demos: Vec<Demo>,
+    current: usize,
+    session: Session,
+    viewport: Viewport,
+    gallery: GalleryPanel,
+    thumbnails: Thumbnails,
+    recorder: Recorder,
+    help: bool,
+    last_frame: Instant,
+    frame_time: f64,
+}
+
+impl Window {
+    fn new(demos: Vec<Demo>, folder: &Path, viewport: Viewport) -> Self {
+        let session = Session::new(&demos[0]);
+        Self {
+            demos,
+            current: 0,
+            session,
+            viewport,
+            gallery: GalleryPanel::default(),
+            thumbnails: Thumbnails::new(folder),
+            recorder: Recorder::new(folder),
+            help: false,
+            last_frame: Instant::now(),
+            frame_time: 1.0 / 60.0,
+        }
+    }
+
+    /// Loads a demo; the choice of what is drawn and the pace stay.
+    fn load(&mut self, index: usize) {
+        self.current = index;
+        let mut session = Session::new(&self.demos[index]);
+        session.artist.overlays = self.session.artist.overlays;
+        session.pace = self.session.pace;
+        self.session = session;
+    }
+
+    fn name(&self) -> &str {
+        &self.demos[self.current].name
+    }
+
+    fn keys(&mut self, ui: &Ui) {
+        if ui.ctx().egui_wants_keyboard_input() {
+            return;
+        }
+        let pressed = |key| ui.input(|input| input.key_pressed(key));
+        let session = &mut self.session;
+        if pressed(Key::Space) {
+            session.pace.running = !session.pace.running;
+        }
+        if pressed(Key::S) || pressed(Key::ArrowRight) {
+            session.pace.running = false;
+            session.pace.single_steps += 1;
+        }
+        if pressed(Key::R) {
+            session.restart();
+        }
+        if pressed(Key::Home) {
+            session.go_home();
+        }
+        if pressed(Key::C) {
+            let comparing = session.other.is_some();
+            session.set_comparison(!comparing);
+        }
+        session.follow ^= pressed(Key::F) && session.selected.is_some();
+        if pressed(Key::Delete) {
+            session.remove_selected();
+        }
+        shown::keys(ui, &mut session.artist.overlays);
+        self.help ^= pressed(Key::H) || pressed(Key::F1);
+        if pressed(Key::P) {
+            self.screenshot();
+        }
+        if pressed(Key::V) {
+            self.toggle_recording();
+        }
+        let count = self.demos.len();
+        if pressed(Key::PageDown) {
+            self.load((self.current + 1) % count);
+        }
+        if pressed(Key::PageUp) {
+            self.load((self.current + count - 1) % count);
+        }
+    }
+
+    fn screenshot(&mut self) {
+        if let Some(picture) = self.viewport.picture() {
+            let step = self.session.player.shown().steps_taken;
+            let name = self.demos[self.current].name.clone();
+            self.recorder.screenshot(picture, &name, step);
+        }
+    }
+
+    fn toggle_recording(&mut self) {
+        let name = self.name().to_owned();
+        if self.recorder.is_recording() {
+            self.recorder.stop(&name);
+        } else {
+            self.recorder.start();
+        }
+    }
+
+    fn side_panel(&mut self, ui: &mut Ui) {
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            if ui.button("Screenshot").clicked() {
+                self.screenshot();
+            }
+            let recording = self.recorder.is_recording();
+            if ui.button(if recording { "Stop" } else { "Record" }).clicked() {
+                self.toggle_recording();
+            }
+            if ui.button("Keys").clicked() {
+                self.help = !self.help;
+            }
+        });
+        if let Some(message) = self.recorder.message() {
+            ui.small(message);
+        }
+        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            let session = &mut self.session;
+            let section =
+                |title: &str, open: bool| egui::CollapsingHeader::new(title).default_open(open);
+            section("Time of a frame", true).show(ui, |ui| session.plot.show(ui));
+            section("Selection", true).show(ui, |ui| inspect::show(ui, session));
+            section("Parameters", true).show(ui, |ui| parameters::show(ui, session));
+            section("Drawing", false).show(ui, |ui| {
+                shown::show(ui, &mut session.artist.overlays);
+                shown::quality(ui, &mut self.viewport);
+            });
+        });
+    }
+
+    fn panels(&mut self, ui: &mut Ui) {
+        let left = egui::Panel::left("gallery").default_size(230.0);
+        let clicked = left
+            .show(ui, |ui| self.gallery.show(ui, &self.demos, self.current, &mut self.thumbnails));
+        if let Some(index) = clicked.inner {
+            self.load(index);
+        }
+        egui::Panel::right("panels").default_size(310.0).show(ui, |ui| self.side_panel(ui));
+        egui::Panel::bottom("transport")
+            .show(ui, |ui| transport::show(ui, &mut self.session, self.frame_time));
+        egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
+            self.viewport.show(ui, &mut self.session);
+            let title = title_of(self.name());
+            let corner = ui.max_rect().left_bottom() + egui::vec2(12.0, -10.0);
+            let font = egui::FontId::proportional(16.0);
+            let color = egui::Color32::from_white_alpha(150);
+            ui.painter().text(corner, egui::Align2::LEFT_BOTTOM, title, font, color);
+        });
+        help::show(ui.ctx(), &mut self.help);
+    }
+}
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let start = Instant::now();
+        let elapsed = (start - self.last_frame).as_secs_f64();
+        self.last_frame = start;
+        self.frame_time += SMOOTHING * (elapsed - self.frame_time);
+        self.viewport.adapt(self.frame_time);
+        self.keys(ui);
+        let stepping = self.session.advance(elapsed);
+        self.panels(ui);
+        if self.recorder.is_due(elapsed)
+            && let Some(picture) = self.viewport.picture()
+        {
+            let name = self.name().to_owned();
+            self.recorder.push(&picture, &name);
+        }
+        // The time between two frames that no step took: panels, upload, drawing, waiting for the display.
+        self.session.plot.end_frame((1.0e3 * elapsed - stepping).max(0.0));
+        ui.ctx().request_repaint();
+    }
+}

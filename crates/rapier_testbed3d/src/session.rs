@@ -1,0 +1,209 @@
+//! A loaded scene with everything that the window keeps about it.
+
+use crate::camera::OrbitCamera;
+use crate::hand::{Grip, pick, throw};
+use crate::player::{Build, Pace, Player};
+use crate::rapier::prelude::*;
+use crate::scene::{Artist, IN_SPACE, point};
+use crate::stages::StagePlot;
+use drawing::{Camera, Drawing, Point};
+use gallery::Category;
+use std::time::Instant;
+
+/// A scene in the list of the window.
+pub(crate) struct Demo {
+    pub name: String,
+    pub description: String,
+    pub category: Category,
+    pub build: Build,
+    /// The camera that the scene asks for, where its view is not enough.
+    pub camera: Option<OrbitCamera>,
+}
+
+/// A running demo.
+pub(crate) struct Session {
+    pub player: Player,
+    /// The same scene with other parameters, stepped along.
+    pub other: Option<Player>,
+    /// Whether the panel of parameters edits the other one.
+    pub edits_other: bool,
+    pub pace: Pace,
+    pub camera: OrbitCamera,
+    pub artist: Artist,
+    pub grip: Option<Grip>,
+    pub selected: Option<ColliderHandle>,
+    pub follow: bool,
+    pub plot: StagePlot,
+    home: OrbitCamera,
+    /// The camera that the scene asks for, and the aspect that the home fits.
+    wanted: Option<OrbitCamera>,
+    fitted: f32,
+}
+
+impl Session {
+    pub(crate) fn new(demo: &Demo) -> Self {
+        let player = Player::new(demo.build.clone());
+        let artist = Artist::default();
+        let camera = OrbitCamera { target: [0.0; 3], distance: 10.0, yaw: 0.0, pitch: 0.0 };
+        Self {
+            player,
+            other: None,
+            edits_other: false,
+            pace: Pace::default(),
+            camera,
+            artist,
+            grip: None,
+            selected: None,
+            follow: false,
+            plot: StagePlot::default(),
+            home: camera,
+            wanted: demo.camera,
+            fitted: 0.0,
+        }
+    }
+
+    /// Fits the first view to a picture of an aspect, and moves the camera there unless the mouse has moved it.
+    pub(crate) fn fit(&mut self, aspect: f32) {
+        if (aspect - self.fitted).abs() < 0.01 {
+            return;
+        }
+        let at_home = self.camera == self.home;
+        let scene = self.player.history.get(0).unwrap_or(&self.player.scene);
+        let points = Artist::default().draw(scene).points_to_frame();
+        let fit = || OrbitCamera::framing(&scene.view, &points, aspect);
+        (self.home, self.fitted) = (self.wanted.unwrap_or_else(fit), aspect);
+        if at_home {
+            self.camera = self.home;
+        }
+    }
+
+    /// Returns the camera to the place where it was at first.
+    pub(crate) fn go_home(&mut self) {
+        self.camera = self.home;
+        self.follow = false;
+    }
+
+    /// Builds the scene anew.
+    pub(crate) fn restart(&mut self) {
+        self.player.restart();
+        if let Some(other) = &mut self.other {
+            other.restart();
+        }
+        self.grip = None;
+        self.selected = None;
+    }
+
+    /// Shows the scene a second time, beside the first, or stops to do so.
+    pub(crate) fn set_comparison(&mut self, wanted: bool) {
+        if wanted && self.other.is_none() {
+            self.restart();
+            let mut other = self.player.twin();
+            other.scene.world.integration_parameters =
+                self.player.scene.world.integration_parameters;
+            self.other = Some(other);
+        }
+        if !wanted {
+            self.other = None;
+            self.edits_other = false;
+        }
+    }
+
+    /// Runs the steps of a frame; returns the milliseconds that they took.
+    pub(crate) fn advance(&mut self, elapsed: f64) -> f64 {
+        let start = Instant::now();
+        let Self { player, other, pace, grip, plot, .. } = self;
+        if player.rewound.is_some() && pace.running {
+            player.resume();
+        }
+        let grip = grip.as_ref();
+        pace.run(elapsed, || {
+            player.step(grip);
+            plot.after_step(&player.scene.world);
+            if let Some(other) = other {
+                other.step(None);
+            }
+            f64::from(player.scene.world.integration_parameters.dt)
+        });
+        start.elapsed().as_secs_f64() * 1.0e3
+    }
+
+    /// Draws the scene that is shown, and moves a following camera.
+    pub(crate) fn draw(&mut self, other: bool) -> Drawing {
+        let player = match &self.other {
+            Some(second) if other => second,
+            _ => &self.player,
+        };
+        let scene = player.shown();
+        if self.follow && !other {
+            let body = self.selected.and_then(|handle| scene.world.colliders.get(handle)?.parent());
+            if let Some(body) = body.and_then(|body| scene.world.bodies.get(body)) {
+                self.camera.target = point(body.center_of_mass());
+            }
+        }
+        self.artist.selected = self.selected;
+        let mut drawing = self.artist.draw(scene);
+        if let (Some(grip), false) = (&self.grip, other)
+            && let Some(anchor) = grip.anchor(&scene.world)
+        {
+            let color = drawing::Color::from_hsl(48.0, 1.0, 0.65, 1.0);
+            let (from, to) = (point(anchor), point(grip.target));
+            drawing.line(drawing::Line { from, to, color, on_top: true });
+        }
+        drawing
+    }
+
+    /// Selects the collider under a place of the picture, and takes hold of its body.
+    pub(crate) fn grab(&mut self, camera: &Camera, at: [f32; 2]) {
+        self.player.resume();
+        let [origin, direction] = camera.ray(at[0], at[1]).map(vector);
+        let hit = pick(&self.player.scene.world, origin, direction);
+        self.selected = hit.map(|(handle, _)| handle);
+        self.grip = hit.and_then(|(handle, place)| {
+            let world = &self.player.scene.world;
+            let body = world.colliders.get(handle)?.parent()?;
+            Grip::new(world, body, place)
+        });
+    }
+
+    /// Moves the target of the hand to a place of the picture, at the distance of the held point.
+    pub(crate) fn drag(&mut self, camera: &Camera, at: [f32; 2]) {
+        let Some(grip) = &mut self.grip else { return };
+        let w = camera.see(point(grip.target)).w;
+        grip.target = vector(camera.point_at(at[0], at[1], w));
+    }
+
+    /// Removes the body of the selected collider.
+    pub(crate) fn remove_selected(&mut self) {
+        let Some(handle) = self.selected.take() else { return };
+        self.grip = None;
+        let world = self.player.world_mut();
+        match world.colliders.get(handle).map(|collider| collider.parent()) {
+            Some(Some(body)) => drop(world.remove_body(body)),
+            Some(None) => drop(world.remove_collider(handle)),
+            None => {}
+        }
+    }
+
+    /// Throws a ball towards a place of the picture.
+    pub(crate) fn throw(&mut self, camera: &Camera, at: [f32; 2]) {
+        let size = self.camera.distance * if IN_SPACE { 1.0 } else { 2.0 };
+        let [origin, direction] = camera.ray(at[0], at[1]);
+        let world = self.player.world_mut();
+        if IN_SPACE {
+            throw(world, vector(origin), vector(direction), size as Real);
+        } else {
+            let corner = vector(camera.point_at(-0.95, 0.9, 1.0));
+            let direction = (vector(origin) - corner).normalize_or(Vector::X);
+            throw(world, corner, direction, size as Real);
+        }
+    }
+}
+
+/// A point of a drawing in the world.
+pub(crate) fn vector(point: Point) -> Vector {
+    let mut vector = Vector::ZERO;
+    for (axis, value) in Vector::AXES.into_iter().zip(point) {
+        vector += axis * value as Real;
+    }
+    vector
+}

@@ -1,0 +1,17 @@
+//! The part of a scene that 2D and 3D share. Both crates compile these files, each against its own engine, which their
+//! roots import under the name `rapier`.
+
+mod draw;
+mod islands;
+mod law;
+mod overlays;
+mod palette;
+mod run;
+mod scene;
+
+pub use draw::Artist;
+pub(crate) use draw::Look;
+pub use law::{Law, gap};
+pub use overlays::Overlays;
+pub use run::{entries, measured};
+pub use scene::{BodyColors, Scene, SceneInfo, Script};

@@ -1,0 +1,93 @@
+//! Lines over the surfaces: what the debug-renderer draws, and marks of bodies.
+
+use crate::rapier::prelude::*;
+use crate::shapes::point;
+use drawing::{Color, Drawing, Line};
+
+/// Choice of what is drawn besides the surfaces.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Overlays {
+    /// Parts that the debug-renderer draws.
+    pub lines: DebugRenderMode,
+    /// Whether centres of mass are marked.
+    pub centers_of_mass: bool,
+    /// Whether velocities of bodies are drawn.
+    pub velocities: bool,
+    /// Whether impulses of contacts are drawn along their normals.
+    pub impulses: bool,
+    /// Whether sleeping bodies are dimmed.
+    pub sleep: bool,
+    /// Whether bodies have the colour of their island.
+    pub islands: bool,
+    /// Whether surfaces are drawn.
+    pub surfaces: bool,
+    /// Length of normals and axes (length units).
+    pub length: Real,
+}
+
+impl Default for Overlays {
+    fn default() -> Self {
+        Self {
+            lines: DebugRenderMode::JOINTS,
+            centers_of_mass: false,
+            velocities: false,
+            impulses: false,
+            sleep: true,
+            islands: false,
+            surfaces: true,
+            length: 0.4,
+        }
+    }
+}
+
+/// Colours of marks (hue, saturation, lightness).
+const CENTER: [f32; 3] = [52.0, 0.95, 0.62];
+const VELOCITY: [f32; 3] = [165.0, 0.85, 0.60];
+const IMPULSE: [f32; 3] = [18.0, 0.95, 0.62];
+/// Length of the line of a velocity, in seconds of motion.
+const VELOCITY_TIME: Real = 0.15;
+
+impl Overlays {
+    /// Adds the marks of bodies and contacts that the debug-renderer has none for.
+    pub(super) fn mark(&self, world: &PhysicsWorld, out: &mut Drawing) {
+        let bodies = world.bodies.iter().filter(|(_, body)| !body.is_fixed());
+        for (_, body) in bodies {
+            let center = body.center_of_mass();
+            if self.centers_of_mass {
+                for axis in Vector::AXES {
+                    let arm = axis * (0.25 * self.length);
+                    out.line(mark(center - arm, center + arm, CENTER));
+                }
+            }
+            if self.velocities {
+                out.line(mark(center, center + body.linvel() * VELOCITY_TIME, VELOCITY));
+            }
+        }
+        if self.impulses {
+            self.mark_impulses(world, out);
+        }
+    }
+
+    /// Impulses of contacts; the largest of the scene has twice the length of a normal.
+    fn mark_impulses(&self, world: &PhysicsWorld, out: &mut Drawing) {
+        let manifolds =
+            || world.narrow_phase.contact_pairs().flat_map(|(_, _, pair)| &pair.manifolds);
+        let impulses = manifolds().flat_map(|manifold| &manifold.data).map(|c| c.impulse);
+        let largest = impulses.fold(0.0, Real::max);
+        if largest <= 0.0 {
+            return;
+        }
+        for manifold in manifolds() {
+            for contact in &manifold.data {
+                let length = 2.0 * self.length * contact.impulse / largest;
+                let tip = contact.point + manifold.data.normal * length;
+                out.line(mark(contact.point, tip, IMPULSE));
+            }
+        }
+    }
+}
+
+fn mark(from: Vector, to: Vector, [hue, saturation, lightness]: [f32; 3]) -> Line {
+    let color = Color::from_hsl(hue, saturation, lightness, 1.0);
+    Line { from: point(from), to: point(to), color, on_top: true }
+}

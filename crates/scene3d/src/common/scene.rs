@@ -1,0 +1,212 @@
+//! A scene: a world, and what happens to it beside physics.
+
+use super::draw::Artist;
+use super::law::Law;
+use crate::rapier::prelude::*;
+use crate::shapes::point;
+use drawing::Color;
+use gallery::{Category, View};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A scene in the list.
+#[derive(Copy, Clone)]
+pub struct SceneInfo {
+    /// Lower-case words joined by underscores.
+    pub name: &'static str,
+    /// One sentence that says what there is to see.
+    pub description: &'static str,
+    /// What the scene is for.
+    pub category: Category,
+    /// After how many steps there is something to see.
+    pub steps: usize,
+    /// What must hold of it.
+    pub law: Law,
+    /// Builds the scene in its usual size.
+    pub build: fn() -> Scene,
+}
+
+/// Changes the world before each step; the number counts the steps taken. A copy of a script continues on its own.
+pub trait Script: 'static {
+    /// Changes the world.
+    fn run(&mut self, world: &mut PhysicsWorld, steps_taken: usize);
+
+    /// A copy with the same state.
+    fn copy(&self) -> Box<dyn Script>;
+}
+
+impl<F: FnMut(&mut PhysicsWorld, usize) + Clone + 'static> Script for F {
+    fn run(&mut self, world: &mut PhysicsWorld, steps_taken: usize) {
+        self(world, steps_taken);
+    }
+
+    fn copy(&self) -> Box<dyn Script> {
+        Box::new(self.clone())
+    }
+}
+
+/// Colours by body.
+pub type BodyColors = HashMap<RigidBodyHandle, Color>;
+
+/// Sees the world after each step.
+type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, usize)>>;
+
+/// A world with all that belongs to it.
+pub struct Scene {
+    /// The world.
+    pub world: PhysicsWorld,
+    /// From where to look at it.
+    pub view: View,
+    /// Number of steps taken.
+    pub steps_taken: usize,
+    /// How long the free axes of joints are drawn; `None`: they are not.
+    pub joint_axes: Option<Real>,
+    /// What is written where.
+    pub labels: Vec<(Vector, &'static str)>,
+    /// Colours of bodies that are not those of the palette.
+    pub body_colors: BodyColors,
+    /// Keeps the meshes of shapes from picture to picture.
+    pub(super) artist: Artist,
+    observer: Option<Observer>,
+    script: Option<Box<dyn Script>>,
+    hooks: Rc<dyn PhysicsHooks>,
+    events: Rc<dyn EventHandler>,
+}
+
+/// Copies the world and the script, which continue bit for bit as the original does. Hooks and handlers of events are
+/// shared.
+impl Clone for Scene {
+    fn clone(&self) -> Self {
+        Self { world: self.world.clone(), ..self.without_world() }
+    }
+
+    /// Reuses the memory of the target's world.
+    fn clone_from(&mut self, source: &Self) {
+        let mut world = std::mem::take(&mut self.world);
+        world.clone_from(&source.world);
+        let artist = std::mem::take(&mut self.artist);
+        *self = Self { world, artist, ..source.without_world() };
+    }
+}
+
+impl Scene {
+    /// A copy with an empty world.
+    fn without_world(&self) -> Self {
+        Self {
+            world: PhysicsWorld::new(),
+            view: self.view,
+            steps_taken: self.steps_taken,
+            joint_axes: self.joint_axes,
+            labels: self.labels.clone(),
+            body_colors: self.body_colors.clone(),
+            artist: Artist::default(),
+            observer: self.observer.clone(),
+            script: self.script.as_ref().map(|script| script.copy()),
+            hooks: self.hooks.clone(),
+            events: self.events.clone(),
+        }
+    }
+
+    /// A scene in which nothing happens but physics.
+    pub fn new(world: PhysicsWorld, view: View) -> Self {
+        Self {
+            world,
+            view,
+            steps_taken: 0,
+            joint_axes: None,
+            labels: Vec::new(),
+            body_colors: BodyColors::new(),
+            artist: Artist::default(),
+            observer: None,
+            script: None,
+            hooks: Rc::new(()),
+            events: Rc::new(()),
+        }
+    }
+
+    /// Looks at the box with these two opposite corners, rather than at all that moves.
+    pub fn focusing(mut self, min: Vector, max: Vector) -> Self {
+        self.view = self.view.focus(point(min), point(max));
+        self
+    }
+
+    /// Draws joints on top of everything, and their free axes so long.
+    pub fn showing_joints(mut self, length: Real) -> Self {
+        self.joint_axes = Some(length);
+        self
+    }
+
+    /// Writes a word or two into the picture, with their middle at a place.
+    pub fn label(mut self, at: Vector, text: &'static str) -> Self {
+        self.labels.push((at, text));
+        self
+    }
+
+    /// Does something to the world before each step.
+    pub fn script(
+        mut self,
+        script: impl FnMut(&mut PhysicsWorld, usize) + Clone + 'static,
+    ) -> Self {
+        self.script = Some(Box::new(script));
+        self
+    }
+
+    /// Runs a function after each step, with the number of steps taken. Copies of the scene share it.
+    pub fn observe(
+        mut self,
+        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, usize) + 'static,
+    ) -> Self {
+        self.observer = Some(Rc::new(RefCell::new(observer)));
+        self
+    }
+
+    /// Lets hooks take part in each step.
+    pub fn hooks(self, hooks: impl PhysicsHooks + 'static) -> Self {
+        self.shared_hooks(Rc::new(hooks))
+    }
+
+    /// Lets hooks with other owners take part in each step.
+    pub fn shared_hooks(mut self, hooks: Rc<dyn PhysicsHooks>) -> Self {
+        self.hooks = hooks;
+        self
+    }
+
+    /// Sends the events of each step somewhere.
+    pub fn events(mut self, events: impl EventHandler + 'static) -> Self {
+        self.events = Rc::new(events);
+        self
+    }
+
+    /// Runs the script, then takes a step.
+    pub fn step(&mut self) {
+        self.step_by(|world, hooks, events| world.step_with_events(hooks, events));
+    }
+
+    /// The same as [`Self::step`], with another function that steps the world: a recorder's.
+    pub fn step_by<T>(
+        &mut self,
+        step: impl FnOnce(&mut PhysicsWorld, &dyn PhysicsHooks, &dyn EventHandler) -> T,
+    ) -> T {
+        if let Some(script) = &mut self.script {
+            script.run(&mut self.world, self.steps_taken);
+        }
+        self.steps_taken += 1;
+        let result = step(&mut self.world, self.hooks.as_ref(), self.events.as_ref());
+        if let Some(observer) = &self.observer {
+            let mut observe = observer.borrow_mut();
+            observe(&mut self.world, &mut self.body_colors, self.steps_taken);
+        }
+        result
+    }
+
+    /// The hooks that take part in each step.
+    pub fn step_hooks(&self) -> &dyn PhysicsHooks {
+        self.hooks.as_ref()
+    }
+
+    /// Takes several steps.
+    pub fn run(&mut self, steps: usize) {
+        (0..steps).for_each(|_| self.step());
+    }
+}

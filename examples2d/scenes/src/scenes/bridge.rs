@@ -1,0 +1,83 @@
+//! A bridge that hangs on hinges, and what crosses it.
+//!
+//! After 130 steps no overlap is deeper than 0.045, no body is below -24.8, none is farther out than 15.0, and no
+//! joint is open by more than 0.028.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, add_fixed, hinge, square};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "bridge",
+    description: "Two bridges of planks on hinges: one carries boulders of thirty times a plank's weight, some hinges of the other break under them.",
+    category: Category::Joints,
+    steps: 130,
+    law: Law {
+        overlap_max: 0.045,
+        height_min: -24.8,
+        reach_max: 15.0,
+        gap_max: 0.028,
+        ..Law::after(130)
+    },
+    build,
+};
+
+/// Planks of a bridge, and half their extents.
+const PLANKS: usize = 24;
+const HALF: Vector = Vector::new(0.45, 0.1);
+/// From one hinge to the next, and the radius of the arc on which they hang.
+const PITCH: Real = 1.0;
+const RADIUS: Real = 30.0;
+/// Force at which the weak hinges of one bridge break (mass · length / s²), and one in how many is weak.
+const STRENGTH: Real = 300.0;
+const WEAK: usize = 6;
+/// From one bridge to the other.
+const APART: Real = 9.0;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = PhysicsWorld::new();
+    for (y, strength) in [(APART, Real::INFINITY), (0.0, STRENGTH)] {
+        add_bridge(&mut world, y, strength);
+        for i in 0..5 {
+            let place = Vector::new(3.0 * (i as Real - 2.0), y + 1.0 + 0.5 * i as Real);
+            add(&mut world, place, ColliderBuilder::ball(0.55).density(6.0));
+        }
+        add(&mut world, Vector::new(-9.0, y + 0.5), square(0.5));
+    }
+    Scene::new(world, View::flat()).focusing(Vector::new(-14.0, -7.0), Vector::new(14.0, 12.0))
+}
+
+/// Two banks with planks in between. They hang on an arc, as straight ones would have to pull without end to carry anything.
+fn add_bridge(world: &mut PhysicsWorld, y: Real, strength: Real) {
+    // The angle of a plank as seen from the middle of the arc, and of all of them to one side.
+    let step = 2.0 * (0.5 * PITCH / RADIUS).asin();
+    let side = 0.5 * PLANKS as Real * step;
+    let top = y + RADIUS * side.cos();
+    let bank = Vector::new(1.5, 1.0);
+    let [left, right] = [-1.0, 1.0].map(|sign| {
+        let place = Vector::new(sign * (RADIUS * side.sin() + bank.x), y - bank.y);
+        add_fixed(world, place, ColliderBuilder::cuboid(bank.x, bank.y))
+    });
+    let edge = Vector::X * (0.5 * PITCH);
+    let mut last = (left, bank);
+    for i in 0..PLANKS {
+        let angle = (i as Real + 0.5) * step - side;
+        let middle = RADIUS * (0.5 * step).cos();
+        let place = Vector::new(middle * angle.sin(), top - middle * angle.cos());
+        let body = RigidBodyBuilder::dynamic().translation(place).rotation(angle);
+        let (plank, _) = world.insert(body, ColliderBuilder::cuboid(HALF.x, HALF.y));
+        let force = if i % WEAK == WEAK / 2 { strength } else { Real::INFINITY };
+        let joint = hinge()
+            .local_anchor1(last.1)
+            .local_anchor2(-edge)
+            .break_thresholds(force, Real::INFINITY)
+            .contacts_enabled(false);
+        world.insert_impulse_joint(last.0, plank, joint);
+        last = (plank, edge);
+    }
+    let joint = hinge().local_anchor1(last.1).local_anchor2(Vector::new(-bank.x, bank.y));
+    world.insert_impulse_joint(last.0, right, joint.contacts_enabled(false));
+}

@@ -1,0 +1,52 @@
+//! Who meets whom.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 2.6, none is farther out than 8.5, and none is
+//! faster than 0.1.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, add_fixed, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "collision_groups",
+    description: "Balls and boxes fall through each other's shelf and rest on their own.",
+    category: Category::Events,
+    steps: 240,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 2.6,
+        reach_max: 8.5,
+        speed_max: 0.1,
+        ..Law::after(200)
+    },
+    build,
+};
+
+const BALLS: Group = Group::GROUP_1;
+const BOXES: Group = Group::GROUP_2;
+const FLOOR: Group = Group::GROUP_32;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    for (y, group) in [(2.5, BALLS), (6.5, BOXES)] {
+        // A shelf is a member of the group that it holds, and meets nobody else.
+        let shelf = ColliderBuilder::cuboid(7.0, 0.1)
+            .collision_groups(InteractionGroups::new(group, group));
+        add_fixed(&mut world, Vector::Y * y, shelf);
+    }
+    for i in 0..90 {
+        let (shape, group) = if i % 2 == 0 {
+            (ColliderBuilder::ball(0.4), BALLS)
+        } else {
+            (ColliderBuilder::cuboid(0.4, 0.3), BOXES)
+        };
+        let place = Vector::new(0.95 * ((i % 15) as Real - 7.0), 8.0 + (i / 15) as Real);
+        // Members of other groups are not met, but the floor is in all groups.
+        let groups = InteractionGroups::new(group, group | FLOOR);
+        add(&mut world, place, shape.collision_groups(groups));
+    }
+    Scene::new(world, View::flat())
+}

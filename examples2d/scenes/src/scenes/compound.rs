@@ -1,0 +1,52 @@
+//! Bodies made of several parts, in the two ways there are.
+//!
+//! After 200 steps no overlap is deeper than 0.032, no body is below -0.3, and none is farther out than 27.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::world_with_floor;
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "compound",
+    description: "Tables with each leg a collider of its own, and crosses of one compound shape.",
+    category: Category::Basics,
+    steps: 300,
+    law: Law { overlap_max: 0.032, height_min: -0.3, reach_max: 27.0, ..Law::after(200) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    for layer in 0..8 {
+        for column in 0..7 {
+            let place = Vector::new(2.4 * (column as Real - 3.0), 1.5 + 2.2 * layer as Real);
+            let turn = 0.4 * (layer * 3 + column) as Real;
+            let body = RigidBodyBuilder::dynamic().translation(place).rotation(turn);
+            if (layer + column) % 2 == 0 {
+                add_table(&mut world, body);
+            } else {
+                world.insert(body, cross());
+            }
+        }
+    }
+    Scene::new(world, View::flat())
+}
+
+/// A top and two legs, each a collider.
+fn add_table(world: &mut PhysicsWorld, body: RigidBodyBuilder) {
+    let (table, _) = world.insert(body, ColliderBuilder::cuboid(0.9, 0.1));
+    for x in [-0.75, 0.75] {
+        let leg = ColliderBuilder::cuboid(0.1, 0.5).translation(Vector::new(x, -0.5));
+        world.insert_collider(leg, Some(table));
+    }
+}
+
+/// Two crossed capsules as one shape.
+fn cross() -> ColliderBuilder {
+    let arms = [Vector::X, Vector::Y]
+        .map(|axis| (Pose::IDENTITY, SharedShape::capsule(axis * -0.7, axis * 0.7, 0.17)));
+    ColliderBuilder::compound(arms.to_vec())
+}

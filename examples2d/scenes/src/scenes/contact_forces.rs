@@ -1,0 +1,76 @@
+//! Things that break when they are hit hard enough.
+//!
+//! After 110 steps no overlap is deeper than 0.23, no body is below -0.1, and none is farther out than 36.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, square, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+use std::rc::Rc;
+use std::sync::mpsc::channel;
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "contact_forces",
+    description: "Contact-force events tell which crates a heavy ball breaks into pieces.",
+    category: Category::Events,
+    steps: 110,
+    law: Law { overlap_max: 0.23, height_min: -0.1, reach_max: 36.0, ..Law::after(110) },
+    build,
+};
+
+/// Half extent of a crate.
+const CRATE: Real = 0.6;
+/// Force that a crate withstands (N), some ten times the weight of what the lowest carry.
+const STRENGTH: Real = 900.0;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(60.0);
+    for i in 0..30 {
+        let place = Vector::new(1.25 * (i % 5) as Real, CRATE * (1.0 + 2.0 * (i / 5) as Real));
+        add(&mut world, place, crate_shape());
+    }
+    let ball = RigidBodyBuilder::dynamic()
+        .translation(Vector::new(-14.0, 3.0))
+        .linvel(Vector::new(25.0, 2.0));
+    world.insert(ball, ColliderBuilder::ball(0.9).density(8.0));
+
+    let (send_collision, _) = channel();
+    let (send_force, forces) = channel();
+    let forces = Rc::new(forces); // Copies of the scene share it.
+    Scene::new(world, View::flat())
+        .focusing(Vector::new(-10.0, 0.0), Vector::new(14.0, 8.0))
+        .events(ChannelEventCollector::new(send_collision, send_force))
+        .script(move |world, _| {
+            for event in forces.try_iter() {
+                for collider in [event.collider1, event.collider2] {
+                    break_crate(world, collider);
+                }
+            }
+        })
+}
+
+/// A crate that asks to be told of forces beyond its strength. Its user data tells it from the rest.
+fn crate_shape() -> ColliderBuilder {
+    square(CRATE)
+        .active_events(ActiveEvents::CONTACT_FORCE_EVENTS)
+        .contact_force_event_threshold(STRENGTH)
+        .user_data(1)
+}
+
+/// Puts four small boxes in the place of a crate.
+fn break_crate(world: &mut PhysicsWorld, collider: ColliderHandle) {
+    let whole = world.colliders.get(collider).filter(|collider| collider.user_data == 1);
+    let Some(body) = whole.and_then(Collider::parent) else { return };
+    let Some(body) = world.remove_body(body) else { return };
+    let half = 0.5 * CRATE;
+    for (x, y) in [(-half, -half), (half, -half), (-half, half), (half, half)] {
+        let place = *body.position() * Vector::new(x, y);
+        let piece = RigidBodyBuilder::dynamic()
+            .pose(Pose::from_parts(place, *body.rotation()))
+            .linvel(body.velocity_at_point(place))
+            .angvel(body.angvel());
+        world.insert(piece, square(half));
+    }
+}

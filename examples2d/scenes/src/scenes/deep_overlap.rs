@@ -1,0 +1,21 @@
+//! Overlap from the beginning.
+//!
+//! After 200 steps no overlap is deeper than 0.024, no body is below 0.1, and none is farther out than 34.0.
+
+use crate::common::{Law, Scene, SceneInfo, plays};
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "deep_overlap",
+    description: "48 boxes are created inside each other, push apart at a limited speed: they scatter and do not burst.",
+    category: Category::Robustness,
+    steps: 240,
+    law: Law { overlap_max: 0.024, height_min: 0.1, reach_max: 34.0, ..Law::after(200) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    plays::deep_overlap(View::flat())
+}

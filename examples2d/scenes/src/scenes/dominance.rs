@@ -1,0 +1,37 @@
+//! Bodies that give way and bodies that do not, whatever they weigh.
+//!
+//! After 75 steps no overlap is deeper than 0.011, no body is below 0.1, and none is farther out than 19.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, add_fixed, square};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "dominance",
+    description: "Balls shot at walls: the one with a higher dominance group goes through as if the wall weighed nothing.",
+    category: Category::Basics,
+    steps: 75,
+    law: Law { overlap_max: 0.011, height_min: 0.1, reach_max: 19.0, ..Law::after(75) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = PhysicsWorld::new();
+    for (lane, dominance) in [-1, 0, 1].into_iter().enumerate() {
+        let floor = 9.0 * lane as Real;
+        add_fixed(&mut world, Vector::new(4.0, floor - 0.2), ColliderBuilder::cuboid(18.0, 0.2));
+        for i in 0..24 {
+            let place = Vector::new((i % 3) as Real, floor + 0.5 + (i / 3) as Real);
+            add(&mut world, place, square(0.5));
+        }
+        let ball = RigidBodyBuilder::dynamic()
+            .translation(Vector::new(-10.0, floor + 2.5))
+            .linvel(Vector::new(14.0, 2.0))
+            .dominance_group(dominance);
+        world.insert(ball, ColliderBuilder::ball(0.8));
+    }
+    Scene::new(world, View::flat()).focusing(Vector::new(-12.0, 0.0), Vector::new(20.0, 26.0))
+}

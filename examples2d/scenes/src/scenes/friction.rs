@@ -1,0 +1,41 @@
+//! What slides down a ramp and what stays.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below -10.3, and none is farther out than 41.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "friction",
+    description: "Boxes with a friction from 0 to 1 on ramps of 27 degrees: those above 0.5 stay.",
+    category: Category::Basics,
+    steps: 150,
+    law: Law { overlap_max: 0.01, height_min: -10.3, reach_max: 41.0, ..Law::after(150) },
+    build,
+};
+
+/// A ramp falls by half of its length: the friction that holds a box is one half.
+const SLOPE: Real = 0.5;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = PhysicsWorld::new();
+    let angle = SLOPE.atan();
+    let (along, up) =
+        (Vector::new(angle.cos(), -angle.sin()), Vector::new(angle.sin(), angle.cos()));
+    for i in 0..=10 {
+        let friction = i as Real / 10.0;
+        let [column, row] = [i % 4, i / 4].map(|n| n as Real);
+        let foot = Vector::new(11.0 * column, -6.0 * row);
+        let ramp = RigidBodyBuilder::fixed().translation(foot).rotation(-angle);
+        world.insert(ramp, ColliderBuilder::cuboid(4.5, 0.1).friction(1.0));
+        let shape = ColliderBuilder::cuboid(0.5, 0.35)
+            .friction(friction)
+            .friction_combine_rule(CoefficientCombineRule::Min);
+        let place = foot - along * 3.6 + up * 0.45;
+        world.insert(RigidBodyBuilder::dynamic().translation(place).rotation(-angle), shape);
+    }
+    Scene::new(world, View::flat()).focusing(Vector::new(-5.0, -15.0), Vector::new(38.0, 3.0))
+}

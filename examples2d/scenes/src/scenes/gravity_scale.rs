@@ -1,0 +1,31 @@
+//! Bodies that feel more or less gravity, or the opposite.
+//!
+//! After 55 steps no overlap is deeper than 0.16, no body is below 0.1, and none is farther out than 11.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add_fixed, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "gravity_scale",
+    description: "Balls with a gravity scale from -1 to 2 between floor and ceiling.",
+    category: Category::Basics,
+    steps: 55,
+    law: Law { overlap_max: 0.16, height_min: 0.1, reach_max: 11.0, ..Law::after(55) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    add_fixed(&mut world, Vector::Y * 10.2, ColliderBuilder::cuboid(10.0, 0.2));
+    for i in 0..=12 {
+        let scale = -1.0 + 0.25 * i as Real;
+        let place = Vector::new(1.4 * (i as Real - 6.0), 5.0);
+        let body = RigidBodyBuilder::dynamic().translation(place).gravity_scale(scale);
+        world.insert(body, ColliderBuilder::ball(0.5));
+    }
+    Scene::new(world, View::flat())
+}

@@ -1,0 +1,39 @@
+//! Light boxes that carry a heavy one: a hard test for a solver.
+//!
+//! After 200 steps no overlap is deeper than 0.028, no body is below 0.1, none is farther out than 5.7, none is
+//! faster than 0.1, and the top is above 4.35.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, square, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "heavy_on_light",
+    description: "Stacks of light boxes carry a box 1, 10, 30 and 100 times as heavy as each of them.",
+    category: Category::Robustness,
+    steps: 300,
+    law: Law {
+        overlap_max: 0.028,
+        height_min: 0.1,
+        reach_max: 5.7,
+        speed_max: 0.1,
+        top_min: 4.35,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    for (i, ratio) in [1.0, 10.0, 30.0, 100.0].into_iter().enumerate() {
+        let foot = Vector::X * (3.0 * (i as Real - 1.5));
+        for layer in 0..4 {
+            add(&mut world, foot + Vector::Y * (0.5 + layer as Real), square(0.5));
+        }
+        add(&mut world, foot + Vector::Y * 4.5, square(0.5).density(ratio));
+    }
+    Scene::new(world, View::flat())
+}

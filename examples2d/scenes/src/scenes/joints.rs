@@ -1,0 +1,66 @@
+//! Every joint, each with what it leaves free.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below -6.4, none is farther out than 16.0, and no joint
+//! is open by more than 1.7.
+
+use crate::common::{Law, Scene, SceneInfo, stands};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "joints",
+    description: "Every joint, with its free axes as far as their limits reach; all are pushed every two seconds.",
+    category: Category::Joints,
+    steps: 150,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -6.4,
+        reach_max: 16.0,
+        gap_max: 1.7,
+        ..Law::after(150)
+    },
+    build,
+};
+
+/// What is on show.
+const STANDS: [(&str, stands::Stand); 8] = [
+    ("fixed", stands::fixed),
+    ("soft", soft),
+    ("revolute", stands::revolute),
+    ("prismatic", stands::prismatic),
+    ("pin slot", pin_slot),
+    ("rope", stands::rope),
+    ("spring", stands::spring),
+    ("table", table),
+];
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    stands::show(&STANDS, View::flat())
+}
+
+/// A fixed joint that gives way like a spring.
+fn soft(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let beside = Vector::X;
+    let spring = SpringCoefficients::new(1.5, 0.1);
+    let joint = FixedJointBuilder::new().local_anchor2(-beside).softness(Some(spring));
+    stands::hang(world, post, beside, joint)
+}
+
+/// Slides along a slot, and turns in it.
+fn pin_slot(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let slot = Vector::new(1.0, 0.15);
+    let joint = PinSlotJointBuilder::new(slot).local_anchor2(-stands::down()).limits([-1.2, 1.2]);
+    stands::hang(world, post, stands::down(), joint)
+}
+
+/// Slides along both axes within limits, on springs, and does not turn.
+fn table(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let joint = GenericJointBuilder::new(JointAxesMask::ANG_X)
+        .limits(JointAxis::LinX, [-1.0, 1.0])
+        .limits(JointAxis::LinY, [-1.5, 0.5])
+        .motor_position(JointAxis::LinX, 0.0, 20.0, 0.5)
+        .motor_position(JointAxis::LinY, 0.0, 20.0, 0.5);
+    stands::hang(world, post, stands::down(), joint)
+}

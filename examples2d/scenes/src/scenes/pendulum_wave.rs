@@ -1,0 +1,29 @@
+//! A row of pendulums, each a little shorter than the last.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -1.9, none is farther out than 9.8, and no joint
+//! is open by more than 0.005.
+
+use crate::common::{Law, Scene, SceneInfo, plays};
+use crate::kit::flat;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "pendulum_wave",
+    description: "Twelve pendulums of graded lengths fall out of step, and into it again after a minute.",
+    category: Category::Joints,
+    steps: 300,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -1.9,
+        reach_max: 9.8,
+        gap_max: 0.005,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    plays::pendulum_wave(View::flat(), |i| flat(0.7 * i, 0.0))
+}

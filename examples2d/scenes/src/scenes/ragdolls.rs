@@ -1,0 +1,53 @@
+//! A thousand people fall on bumpy ground.
+//!
+//! After 200 steps no overlap is deeper than 0.25, no body is below -0.3, none is farther out than 48.0, and no joint
+//! is open by more than 0.58.
+
+use super::ragdoll_stairs::add_ragdoll;
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add_fixed, add_walls, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "ragdolls",
+    description: "1,000 people of ten bodies each rain on bumps: 9,000 hinges with limits.",
+    category: Category::Joints,
+    steps: 300,
+    law: Law {
+        overlap_max: 0.25,
+        height_min: -0.3,
+        reach_max: 48.0,
+        gap_max: 0.58,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// People side by side, and how far apart they are.
+const COLUMNS: usize = 50;
+const SPACING: Real = 1.6;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    build_sized(1000)
+}
+
+/// Builds a rain of this many people.
+pub fn build_sized(people: usize) -> Scene {
+    let mut world = world_with_floor(100.0);
+    let width = COLUMNS as Real * SPACING;
+    add_walls(&mut world, 0.5 * width + 1.0, 60.0);
+    for i in 0..COLUMNS {
+        let place = Vector::new((i as Real + 0.5) * SPACING - 0.5 * width, 0.0);
+        add_fixed(&mut world, place, ColliderBuilder::ball(0.5));
+    }
+    for i in 0..people {
+        let [column, row] = [i % COLUMNS, i / COLUMNS].map(|n| n as Real);
+        let aside = if (i / COLUMNS).is_multiple_of(2) { 0.3 } else { 0.0 };
+        let x = (column + 0.5) * SPACING + aside - 0.5 * width;
+        add_ragdoll(&mut world, Vector::new(x, 2.5 + 2.4 * row), None);
+    }
+    Scene::new(world, View::flat())
+}

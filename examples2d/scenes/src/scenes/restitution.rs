@@ -1,0 +1,32 @@
+//! How high things bounce.
+//!
+//! After 130 steps no overlap is deeper than 0.059, no body is below 0.0, and none is farther out than 9.7.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "restitution",
+    description: "Balls with a restitution from 0 to 1 fall from the same height.",
+    category: Category::Basics,
+    steps: 130,
+    law: Law { overlap_max: 0.059, height_min: 0.0, reach_max: 9.7, ..Law::after(130) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    for i in 0..=20 {
+        let restitution = i as Real / 20.0;
+        // The floor's own restitution of 0 must not damp the bounce.
+        let shape = ColliderBuilder::ball(0.35)
+            .restitution(restitution)
+            .restitution_combine_rule(CoefficientCombineRule::Max);
+        add(&mut world, Vector::new(0.8 * (i as Real - 10.0), 6.0), shape);
+    }
+    Scene::new(world, View::flat())
+}

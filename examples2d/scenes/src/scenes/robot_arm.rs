@@ -1,0 +1,94 @@
+//! Inverse kinematics: an arm whose tip follows a target.
+//!
+//! After 200 steps no overlap is deeper than 0.19, no body is below 0.8, and none is farther out than 1.9.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{HALF_TURN, hinge, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "robot_arm",
+    description: "An arm of four joints reaches: inverse kinematics finds the angles, motors turn the joints there.",
+    category: Category::Joints,
+    steps: 300,
+    law: Law { overlap_max: 0.19, height_min: 0.8, reach_max: 1.9, ..Law::after(200) },
+    build,
+};
+
+/// Lengths of the links and half their thickness. The arm stands upright at first.
+const LINKS: [(Real, Real); 4] = [(1.4, 0.14), (1.2, 0.12), (0.9, 0.10), (0.6, 0.08)];
+/// How far each joint turns to either side (rad).
+const REACH: Real = 2.4;
+/// Steps in which the target goes round.
+const ROUND: Real = 400.0;
+/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
+const STIFFNESS: Real = 4000.0;
+const DAMPING: Real = 126.0;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(20.0);
+    let tip = add_arm(&mut world);
+    let mark = ColliderBuilder::ball(0.1).sensor(true);
+    let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
+    let (target, _) = world.insert(target, mark);
+    Scene::new(world, View::flat())
+        .focusing(Vector::new(-4.0, -0.3), Vector::new(4.0, 4.5))
+        .showing_joints(0.3)
+        .script(move |world, step| {
+            let place = place_of_target(step);
+            world.bodies[target].set_next_kinematic_translation(place);
+            reach(world, tip, place);
+        })
+}
+
+/// A figure of eight before the arm.
+fn place_of_target(step: usize) -> Vector {
+    let angle = 2.0 * HALF_TURN * step as Real / ROUND;
+    Vector::new(2.4 * angle.sin(), 2.2 + 0.8 * (2.0 * angle).sin())
+}
+
+/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
+fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
+    let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
+    let (mut parent, _) = world.insert(base, ColliderBuilder::cuboid(0.4, 0.15));
+    let (mut place, mut anchor) = (Vector::Y * 0.3, Vector::Y * 0.15);
+    let mut tip = MultibodyJointHandle::invalid();
+    for (length, half) in LINKS {
+        let along = Vector::Y * length;
+        place += along;
+        let body = RigidBodyBuilder::dynamic().translation(place).can_sleep(false);
+        let shape = ColliderBuilder::cuboid(half, 0.5 * length - 0.02).translation(along * -0.5);
+        let (body, _) = world.insert(body, shape);
+        let joint = hinge().local_anchor1(anchor).local_anchor2(-along).limits([-REACH, REACH]);
+        tip = world.insert_multibody_joint(parent, body, joint).expect("links form a tree");
+        (parent, anchor) = (body, Vector::ZERO);
+    }
+    if let Some((arm, _)) = world.multibody_joints.get_mut(tip) {
+        arm.set_self_contacts_enabled(false);
+    }
+    tip
+}
+
+/// Lets the motors turn the joints to where the tip is at a place.
+fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
+    let PhysicsWorld { multibody_joints, bodies, .. } = world;
+    let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
+    let pose = Pose::from_translation(place);
+    let options = InverseKinematicsOption {
+        damping: 0.2,
+        max_iters: 20,
+        // From wherever it likes.
+        constrained_axes: JointAxesMask::LIN_AXES,
+        ..InverseKinematicsOption::default()
+    };
+    let mut turns = Vec::new();
+    arm.inverse_kinematics(bodies, link, &options, &pose, |_| true, &mut turns);
+    for link in arm.links_mut().skip(1) {
+        let turn = turns.get(link.assembly_id()).copied().unwrap_or(0.0);
+        let target = link.joint().coords()[JointAxis::AngX as usize] + turn;
+        link.joint.data.set_motor_position(JointAxis::AngX, target, STIFFNESS, DAMPING);
+    }
+}

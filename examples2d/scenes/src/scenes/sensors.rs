@@ -1,0 +1,55 @@
+//! Zones that notice who enters and leaves, without touching anyone.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 9.8.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+use std::rc::Rc;
+use std::sync::mpsc::channel;
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "sensors",
+    description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
+    category: Category::Queries,
+    steps: 420,
+    law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 9.8, ..Law::after(200) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    let zones: Vec<ColliderHandle> = [-5.0, 5.0]
+        .into_iter()
+        .map(|x| {
+            let zone = ColliderBuilder::cuboid(2.5, 2.5)
+                .translation(Vector::new(x, 2.5))
+                .sensor(true)
+                .active_events(ActiveEvents::COLLISION_EVENTS);
+            world.insert_collider(zone, None)
+        })
+        .collect();
+    for i in 0..60 {
+        let place = Vector::new(0.85 * ((i % 20) as Real - 9.5), 7.0 + 1.2 * (i / 20) as Real);
+        add(&mut world, place, ColliderBuilder::ball(0.35).restitution(0.4));
+    }
+
+    let (send_collision, collisions) = channel();
+    let (send_force, _) = channel();
+    let collisions = Rc::new(collisions); // Copies of the scene share it.
+    Scene::new(world, View::flat())
+        .events(ChannelEventCollector::new(send_collision, send_force))
+        .script(move |world, _| {
+            for event in collisions.try_iter() {
+                let (h1, h2) = (event.collider1(), event.collider2());
+                let visitor = if zones.contains(&h1) { h2 } else { h1 };
+                let body = world.colliders.get(visitor).and_then(Collider::parent);
+                if let Some(body) = body.and_then(|body| world.bodies.get_mut(body)) {
+                    body.set_gravity_scale(if event.started() { -0.3 } else { 1.0 }, true);
+                }
+            }
+        })
+}

@@ -1,0 +1,39 @@
+//! Closed loops of joints: Theo Jansen's walking machine.
+//!
+//! After 200 steps no overlap is deeper than 0.06, no body is below -0.2, none is farther out than 5.1, and no joint
+//! is open by more than 0.005.
+
+use crate::common::{Law, Scene, SceneInfo, Strider, turns};
+use crate::kit::{add, square, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "strider",
+    description: "Theo Jansen's walking machine: six legs of bars and hinges in closed loops, and one motor.",
+    category: Category::Joints,
+    steps: 240,
+    law: Law {
+        overlap_max: 0.06,
+        height_min: -0.2,
+        reach_max: 5.1,
+        gap_max: 0.005,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Speed of the crank (rad/s).
+const SPEED: Real = -4.0;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(60.0);
+    let pairs: Vec<_> = turns(3, 0.0).map(|angle| (0.0, angle)).collect();
+    Strider::new(&mut world, Vector::X * -5.0, &pairs, 0.0, SPEED);
+    for i in 0..5 {
+        add(&mut world, Vector::new(2.5, 0.2 + 0.4 * i as Real), square(0.2).density(0.5));
+    }
+    Scene::new(world, View::flat()).focusing(Vector::new(-6.5, -0.3), Vector::new(5.0, 3.6))
+}

@@ -1,0 +1,19 @@
+//! What the 2D and the 3D scenes have in common. Both crates compile these files, each against its own
+//! engine, which their roots import under the name `rapier`.
+
+mod dice;
+mod jansen;
+pub mod plays;
+pub mod stands;
+mod strider;
+mod walker;
+
+#[cfg(test)]
+mod framing;
+#[cfg(test)]
+mod tests;
+
+pub use crate::scene::{Law, Scene, SceneInfo};
+pub use dice::Dice;
+pub use strider::{Strider, turns};
+pub use walker::Walker;

@@ -1,0 +1,70 @@
+//! Somebody who walks to and fro: what a game does with a character controller.
+
+use crate::rapier::control::*;
+use crate::rapier::prelude::*;
+
+/// A character and its player.
+#[derive(Clone)]
+pub struct Walker {
+    body: RigidBodyHandle,
+    collider: ColliderHandle,
+    controller: KinematicCharacterController,
+    /// Where it is going (length/s), along x.
+    velocity: Real,
+    /// Where it turns round.
+    range: [Real; 2],
+    /// How fast it has come to fall (length/s).
+    fall: Real,
+}
+
+impl Walker {
+    /// A capsule of the height 1.2 that stands at `foot`, walks at a speed, and turns round at the ends of a range of x.
+    pub fn new(world: &mut PhysicsWorld, foot: Vector, speed: Real, range: [Real; 2]) -> Self {
+        let place = foot + Vector::Y * 0.65;
+        let body = RigidBodyBuilder::kinematic_position_based().translation(place);
+        let (body, collider) = world.insert(body, ColliderBuilder::capsule_y(0.35, 0.25));
+        let controller = KinematicCharacterController {
+            autostep: Some(CharacterAutostep {
+                min_width: CharacterLength::Absolute(0.2),
+                ..CharacterAutostep::default()
+            }),
+            ..KinematicCharacterController::default()
+        };
+        Self { body, collider, controller, velocity: speed, range, fall: 0.0 }
+    }
+
+    /// Walks for one step: before the world takes it.
+    pub fn walk(&mut self, world: &mut PhysicsWorld) {
+        let dt = world.integration_parameters.dt;
+        let place = world.bodies[self.body].translation();
+        if (self.velocity < 0.0 && place.x < self.range[0])
+            || (self.velocity > 0.0 && place.x > self.range[1])
+        {
+            self.velocity = -self.velocity;
+        }
+        self.fall += world.gravity.y * dt;
+        let wish = (Vector::X * self.velocity + Vector::Y * self.fall) * dt;
+        let shape = world.colliders[self.collider].shared_shape().clone();
+        let filter = QueryFilter::default().exclude_rigid_body(self.body);
+        let mut met = Vec::new();
+        let movement = self.controller.move_shape(
+            dt,
+            &world.query_pipeline_with_filter(filter),
+            &*shape,
+            world.colliders[self.collider].position(),
+            wish,
+            |collision| met.push(collision),
+        );
+        let mut queries = world.query_pipeline_mut(filter);
+        self.controller.solve_character_collision_impulses(dt, &mut queries, &*shape, 60.0, &met);
+
+        if movement.grounded {
+            self.fall = 0.0;
+        }
+        let ride = movement.ground.map_or(Vector::ZERO, |ground| {
+            ground.displacement(&world.bodies, &world.colliders, dt)
+        });
+        let next = place + movement.translation + ride;
+        world.bodies[self.body].set_next_kinematic_translation(next);
+    }
+}

@@ -1,0 +1,25 @@
+//! The 3D scenes: one for each thing that the engine can do, and large ones that show how fast it is.
+//!
+//! Every scene lives here once. The gallery runs them all, the tests watch some of them settle, and
+//! the benchmarks rebuild the large ones in other engines:
+//!
+//! ```
+//! let mut scene = (scenes3d::find("pyramid20").expect("is in the list").build)();
+//! scene.step();
+//! assert!(scene.world.bodies.len() > 200);
+//! ```
+
+pub use rapier3d as rapier;
+pub use scene3d as scene;
+
+pub mod common;
+pub mod scenes;
+mod kit;
+
+pub use scene::{Scene, SceneInfo};
+pub use scenes::SCENES;
+
+/// The scene with this name.
+pub fn find(name: &str) -> Option<&'static SceneInfo> {
+    SCENES.iter().find(|info| info.name == name)
+}

@@ -1,0 +1,87 @@
+//! A bridge that hangs on hinges, and what crosses it.
+//!
+//! After 130 steps no overlap is deeper than 0.038, no body is below -20.6, none is farther out than 15.0, and no
+//! joint is open by more than 0.0088.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, add_fixed, cube, hinge, turn};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "bridge",
+    description: "Two bridges of planks on hinges: one carries boulders of ten times a plank's weight, some hinges of the other break under them.",
+    category: Category::Joints,
+    steps: 130,
+    law: Law {
+        overlap_max: 0.038,
+        height_min: -20.6,
+        reach_max: 15.0,
+        gap_max: 0.0088,
+        ..Law::after(130)
+    },
+    build,
+};
+
+/// Planks of a bridge, and half their extents.
+const PLANKS: usize = 24;
+const HALF: Vector = Vector::new(0.45, 0.1, 1.2);
+/// From one hinge to the next, and the radius of the arc on which they hang.
+const PITCH: Real = 1.0;
+const RADIUS: Real = 30.0;
+/// Force at which the weak hinges of one bridge break (mass · length / s²), and one in how many is weak.
+const STRENGTH: Real = 350.0;
+const WEAK: usize = 6;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = PhysicsWorld::new();
+    for (z, strength) in [(-2.5, Real::INFINITY), (2.5, STRENGTH)] {
+        add_bridge(&mut world, z, strength);
+        for i in 0..5 {
+            let place = Vector::new(3.0 * (i as Real - 2.0), 2.0 + 0.5 * i as Real, z);
+            add(&mut world, place, ColliderBuilder::ball(0.55).density(6.0));
+        }
+        add(&mut world, Vector::new(-9.0, 1.5, z), cube(0.5));
+    }
+    Scene::new(world, View::orbit(25.0, 16.0))
+}
+
+/// Two banks with planks in between, each joined to the next at the middle of its edge. They hang on an arc, as straight
+/// ones would have to pull without end to carry anything.
+fn add_bridge(world: &mut PhysicsWorld, z: Real, strength: Real) {
+    // The angle of a plank as seen from the middle of the arc, and of all of them to one side.
+    let step = 2.0 * (0.5 * PITCH / RADIUS).asin();
+    let side = 0.5 * PLANKS as Real * step;
+    let top = RADIUS * side.cos();
+    let bank = Vector::new(1.5, 1.0, 1.5);
+    let [left, right] = [-1.0, 1.0].map(|sign| {
+        let place = Vector::new(sign * (RADIUS * side.sin() + bank.x), -bank.y, z);
+        add_fixed(world, place, ColliderBuilder::cuboid(bank.x, bank.y, bank.z))
+    });
+    let edge = Vector::X * (0.5 * PITCH);
+    let mut last = (left, Vector::new(bank.x, bank.y, 0.0));
+    for i in 0..PLANKS {
+        let angle = (i as Real + 0.5) * step - side;
+        let middle = RADIUS * (0.5 * step).cos();
+        let place = Vector::new(middle * angle.sin(), top - middle * angle.cos(), z);
+        let body = RigidBodyBuilder::dynamic().translation(place).rotation(turn(angle));
+        let (plank, _) = world.insert(body, ColliderBuilder::cuboid(HALF.x, HALF.y, HALF.z));
+        let force = if i % WEAK == WEAK / 2 { strength } else { Real::INFINITY };
+        let joint = hinge()
+            .local_anchor1(last.1)
+            .local_anchor2(-edge)
+            .break_thresholds(force, Real::INFINITY)
+            .contacts_enabled(false);
+        world.insert_impulse_joint(last.0, plank, joint);
+        last = (plank, edge);
+    }
+    // The hinges keep the planks in line. The last one need not do it again, and nobody could tell how much of it it did.
+    let carries = JointAxesMask::LIN_X | JointAxesMask::LIN_Y;
+    let joint = GenericJointBuilder::new(carries)
+        .local_anchor1(Vector::new(-bank.x, bank.y, 0.0))
+        .local_anchor2(last.1)
+        .contacts_enabled(false);
+    world.insert_impulse_joint(right, last.0, joint);
+}

@@ -1,0 +1,66 @@
+//! A house of cards, held by friction alone.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below 0.3, none is farther out than 5.8, and the top is
+//! above 4.4.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::world_with_floor;
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "card_house",
+    description: "Thin cards lean against each other, five storeys high.",
+    category: Category::Robustness,
+    steps: 240,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: 0.3,
+        reach_max: 5.8,
+        top_min: 4.4,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Half length, half thickness and half width of a card.
+const CARD: [Real; 3] = [0.8, 0.02, 0.5];
+/// How far a card leans from the vertical (rad).
+const LEAN: Real = 0.43;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    build_sized(5)
+}
+
+/// Builds a house with this many storeys.
+pub fn build_sized(storeys: usize) -> Scene {
+    let mut world = world_with_floor(50.0);
+    let [length, thickness, width] = CARD;
+    let card = ColliderBuilder::cuboid(thickness, length, width).friction(0.8);
+    // A leaning card reaches this far up and aside; two of them make a tent.
+    let rise = length * LEAN.cos() + thickness * LEAN.sin();
+    let run = length * LEAN.sin() + thickness * LEAN.cos();
+    let spacing = 2.0 * length + 2.0 * thickness;
+    for storey in 0..storeys {
+        let floor = storey as Real * (2.0 * rise + 2.0 * thickness);
+        let tents = storeys - storey;
+        for tent in 0..tents {
+            let x = spacing * (tent as Real - (tents - 1) as Real / 2.0);
+            for side in [-1.0, 1.0] {
+                let body = RigidBodyBuilder::dynamic()
+                    .translation(Vector::new(x + side * run, floor + rise, 0.0))
+                    .rotation(Vector::Z * (side * LEAN));
+                world.insert(body, card.clone());
+            }
+            if tent + 1 < tents {
+                // A lying card from the top of this tent to the top of the next.
+                let middle = Vector::new(x + 0.5 * spacing, floor + 2.0 * rise + thickness, 0.0);
+                let lying = ColliderBuilder::cuboid(length, thickness, width).friction(0.8);
+                world.insert(RigidBodyBuilder::dynamic().translation(middle), lying);
+            }
+        }
+    }
+    Scene::new(world, View::orbit(25.0, 12.0))
+}

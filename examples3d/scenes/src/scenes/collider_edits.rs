@@ -1,0 +1,81 @@
+//! Colliders that change while the world runs.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -34.8, and none is farther out than 7.7.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, cube, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "collider_edits",
+    description: "Colliders grow, change their shape, move to another body and vanish while the world runs.",
+    category: Category::Events,
+    steps: 300,
+    law: Law { overlap_max: 0.01, height_min: -34.8, reach_max: 7.7, ..Law::after(200) },
+    build,
+};
+
+/// What becomes of the colliders, by their place in the row.
+#[derive(Copy, Clone)]
+enum Fate {
+    Grow,
+    Reshape,
+    ChangeBody,
+    Vanish,
+}
+
+const FATES: [Fate; 4] = [Fate::Grow, Fate::Reshape, Fate::ChangeBody, Fate::Vanish];
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    let mut subjects = Vec::new();
+    for (row, fate) in FATES.into_iter().enumerate() {
+        for column in 0..5 {
+            let place = Vector::new(2.4 * (column as Real - 2.0), 0.5, 2.6 * (row as Real - 1.5));
+            let lower = add(&mut world, place, cube(0.5));
+            let upper = add(&mut world, place + Vector::Y * 1.1, cube(0.4));
+            subjects.push((fate, 40 + 20 * column, lower, upper));
+        }
+    }
+    Scene::new(world, View::orbit(28.0, 30.0)).script(move |world, step| {
+        for &(fate, start, lower, upper) in &subjects {
+            if step >= start {
+                edit(world, fate, step - start, lower, upper);
+            }
+        }
+    })
+}
+
+/// Does what fate has in mind, `step` steps after the first time.
+fn edit(
+    world: &mut PhysicsWorld,
+    fate: Fate,
+    step: usize,
+    lower: RigidBodyHandle,
+    upper: RigidBodyHandle,
+) {
+    let Some(&collider) = world.bodies.get(lower).and_then(|body| body.colliders().first()) else {
+        return;
+    };
+    let PhysicsWorld { bodies, colliders, .. } = world;
+    match (fate, step) {
+        (Fate::Grow, 0..=60) => {
+            let half = 0.5 + 0.4 * step as Real / 60.0;
+            colliders[collider].set_shape(SharedShape::cuboid(half, 0.5, half));
+        }
+        (Fate::Reshape, 0) => colliders[collider].set_shape(SharedShape::ball(0.5)),
+        (Fate::ChangeBody, 0) => {
+            // The lower cube becomes a foot of the upper body; its own body stays behind, empty.
+            colliders.set_parent(collider, Some(upper), bodies);
+            colliders[collider]
+                .set_position_wrt_parent(Pose::from_translation(Vector::new(0.9, -0.4, 0.0)));
+        }
+        (Fate::Vanish, 0) => {
+            world.remove_collider(collider);
+        }
+        _ => {}
+    }
+}

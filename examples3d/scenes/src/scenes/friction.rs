@@ -1,0 +1,44 @@
+//! What slides down a ramp and what stays.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below 1.0, and none is farther out than 12.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::world_with_floor;
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "friction",
+    description: "Boxes with a friction from 0 to 1 on a ramp of 27 degrees: those above 0.5 stay.",
+    category: Category::Basics,
+    steps: 150,
+    law: Law { overlap_max: 0.01, height_min: 1.0, reach_max: 12.0, ..Law::after(150) },
+    build,
+};
+
+/// The ramp falls by half of its length: the friction that holds a box is one half.
+const SLOPE: Real = 0.5;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(50.0);
+    let angle = SLOPE.atan();
+    let (along, up) =
+        (Vector::new(angle.cos(), -angle.sin(), 0.0), Vector::new(angle.sin(), angle.cos(), 0.0));
+    let foot = Vector::new(0.0, 4.0, 0.0);
+    let turn = Vector::Z * -angle;
+    let ramp = RigidBodyBuilder::fixed().translation(foot).rotation(turn);
+    world.insert(ramp, ColliderBuilder::cuboid(8.0, 0.2, 8.0).friction(1.0));
+    for i in 0..=10 {
+        let friction = i as Real / 10.0;
+        let z = 1.4 * (i as Real - 5.0);
+        let place = foot - along * 6.5 + up * 0.6 + Vector::Z * z;
+        let shape = ColliderBuilder::cuboid(0.5, 0.4, 0.5)
+            .friction(friction)
+            .friction_combine_rule(CoefficientCombineRule::Min);
+        world.insert(RigidBodyBuilder::dynamic().translation(place).rotation(turn), shape);
+    }
+    Scene::new(world, View::orbit(60.0, 22.0))
+        .focusing(Vector::new(-7.0, 0.0, -8.0), Vector::new(12.0, 8.0, 8.0))
+}

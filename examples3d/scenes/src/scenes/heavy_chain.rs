@@ -1,0 +1,28 @@
+//! Mass ratios that stretch chains in many engines.
+//!
+//! After 200 steps no overlap is deeper than 0.01, no body is below -6.1, none is farther out than 6.9, and no joint
+//! is open by more than 0.005.
+
+use crate::common::{Law, Scene, SceneInfo, plays};
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "heavy_chain",
+    description: "Chains of ten light links carry balls of 10, 100 and 500 times the mass of a link.",
+    category: Category::Robustness,
+    steps: 240,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -6.1,
+        reach_max: 6.9,
+        gap_max: 0.005,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    plays::heavy_chain(View::orbit(14.0, 6.0))
+}

@@ -1,0 +1,79 @@
+//! Every joint, each with what it leaves free.
+//!
+//! After 150 steps no overlap is deeper than 0.01, no body is below -5.8, none is farther out than 16.0, and no joint
+//! is open by more than 0.005.
+
+use crate::common::{Law, Scene, SceneInfo, stands};
+use crate::kit::HALF_TURN;
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "joints",
+    description: "Every joint, with its free axes as far as their limits reach; all are pushed every two seconds.",
+    category: Category::Joints,
+    steps: 150,
+    law: Law {
+        overlap_max: 0.01,
+        height_min: -5.8,
+        reach_max: 16.0,
+        gap_max: 0.005,
+        ..Law::after(150)
+    },
+    build,
+};
+
+/// What is on show.
+const STANDS: [(&str, stands::Stand); 8] = [
+    ("fixed", stands::fixed),
+    ("revolute", stands::revolute),
+    ("prismatic", stands::prismatic),
+    ("spherical", spherical),
+    ("rope", stands::rope),
+    ("spring", stands::spring),
+    ("piston", piston),
+    ("universal", universal),
+];
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    stands::show(&STANDS, View::orbit(-14.0, 9.0))
+}
+
+/// A frame whose X axis, the axis of the twist, points down.
+fn downwards(place: Vector) -> Pose {
+    Pose::from_parts(place, Rotation::from_rotation_z(-0.5 * HALF_TURN))
+}
+
+/// Swings within a cone, and twists a little.
+fn spherical(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let joint = SphericalJointBuilder::new()
+        .local_frame1(downwards(Vector::ZERO))
+        .local_frame2(downwards(-stands::down()))
+        .swing_limit(0.7)
+        .limits(JointAxis::AngX, [-0.4, 0.4]);
+    stands::hang(world, post, stands::down(), joint)
+}
+
+/// Slides along an axis, carried by a spring, and turns about it.
+fn piston(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let (slide, spin) = (JointAxesMask::LIN_X, JointAxesMask::ANG_X);
+    let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - slide - spin)
+        .local_frame1(downwards(Vector::ZERO))
+        .local_frame2(downwards(Vector::ZERO))
+        .limits(JointAxis::LinX, [0.8, 1.8])
+        .motor_position(JointAxis::LinX, 1.0, 60.0, 1.0);
+    stands::hang(world, post, stands::down(), joint)
+}
+
+/// Swings to all sides, but has no twist.
+fn universal(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
+    let swing = JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
+    let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - swing)
+        .local_frame1(downwards(Vector::ZERO))
+        .local_frame2(downwards(-stands::down()))
+        .limits(JointAxis::AngY, [-0.5, 0.5])
+        .limits(JointAxis::AngZ, [-1.0, 1.0]);
+    stands::hang(world, post, stands::down(), joint)
+}

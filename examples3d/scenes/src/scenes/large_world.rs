@@ -1,0 +1,48 @@
+//! A large world at rest with a little life in it: what does not move must cost nothing.
+//!
+//! After 200 steps no overlap is deeper than 0.034, no body is below -0.9, and none is farther out than 16.0.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{add, add_fixed, cube};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "large_world",
+    description: "40,000 fixed blocks, and 99 bodies that move.",
+    category: Category::Robustness,
+    steps: 300,
+    law: Law { overlap_max: 0.034, height_min: -0.9, reach_max: 16.0, ..Law::after(200) },
+    build,
+};
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    build_sized(200)
+}
+
+/// Builds a square of fixed blocks with this many along each side.
+pub fn build_sized(side: usize) -> Scene {
+    let mut world = PhysicsWorld::new();
+    let center = side as Real / 2.0;
+    for row in 0..side {
+        for column in 0..side {
+            let [x, z] = [column, row].map(|n| n as Real - center);
+            let wave = (0.35 * x).sin() * (0.3 * z).cos();
+            add_fixed(
+                &mut world,
+                Vector::new(x, wave - 1.0, z),
+                ColliderBuilder::cuboid(0.5, 1.0, 0.5),
+            );
+        }
+    }
+    for i in 0..99 {
+        let [x, y, z] = [i % 3, i / 9 % 11, i / 3 % 3].map(|n| n as Real);
+        let place = Vector::new(1.2 * (x - 1.0), 3.0 + 1.2 * y, 1.2 * (z - 1.0));
+        let shape = if i % 2 == 0 { ColliderBuilder::ball(0.4) } else { cube(0.4) };
+        add(&mut world, place, shape);
+    }
+    Scene::new(world, View::orbit(30.0, 35.0))
+        .focusing(Vector::new(-14.0, -1.0, -14.0), Vector::new(14.0, 3.0, 14.0))
+}

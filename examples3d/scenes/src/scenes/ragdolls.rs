@@ -1,0 +1,131 @@
+//! Two hundred people fall into a pit.
+//!
+//! After 200 steps no overlap is deeper than 0.13, no body is below -0.3, none is farther out than 8.1, and no joint
+//! is open by more than 0.092.
+
+use crate::common::{Dice, Law, Scene, SceneInfo};
+use crate::kit::{HALF_TURN, add_walls, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "ragdolls",
+    description: "200 people of 11 bodies each tumble into a heap; cones and limits keep their limbs human.",
+    category: Category::Joints,
+    steps: 300,
+    law: Law {
+        overlap_max: 0.13,
+        height_min: -0.3,
+        reach_max: 8.1,
+        gap_max: 0.092,
+        ..Law::after(200)
+    },
+    build,
+};
+
+/// Ragdolls along each side of a layer, and layers.
+const SIDE: usize = 5;
+const LAYERS: usize = 8;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(20.0);
+    add_walls(&mut world, 5.0, 4.0);
+    let mut dice = Dice::new(11);
+    for k in 0..LAYERS * SIDE * SIDE {
+        let (layer, x, z) = (k / (SIDE * SIDE), k / SIDE % SIDE, k % SIDE);
+        let along = |n: usize| 1.8 * (n as Real - 0.5 * (SIDE - 1) as Real);
+        let place = Vector::new(along(x), 2.0 + 2.0 * layer as Real, along(z));
+        let axis = Vector::new(dice.between(-1.0, 1.0), 1.0, dice.between(-1.0, 1.0)).normalize();
+        let turn = axis * dice.between(0.0, 2.0 * HALF_TURN);
+        add_ragdoll(&mut world, Pose::new(place, turn), axis * 4.0);
+    }
+    // Steep enough to look over the 4 m wall in front into all of the 10 m pit.
+    Scene::new(world, View::orbit(25.0, 62.0))
+}
+
+/// Adds a person whose pelvis is here, and who spins.
+pub(super) fn add_ragdoll(world: &mut PhysicsWorld, at: Pose, spin: AngVector) {
+    Ragdoll { world, at, spin }.build();
+}
+
+/// A person that is being put together, standing with its arms spread.
+struct Ragdoll<'w> {
+    world: &'w mut PhysicsWorld,
+    /// Where its pelvis is.
+    at: Pose,
+    spin: AngVector,
+}
+
+impl Ragdoll<'_> {
+    fn build(&mut self) {
+        let pelvis = self.limb(Vector::new(-0.06, 0.0, 0.0), Vector::new(0.06, 0.0, 0.0), 0.12);
+        let chest = self.limb(Vector::new(-0.08, 0.34, 0.0), Vector::new(0.08, 0.34, 0.0), 0.15);
+        let head = self.limb(Vector::new(0.0, 0.62, 0.0), Vector::new(0.0, 0.68, 0.0), 0.11);
+        self.socket(pelvis, chest, Vector::new(0.0, 0.16, 0.0), Vector::Y, 0.5, 0.4);
+        self.socket(chest, head, Vector::new(0.0, 0.50, 0.0), Vector::Y, 0.6, 0.7);
+        for side in [-1.0, 1.0] {
+            let out = Vector::X * side;
+            let [shoulder, elbow, hand] =
+                [0.24, 0.52, 0.78].map(|x| Vector::new(side * x, 0.42, 0.0));
+            let upper = self.limb(shoulder + out * 0.05, elbow - out * 0.05, 0.05);
+            let lower = self.limb(elbow + out * 0.04, hand, 0.04);
+            self.socket(chest, upper, shoulder, out, 1.4, 0.7);
+            self.hinge(upper, lower, elbow, -Vector::Y * side);
+
+            let [hip, knee, foot] = [-0.10, -0.52, -0.94].map(|y| Vector::new(side * 0.10, y, 0.0));
+            let thigh = self.limb(hip - Vector::Y * 0.08, knee + Vector::Y * 0.07, 0.075);
+            let shin = self.limb(knee - Vector::Y * 0.06, foot, 0.055);
+            self.socket(pelvis, thigh, hip, -Vector::Y, 1.0, 0.4);
+            self.hinge(thigh, shin, knee, Vector::X);
+        }
+    }
+
+    /// A capsule between two points of the standing person, as a body whose origin is in its middle.
+    fn limb(&mut self, from: Vector, to: Vector, radius: Real) -> (RigidBodyHandle, Vector) {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let body = RigidBodyBuilder::dynamic()
+            .pose(self.at * Pose::from_translation(middle))
+            .angvel(self.spin);
+        let capsule = ColliderBuilder::capsule_from_endpoints(-half, half, radius);
+        (self.world.insert(body, capsule.density(1000.0).friction(0.6)).0, middle)
+    }
+
+    /// A ball in a socket, with a cone about the way on which the second limb leads away, and room to twist to
+    /// either side.
+    fn socket(
+        &mut self,
+        first: (RigidBodyHandle, Vector),
+        second: (RigidBodyHandle, Vector),
+        at: Vector,
+        way: Vector,
+        cone: Real,
+        twist: Real,
+    ) {
+        let turn = Rotation::from_rotation_arc(Vector::X, way);
+        let joint = SphericalJointBuilder::new()
+            .local_frame1(Pose::from_parts(at - first.1, turn))
+            .local_frame2(Pose::from_parts(at - second.1, turn))
+            .swing_limit(cone)
+            .limits(JointAxis::AngX, [-twist, twist])
+            .contacts_enabled(false);
+        self.world.insert_impulse_joint(first.0, second.0, joint);
+    }
+
+    /// A knee or an elbow, that bends one way only.
+    fn hinge(
+        &mut self,
+        first: (RigidBodyHandle, Vector),
+        second: (RigidBodyHandle, Vector),
+        at: Vector,
+        axis: Vector,
+    ) {
+        let joint = RevoluteJointBuilder::new(axis)
+            .local_anchor1(at - first.1)
+            .local_anchor2(at - second.1)
+            .limits([0.0, 2.4])
+            .contacts_enabled(false);
+        self.world.insert_impulse_joint(first.0, second.0, joint);
+    }
+}

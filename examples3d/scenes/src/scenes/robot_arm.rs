@@ -1,0 +1,107 @@
+//! Inverse kinematics: an arm whose tip follows a target.
+//!
+//! After 200 steps no overlap is deeper than 0.29, no body is below 0.6, and none is farther out than 2.9.
+
+use crate::common::{Law, Scene, SceneInfo};
+use crate::kit::{HALF_TURN, world_with_floor};
+use crate::rapier::prelude::*;
+use gallery::{Category, View};
+
+/// The scene's entry in the list.
+pub const INFO: SceneInfo = SceneInfo {
+    name: "robot_arm",
+    description: "An arm of six joints reaches: inverse kinematics finds the angles, motors turn the joints there.",
+    category: Category::Joints,
+    steps: 300,
+    law: Law { overlap_max: 0.29, height_min: 0.6, reach_max: 2.9, ..Law::after(200) },
+    build,
+};
+
+/// By joint: the axis, the length of the link behind it, and half its thickness. The arm stands upright at first.
+const LINKS: [(Vector, Real, Real); 6] = [
+    (Vector::Y, 0.6, 0.32),
+    (Vector::Z, 1.4, 0.20),
+    (Vector::Z, 1.2, 0.17),
+    (Vector::Y, 0.4, 0.15),
+    (Vector::Z, 0.5, 0.13),
+    (Vector::Y, 0.4, 0.10),
+];
+/// How far each joint turns to either side (rad).
+const REACH: Real = 2.4;
+/// Steps in which the target goes round.
+const ROUND: Real = 400.0;
+/// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
+const STIFFNESS: Real = 4000.0;
+const DAMPING: Real = 126.0;
+
+/// Builds the scene.
+pub fn build() -> Scene {
+    let mut world = world_with_floor(20.0);
+    let tip = add_arm(&mut world);
+    let mark = ColliderBuilder::ball(0.12).sensor(true);
+    let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
+    let (target, _) = world.insert(target, mark);
+    Scene::new(world, View::orbit(62.0, 12.0))
+        .focusing(Vector::new(0.0, 0.2, -1.9), Vector::new(0.6, 2.7, 0.9))
+        .showing_joints(0.5)
+        .script(move |world, step| {
+            let place = place_of_target(step);
+            world.bodies[target].set_next_kinematic_translation(place);
+            reach(world, tip, place);
+        })
+}
+
+/// A figure of eight around the arm.
+fn place_of_target(step: usize) -> Vector {
+    let angle = 2.0 * HALF_TURN * step as Real / ROUND;
+    let about = 0.5 * HALF_TURN * angle.sin();
+    Vector::new(2.0 * about.cos(), 1.3 + 0.5 * (2.0 * angle).sin(), 2.0 * about.sin())
+}
+
+/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
+fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
+    let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
+    let (mut parent, _) = world.insert(base, ColliderBuilder::cylinder(0.15, 0.5));
+    let (mut place, mut anchor) = (Vector::Y * 0.3, Vector::Y * 0.15);
+    let mut tip = MultibodyJointHandle::invalid();
+    for (axis, length, half) in LINKS {
+        let along = Vector::Y * length;
+        place += along;
+        let body = RigidBodyBuilder::dynamic().translation(place).can_sleep(false);
+        let shape =
+            ColliderBuilder::cuboid(half, 0.5 * length - 0.02, half).translation(along * -0.5);
+        let (body, _) = world.insert(body, shape);
+        let joint = RevoluteJointBuilder::new(axis)
+            .local_anchor1(anchor)
+            .local_anchor2(-along)
+            .limits([-REACH, REACH]);
+        tip = world.insert_multibody_joint(parent, body, joint).expect("links form a tree");
+        (parent, anchor) = (body, Vector::ZERO);
+    }
+    if let Some((arm, _)) = world.multibody_joints.get_mut(tip) {
+        arm.set_self_contacts_enabled(false);
+    }
+    tip
+}
+
+/// Lets the motors turn the joints to where the tip is at a place.
+fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
+    let PhysicsWorld { multibody_joints, bodies, .. } = world;
+    let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
+    // From above.
+    let pose = Pose::from_parts(place, Rotation::from_rotation_z(HALF_TURN));
+    let options = InverseKinematicsOption {
+        damping: 0.2,
+        max_iters: 20,
+        // The last joint's angle does not matter.
+        constrained_axes: JointAxesMask::all() - JointAxesMask::ANG_Y,
+        ..InverseKinematicsOption::default()
+    };
+    let mut turns = Vec::new();
+    arm.inverse_kinematics(bodies, link, &options, &pose, |_| true, &mut turns);
+    for link in arm.links_mut().skip(1) {
+        let turn = turns.get(link.assembly_id()).copied().unwrap_or(0.0);
+        let target = link.joint().coords()[JointAxis::AngX as usize] + turn;
+        link.joint.data.set_motor_position(JointAxis::AngX, target, STIFFNESS, DAMPING);
+    }
+}
