@@ -354,7 +354,8 @@ impl Impacts {
             let Memory { accounts, sums, .. } = &mut self.memory;
             let islands = &bodies.islands;
             let account = |body: u32| accounts.get(islands[body as usize] as usize);
-            let is_moving = |body: u32| account(body).is_some_and(|account| account.is_moving);
+            // Bodies without an island move as they did.
+            let is_moving = |body: u32| account(body).is_none_or(|account| account.is_moving);
             let add_work = |body: u32, work: Real| sums.push(islands[body as usize], [work; 2]);
             let changes = Changes {
                 held: &self.touched.bodies[..held],

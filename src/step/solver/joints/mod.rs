@@ -141,9 +141,10 @@ pub(super) struct Changes<'a> {
 }
 
 impl Changes<'_> {
-    /// Adds so many times what they were at the start to the velocities.
-    fn add_start(&mut self, times: Real) {
-        for &body in self.held {
+    /// Adds so many times what they were at the start to the velocities of `wanted` bodies. The others keep theirs: subtraction and addition
+    /// leave rounding errors, as often as other islands need another iteration.
+    fn add_start(&mut self, times: Real, wanted: impl Fn(u32) -> bool) {
+        for &body in self.held.iter().filter(|body| wanted(**body)) {
             let state = &mut self.states[body as usize];
             let ((v, w), (start_v, start_w)) =
                 (state.velocity(), self.start[body as usize].velocity());
@@ -273,7 +274,7 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        changes.add_start(-1.0);
+        changes.add_start(-1.0, &wanted);
         self.direct.begin();
         let (count, states) = (self.blocks.len(), DisjointMut::new(&mut *changes.states));
         let blocks = DisjointMut::new(&mut self.blocks);
@@ -284,10 +285,10 @@ impl SolverJoints {
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
             memory.take_inertias(block, changes.poses);
         }
-        let wanted = |members: &[Member]| {
+        let is_wanted = |members: &[Member]| {
             members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
         };
-        self.direct.solve(&mut self.memory, states, wanted, simd, tasks);
+        self.direct.solve(&mut self.memory, states, is_wanted, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
         let blows = DisjointMut::new(&mut self.blows);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -300,7 +301,7 @@ impl SolverJoints {
                 add_work(block.movable(lane), memory[index].work(lane, velocities));
             }
         }
-        changes.add_start(1.0);
+        changes.add_start(1.0, &wanted);
     }
 
     /// Begins a round of an impact, in which joints have given nothing yet.
