@@ -229,7 +229,7 @@ impl Impacts {
         bodies.swap_before();
         let (links, place) = &mut around.links;
         links.begin_impact(bodies, pass);
-        links.mark_struck(*place, bodies, pass);
+        links.mark_struck(*place, bodies, |_| true, pass);
         self.look(Stage::Begin, contacts, bodies, &around, pass);
         let hits = self.marks.iter().any(|mark| mark.struck != 0);
         let hits = hits || around.links.0.struck().next().is_some();
@@ -239,7 +239,9 @@ impl Impacts {
             while self.find_struck(contacts, around.links.0) {
                 self.solve_round(held, bodies, &mut around, pass);
                 let (links, place) = &mut around.links;
-                links.mark_struck(*place, bodies, pass);
+                let accounts = &self.memory.accounts;
+                let has_visits = |island: u32| accounts[island as usize].visits > 0;
+                links.mark_struck(*place, bodies, has_visits, pass);
                 self.look(Stage::Mark, contacts, bodies, &around, pass);
             }
         }

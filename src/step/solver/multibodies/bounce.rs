@@ -174,23 +174,26 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a round: finds the points that hit before the substep ends, and how they are to part.
+    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands whose impact has ended stay as they are: to move there
+    /// and back leaves rounding errors, as often as other islands need another round.
     pub fn mark_struck(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),
         bodies: &mut SolverBodies,
+        takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
     ) {
         let (numbers, contacts, mut actors) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
             contact.strike.struck = false;
+            let takes_part = takes_part(contact.strike.island);
             for Point { normal, blow, separation, .. } in &mut contact.points {
                 let velocity = numbers.velocity(normal, &actors) + blow.borne;
                 let separation = *separation + numbers.displacement(normal, &actors);
                 blow.impulse = 0.0;
                 blow.mass = 0.0;
                 let earliest = if numbers.goes_back(normal, &actors) { -pass.step } else { 0.0 };
-                if blow.find_time(velocity, separation, earliest, pass.substep) {
+                if blow.find_time(velocity, separation, earliest, pass.substep) && takes_part {
                     blow.mass = normal.mass;
                     contact.strike.struck |= blow.mass > 0.0;
                     let gains = contact.restitution > 1.0;
