@@ -90,21 +90,15 @@ impl Recorder {
         hooks: &dyn PhysicsHooks,
         events: &dyn EventHandler,
     ) -> Result<(), RecordingError> {
-        let edits = self.is_open().and_then(|()| self.find_edits(world));
+        let edits = self.failure.clone().map_or_else(|| self.find_edits(world), Err);
         world.physics_pipeline.set_stage_hashes(self.with_stages);
         world.step_with_events(hooks, events);
         let recorded = edits.and_then(|edits| self.append(world, edits));
-        if let Err(error) = &recorded {
-            self.failure = Some(error.clone());
-        }
+        self.failure = recorded.clone().err();
         recorded
     }
 
-    fn is_open(&self) -> Result<(), RecordingError> {
-        self.failure.clone().map_or(Ok(()), Err)
-    }
-
-    /// Records what the step made of the world.
+    /// Records the world after a step.
     fn append(&mut self, world: &PhysicsWorld, edits: Option<Edits>) -> Result<(), RecordingError> {
         world.write_snapshot(&mut self.last)?;
         write_frame(&Frame::of(world, edits), &mut self.bytes);

@@ -10,7 +10,6 @@
 use super::check::{check_elements, check_parts, check_points, check_shape};
 use super::grid::filled_cells;
 use super::shape_table::{self, OpenTable};
-use super::widths::Widths;
 use super::{ColliderBuilder, ColliderSet, InvalidCollider};
 use crate::base::fault::Fault;
 use crate::dim::math::{Pose, Vector};
@@ -54,20 +53,13 @@ pub fn serialize<S: Serializer>(shape: &SharedShape, serializer: S) -> Result<S:
         return SavedShape::Earlier(number).serialize(serializer);
     }
     let saved = SavedShape::of(shape).map_err(serde::ser::Error::custom)?;
-    shape_table::enter(shape, || None);
+    shape_table::enter(shape);
     saved.serialize(serializer)
 }
 
 /// Loads a shape.
 pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SharedShape, D::Error> {
-    let saved = SavedShape::deserialize(deserializer)?;
-    if let SavedShape::Earlier(number) = saved {
-        let missing = || D::Error::custom(format_args!("there is no earlier shape {number}"));
-        return shape_table::shape_at(number).ok_or_else(missing);
-    }
-    let shape = saved.restore().map_err(D::Error::custom)?;
-    shape_table::enter(&shape, || Widths::of_costly(&*shape));
-    Ok(shape)
+    SavedShape::deserialize(deserializer)?.restore().map_err(D::Error::custom)
 }
 
 /// Shapes that colliders of a set share are saved once.
@@ -143,10 +135,12 @@ impl SavedShape {
                 SharedShape::new(Compound::with_flags(parts, flags, None))
             }
             Self::Earlier(number) => {
-                return Err(Fault::new(format_args!("shape {number} is not part of this one")));
+                let missing = || Fault::new(format_args!("there is no earlier shape {number}"));
+                return shape_table::shape_at(number).ok_or_else(missing);
             }
         };
         check_shape(&*shape)?;
+        shape_table::enter(&shape);
         Ok(shape)
     }
 }

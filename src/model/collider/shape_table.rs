@@ -7,7 +7,7 @@
 
 use super::widths::Widths;
 use crate::dim::width;
-use core::cell::RefCell;
+use core::cell::{OnceCell, RefCell};
 use parry::shape::{SharedShape, TypedShape};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,9 +20,20 @@ thread_local! {
 /// The shapes so far.
 #[derive(Default)]
 struct ShapeTable {
-    shapes: Vec<(SharedShape, Option<Arc<[Widths]>>)>,
+    shapes: Vec<Entry>,
     /// By address: the number of a shape. The table owns the shapes, so an address is not used twice.
     numbers: BTreeMap<usize, u32>,
+}
+
+struct Entry {
+    shape: SharedShape,
+    widths: OnceCell<Option<Arc<[Widths]>>>,
+}
+
+impl ShapeTable {
+    fn entry_of(&self, shape: &SharedShape) -> Option<&Entry> {
+        self.shapes.get(*self.numbers.get(&address(shape))? as usize)
+    }
 }
 
 /// A table is open as long as this lives.
@@ -50,25 +61,26 @@ pub(super) fn number_of(shape: &SharedShape) -> Option<u32> {
 
 /// The shape with a number.
 pub(super) fn shape_at(number: u32) -> Option<SharedShape> {
-    TABLE.with_borrow(|table| Some(table.as_ref()?.shapes.get(number as usize)?.0.clone()))
+    TABLE.with_borrow(|table| Some(table.as_ref()?.shapes.get(number as usize)?.shape.clone()))
 }
 
-/// Enters a shape, if a table is open and the shape takes more bytes than a number.
-pub(super) fn enter(shape: &SharedShape, widths: impl FnOnce() -> Option<Arc<[Widths]>>) {
+/// Enters a shape that is not in the table, if a table is open and the shape takes more bytes than a number.
+pub(super) fn enter(shape: &SharedShape) {
     TABLE.with_borrow_mut(|table| {
         if let Some(table) = table.as_mut().filter(|_| is_large(shape)) {
             table.numbers.insert(address(shape), table.shapes.len() as u32);
-            table.shapes.push((shape.clone(), widths()));
+            table.shapes.push(Entry { shape: shape.clone(), widths: OnceCell::new() });
         }
     });
 }
 
 /// The [costly](Widths::of_costly) widths of a shape, computed once for a shape in the table.
 pub(super) fn widths_of(shape: &SharedShape) -> Option<Arc<[Widths]>> {
-    let known = number_of(shape).and_then(|number| {
-        TABLE.with_borrow(|table| Some(table.as_ref()?.shapes.get(number as usize)?.1.clone()))
-    });
-    known.unwrap_or_else(|| Widths::of_costly(&**shape))
+    let compute = || Widths::of_costly(&**shape);
+    TABLE.with_borrow(|table| {
+        let entry = table.as_ref().and_then(|table| table.entry_of(shape));
+        entry.map_or_else(compute, |entry| entry.widths.get_or_init(compute).clone())
+    })
 }
 
 fn address(shape: &SharedShape) -> usize {

@@ -9,14 +9,9 @@ use crate::dim::math::Real;
 use core::cmp::Ordering;
 
 /// Collects the terms of `N` sums for each island, and adds them up.
+#[derive(Default)]
 pub(super) struct IslandSums<const N: usize> {
     terms: Vec<(u32, [Real; N])>,
-}
-
-impl<const N: usize> Default for IslandSums<N> {
-    fn default() -> Self {
-        Self { terms: Vec::new() }
-    }
 }
 
 impl<const N: usize> IslandSums<N> {

@@ -39,11 +39,16 @@ impl Reader<'_> {
         Ok(u8::from_le_bytes(self.take()?))
     }
 
+    /// An integer of variable length that has one byte, as most have.
+    fn single_byte(&mut self) -> Option<u8> {
+        let (&byte, rest) = self.rest.split_first().filter(|(byte, _)| **byte < 0x80)?;
+        self.rest = rest;
+        Some(byte)
+    }
+
     fn varint64(&mut self) -> Result<u64, CodecError> {
-        // Most numbers are small.
-        if let [byte @ ..0x80, rest @ ..] = self.rest {
-            self.rest = rest;
-            return Ok(u64::from(*byte));
+        if let Some(byte) = self.single_byte() {
+            return Ok(u64::from(byte));
         }
         let mut value = 0;
         for shift in (0..u64::BITS).step_by(7) {
@@ -61,10 +66,8 @@ impl Reader<'_> {
     }
 
     fn varint128(&mut self) -> Result<u128, CodecError> {
-        // Most numbers are small.
-        if let [byte @ ..0x80, rest @ ..] = self.rest {
-            self.rest = rest;
-            return Ok(u128::from(*byte));
+        if let Some(byte) = self.single_byte() {
+            return Ok(u128::from(byte));
         }
         let mut value = 0;
         for shift in (0..u128::BITS).step_by(7) {

@@ -325,13 +325,7 @@ impl Impacts {
         struck.blocks.iter().for_each(|block| touched.add(block.bodies()));
         for contact in links.struck() {
             let island = contact.strike.island;
-            let account = &mut accounts[island as usize];
-            if account.visits > 0 {
-                struck.strike(island, account);
-            } else {
-                contact.let_be();
-                contact.strike.struck = false;
-            }
+            struck.strike(island, &mut accounts[island as usize]);
         }
         !struck.islands.is_empty()
     }
@@ -392,10 +386,9 @@ impl Impacts {
     ) {
         let Memory { accounts, sums, .. } = &mut self.memory;
         sums.for_each(|island, [stopped, surplus]| {
-            if let Some(account) = accounts.get_mut(island as usize) {
-                account.stopped += stopped;
-                account.surplus += surplus;
-            }
+            let account = &mut accounts[island as usize];
+            account.stopped += stopped;
+            account.surplus += surplus;
         });
         for &island in &self.struck.islands {
             let account = &mut accounts[island as usize];
