@@ -18,7 +18,7 @@ const STEPS_MAX = 5;
 const CAPACITY_MIN = 64;
 
 /** Returns whether the platform lets threads share memory. */
-export function canShareMemory(): boolean {
+function canShareMemory(): boolean {
     return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
 }
 
