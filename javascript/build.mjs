@@ -1,6 +1,6 @@
 // Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly modules already.
 
-import { readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
 import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
@@ -66,10 +66,13 @@ for (const file of readdirSync(types)) {
 }
 
 const { name, version, description, license, keywords, exports } = manifest;
+if (!existsSync(join(pkg, "rapier_threads.wasm"))) {
+    delete exports["./rapier_threads.wasm"];
+}
 writeFileSync(join(pkg, "package.json"), `${JSON.stringify({
     name, version, description, license, keywords, type: "module",
     main: "./rapier.node.cjs", module: "./rapier.mjs", types: `./types/rapier${dimension}.d.ts`,
-    exports: JSON.parse(JSON.stringify(exports)),
+    exports,
 }, null, 4)}\n`);
 copyFileSync(join(home, "README.md"), join(pkg, "README.md"));
 for (const file of ["LICENSE-MIT", "LICENSE-APACHE"]) {

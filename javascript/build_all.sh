@@ -18,11 +18,15 @@ pkg=$home/pkg
 rm -rf "$pkg"
 mkdir -p "$pkg"
 
-for lanes in simd scalar; do
-    name=rapier.wasm
-    [ $lanes = simd ] && name=rapier_simd.wasm
-    "$javascript/../crates/wasm/build.sh" "$pkg/$name" "$profile" $lanes "$features"
-done
+module() {
+    "$javascript/../crates/wasm/build.sh" "$pkg/$1" "$profile" "$2" "$features"
+}
+module rapier_simd.wasm simd
+module rapier.wasm scalar
+if [ "$profile" = wasm ]; then
+    # Threads need more of the toolchain than the other modules. A package without them is complete otherwise.
+    module rapier_threads.wasm threads || { status=$? && [ $status = 3 ]; } || exit $status
+fi
 node "$javascript/build.mjs" "$dimension" "$pkg" $bits
 if [ "$profile" = wasm ]; then
     (cd "$home" && npx typedoc --options "$javascript/typedoc.json" --tsconfig "$javascript/tsconfig.dim$dimension.json" \

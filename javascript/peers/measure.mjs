@@ -3,20 +3,20 @@
 import { ENGINES } from "./engines.mjs";
 import { SCENES } from "./scenes.mjs";
 
-/** Steps after which engines of WebAssembly have compiled what is hot. */
-const COMPILED = 120;
+/** Processor time (ms) of steps after which V8 has compiled what is hot in a module of some megabytes. */
+const COMPILED = 6000;
 
-/** Builds a scene, makes some steps, and returns the function that makes one. */
+/** Builds a scene, makes some steps, and returns the functions of its world. */
 async function begin(dimension, engine, scene, warm) {
     const running = await ENGINES[dimension][engine](dimension, SCENES[scene](dimension));
     for (let count = 0; count < warm; count += 1) running.step();
     return running;
 }
 
-/** Milliseconds per step by this clock (ms). The scene runs once before: the time of the processor would contain that of the compiler. */
+/** Milliseconds per step by this clock (ms). The scene runs before the measurement until V8 has compiled the module: processor time contains that of the compiler. */
 export async function measure(dimension, engine, scene, clock) {
     const { steps = 200, warm = 20 } = SCENES[scene](dimension);
-    await begin(dimension, engine, scene, Math.max(COMPILED, warm));
+    for (const begun = clock(); clock() - begun < COMPILED; ) await begin(dimension, engine, scene, warm + steps);
     const { step, height } = await begin(dimension, engine, scene, warm);
     const start = clock();
     for (let count = 0; count < steps; count += 1) step();

@@ -2,7 +2,7 @@
 
 export { RapierError, type RapierErrorCode } from "./error.js";
 export { init, memoryBytes, reserveMemory, version } from "./init.js";
-export { hasSimd, type InitOptions, setWarningHandler } from "./raw.js";
+export { hasSimd, type InitOptions, setWarningHandler, threads } from "./raw.js";
 export * from "./enums.js";
 export { type RigidBodyHandle, RigidBodyType } from "./rigid_body.js";
 export { RigidBodySet } from "./rigid_body_set.js";

@@ -1,6 +1,7 @@
-// The entry without files: the module is part of the source. Platforms without SIMD fetch the other one.
+// The entry without files: the module is part of the source. Platforms without SIMD, and programs with threads, fetch other ones.
 
-import { setSource } from "./raw.js";
+import { FILES, setSource } from "./raw.js";
+import { startWebWorker } from "./threads.js";
 
 /** The module with SIMD in base 64: the bundler writes it. */
 declare const MODULE: string;
@@ -10,7 +11,8 @@ function decode(text: string): Uint8Array<ArrayBuffer> {
 }
 
 setSource({
-    load: async (simd) => (simd ? decode(MODULE) : fetch(new URL("./rapier.wasm", import.meta.url))),
+    load: async (kind) => (kind === "simd" ? decode(MODULE) : fetch(new URL(FILES[kind], import.meta.url))),
+    startWorker: startWebWorker,
 });
 
 export * from "#entry";

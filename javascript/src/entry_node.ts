@@ -1,12 +1,22 @@
 // The entry for Node.js: the module is a file beside this one.
 
 import { readFileSync } from "node:fs";
-import { setSource } from "./raw.js";
+import { Worker } from "node:worker_threads";
+import { FILES, type ModuleKind, setSource } from "./raw.js";
 
-const read = (simd: boolean): Uint8Array<ArrayBuffer> =>
-    new Uint8Array(readFileSync(new URL(simd ? "./rapier_simd.wasm" : "./rapier.wasm", import.meta.url)));
+const read = (kind: ModuleKind): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(new URL(FILES[kind], import.meta.url)));
 
-setSource({ load: async (simd) => read(simd), loadNow: read });
+setSource({
+    load: async (kind) => read(kind),
+    loadNow: read,
+    startWorker(script) {
+        const worker = new Worker(`(${script})(require("node:worker_threads").parentPort)`, { eval: true });
+        const ready = new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject));
+        // A program ends while its threads wait for work.
+        worker.unref();
+        return { postMessage: (start) => worker.postMessage(start), ready };
+    },
+});
 
 export * from "#entry";
 export { default } from "#entry";

@@ -1,12 +1,18 @@
 // The entry for bundlers and pages: the module is fetched from beside this file.
 
 import { setSource } from "./raw.js";
+import { startWebWorker } from "./threads.js";
 
 setSource({
-    load: (simd) =>
-        simd
-            ? fetch(new URL("./rapier_simd.wasm", import.meta.url))
-            : fetch(new URL("./rapier.wasm", import.meta.url)),
+    // Bundlers find files in expressions of this form alone.
+    load(kind) {
+        switch (kind) {
+            case "threads": return fetch(new URL("./rapier_threads.wasm", import.meta.url));
+            case "simd": return fetch(new URL("./rapier_simd.wasm", import.meta.url));
+            default: return fetch(new URL("./rapier.wasm", import.meta.url));
+        }
+    },
+    startWorker: startWebWorker,
 });
 
 export * from "#entry";

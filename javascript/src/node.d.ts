@@ -4,3 +4,13 @@ declare module "node:fs" {
     /** The bytes of a file. */
     export function readFileSync(path: URL): Uint8Array;
 }
+
+declare module "node:worker_threads" {
+    /** A thread with a program. */
+    export class Worker {
+        constructor(program: string, options: { eval: true });
+        postMessage(message: unknown): void;
+        once(event: string, listener: (value: unknown) => void): this;
+        unref(): void;
+    }
+}

@@ -3,6 +3,7 @@
 import { RapierError } from "./error.js";
 import type { Functions } from "./functions.js";
 import { type RealArray, RealArrayType } from "#real";
+import { type ThreadWorker, sharedMemory, startThreads, supportedThreads } from "./threads.js";
 
 /** The module's exports. */
 export interface Raw extends Functions {
@@ -10,6 +11,10 @@ export interface Raw extends Functions {
     readonly memory: WebAssembly.Memory;
     /** The top of the module's stack. */
     readonly __stack_pointer: WebAssembly.Global;
+    /** The size, the alignment and the start of thread-local storage, in a module with threads. */
+    readonly __tls_size?: WebAssembly.Global;
+    readonly __tls_align?: WebAssembly.Global;
+    __wasm_init_tls?(address: number): void;
 }
 
 /** What `init` accepts beside the package's own module. */
@@ -18,25 +23,39 @@ export interface InitOptions {
     module?: WebAssembly.Module | BufferSource | Response | URL | string;
     /** Whether the module with SIMD is used. Default: if the platform has SIMD. */
     simd?: boolean;
+    /**
+     * Threads that step worlds together, 0 for one per core. Default: 1. Results do not depend on the number. More than one need Node.js, or a worker of a page
+     * that is cross-origin isolated. Elsewhere, one is used: `threads` returns the number. A world with hooks is stepped on one thread.
+     */
+    threads?: number;
 }
+
+/** The modules of a package. */
+export type ModuleKind = "simd" | "scalar" | "threads";
+
+/** Their files, beside the entries. */
+export const FILES = { simd: "./rapier_simd.wasm", scalar: "./rapier.wasm", threads: "./rapier_threads.wasm" } as const;
 
 /** Where an entry of the package finds its module. */
 export interface Source {
     /** Loads the module. */
-    load(simd: boolean): Promise<WebAssembly.Module | BufferSource | Response>;
+    load(kind: ModuleKind): Promise<WebAssembly.Module | BufferSource | Response>;
     /** Loads the module at once, where the platform can. */
-    loadNow?(simd: boolean): BufferSource;
+    loadNow?(kind: ModuleKind): BufferSource;
+    /** Starts a worker. The script is a function of the worker's end of the connection. */
+    startWorker(script: string): ThreadWorker;
 }
 
 let source: Source | undefined;
 let loading: Promise<void> | undefined;
 let exportsOfModule: Raw | undefined;
+let threadCount = 1;
 
 /** The first use of a function before `init` ends here. */
 const uninitialized = new Proxy({} as Raw, {
     get(_, name) {
         if (source?.loadNow) {
-            instantiateNow(source.loadNow(hasSimd()));
+            instantiateNow(source.loadNow(kindOf(1)));
             return raw[name as keyof Raw];
         }
         throw new RapierError("NotInitialized", "the engine is not loaded yet: call and await init() first");
@@ -58,6 +77,15 @@ export function hasSimd(): boolean {
     return WebAssembly.validate(new Uint8Array(bytes));
 }
 
+/** The number of threads that step worlds. */
+export function threads(): number {
+    return threadCount;
+}
+
+function kindOf(count: number, simd = hasSimd()): ModuleKind {
+    return count > 1 ? "threads" : simd ? "simd" : "scalar";
+}
+
 /** Loads the module. Later calls wait for the first one. */
 export function load(options: InitOptions = {}): Promise<void> {
     if (exportsOfModule) {
@@ -71,27 +99,34 @@ export function load(options: InitOptions = {}): Promise<void> {
 }
 
 async function instantiate(options: InitOptions): Promise<void> {
+    const count = hasSimd() ? supportedThreads(options.threads ?? 1) : 1;
+    const module = await compile(options, kindOf(count, options.simd));
+    if (count === 1) {
+        begin(await WebAssembly.instantiate(module, { rapier: imported }));
+        return;
+    }
+    begin(await WebAssembly.instantiate(module, { rapier: imported, env: { memory: sharedMemory() } }));
+    await startThreads(raw, module, count, source!.startWorker);
+    threadCount = count;
+}
+
+/** The module that the options or the package supply. */
+async function compile(options: InitOptions, kind: ModuleKind): Promise<WebAssembly.Module> {
     let module = options.module;
     if (typeof module === "string" || module instanceof URL) {
         module = await fetch(module);
     }
-    if (module === undefined) {
-        if (!source) {
-            throw new RapierError("NotInitialized", "this entry of the package has no module: pass init({ module })");
-        }
-        module = await source.load(options.simd ?? hasSimd());
+    if (!source) {
+        throw new RapierError("NotInitialized", "this entry of the package has no module: pass init({ module })");
     }
+    module ??= await source.load(kind);
     if (typeof Response !== "undefined" && module instanceof Response) {
         if (!module.ok) {
             throw new RapierError("NotInitialized", `the module cannot be fetched: ${module.status} ${module.url}`);
         }
         module = await module.arrayBuffer();
     }
-    if (module instanceof WebAssembly.Module) {
-        begin(await WebAssembly.instantiate(module, { rapier: imported }));
-    } else {
-        begin((await WebAssembly.instantiate(module as BufferSource, { rapier: imported })).instance);
-    }
+    return module instanceof WebAssembly.Module ? module : WebAssembly.compile(module as BufferSource);
 }
 
 function instantiateNow(bytes: BufferSource): void {

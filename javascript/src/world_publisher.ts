@@ -1,5 +1,6 @@
 import type { World } from "#world";
 import { RapierError } from "./error.js";
+import { canShareMemory } from "./threads.js";
 import { type Port, SharedSteps, type Step, listen } from "./shared_steps.js";
 
 /** How a world is published. */
@@ -16,11 +17,6 @@ export interface PublishOptions {
 const STEPS_MAX = 5;
 /** The least number of slots for which memory is shared. */
 const CAPACITY_MIN = 64;
-
-/** Returns whether the platform lets threads share memory. */
-function canShareMemory(): boolean {
-    return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
-}
 
 /**
  * Steps a world at a fixed rate, and publishes the poses of its bodies to a `WorldFollower` in another thread. A worker makes one of its world and the port to its page:

@@ -46,3 +46,5 @@ mod events;
 mod hooks;
 mod mirror;
 mod world;
+#[cfg(feature = "threads")]
+mod threads;
