@@ -56,6 +56,20 @@ export async function openBrowser() {
                 await page.close();
             }
         },
+        /** Runs a program in a worker. Returns its first message. The program imports files of this repository from the address that it is called with. */
+        async runWorker(program) {
+            const page = await browser.newPage();
+            try {
+                await page.goto(address);
+                return await page.evaluate((text) => new Promise((resolve, reject) => {
+                    const worker = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), { type: "module" });
+                    worker.onmessage = ({ data }) => resolve(data);
+                    worker.onerror = ({ message }) => reject(new Error(message));
+                }), program(address));
+            } finally {
+                await page.close();
+            }
+        },
         async close() {
             await browser.close();
             server.close();

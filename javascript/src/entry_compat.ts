@@ -1,7 +1,7 @@
 // The entry without files: the module is part of the source. Platforms without SIMD, and programs with threads, fetch other ones.
 
 import { FILES, setSource } from "./raw.js";
-import { startWebWorker } from "./threads.js";
+import { startWebWorker, webCores } from "./threads.js";
 
 /** The module with SIMD in base 64: the bundler writes it. */
 declare const MODULE: string;
@@ -13,6 +13,7 @@ function decode(text: string): Uint8Array<ArrayBuffer> {
 setSource({
     load: async (kind) => (kind === "simd" ? decode(MODULE) : fetch(new URL(FILES[kind], import.meta.url))),
     startWorker: startWebWorker,
+    cores: webCores,
 });
 
 export * from "#entry";

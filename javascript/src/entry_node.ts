@@ -1,6 +1,7 @@
 // The entry for Node.js: the module is a file beside this one.
 
 import { readFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
 import { FILES, type ModuleKind, setSource } from "./raw.js";
 
@@ -9,11 +10,11 @@ const read = (kind: ModuleKind): Uint8Array<ArrayBuffer> => new Uint8Array(readF
 setSource({
     load: async (kind) => read(kind),
     loadNow: read,
+    cores: availableParallelism,
     startWorker(script) {
         const worker = new Worker(`(${script})(require("node:worker_threads").parentPort)`, { eval: true });
-        const ready = new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject));
         // A program ends while its threads wait for work.
-        worker.unref();
+        const ready = new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject)).finally(() => worker.unref());
         return { postMessage: (start) => worker.postMessage(start), ready };
     },
 });

@@ -1,7 +1,7 @@
 // The entry for bundlers and pages: the module is fetched from beside this file.
 
 import { setSource } from "./raw.js";
-import { startWebWorker } from "./threads.js";
+import { startWebWorker, webCores } from "./threads.js";
 
 setSource({
     // Bundlers find files in expressions of this form alone.
@@ -13,6 +13,7 @@ setSource({
         }
     },
     startWorker: startWebWorker,
+    cores: webCores,
 });
 
 export * from "#entry";

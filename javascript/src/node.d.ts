@@ -14,3 +14,8 @@ declare module "node:worker_threads" {
         unref(): void;
     }
 }
+
+declare module "node:os" {
+    /** The number of threads that run at the same time. */
+    export function availableParallelism(): number;
+}

@@ -44,6 +44,8 @@ export interface Source {
     loadNow?(kind: ModuleKind): BufferSource;
     /** Starts a worker. The script is a function of the worker's end of the connection. */
     startWorker(script: string): ThreadWorker;
+    /** The number of cores. */
+    cores(): number;
 }
 
 let source: Source | undefined;
@@ -99,7 +101,7 @@ export function load(options: InitOptions = {}): Promise<void> {
 }
 
 async function instantiate(options: InitOptions): Promise<void> {
-    const count = hasSimd() ? supportedThreads(options.threads ?? 1) : 1;
+    const count = hasSimd() ? supportedThreads(options.threads ?? 1, () => source?.cores() ?? 1) : 1;
     const module = await compile(options, kindOf(count, options.simd));
     if (count === 1) {
         begin(await WebAssembly.instantiate(module, { rapier: imported }));

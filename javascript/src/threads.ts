@@ -24,7 +24,7 @@ export function canShareMemory(): boolean {
 }
 
 /** The number of threads that the platform supports, of those that are wanted. 0 wants one per core. */
-export function supportedThreads(wanted: number): number {
+export function supportedThreads(wanted: number, cores: () => number): number {
     if (!(Number.isInteger(wanted) && wanted >= 0 && wanted <= THREADS_MAX)) {
         throw new RapierError("InvalidValue", `threads is ${wanted}, but must be an integer from 0 to ${THREADS_MAX}`);
     }
@@ -33,12 +33,17 @@ export function supportedThreads(wanted: number): number {
     if (isPage || !canShareMemory()) {
         return 1;
     }
-    return wanted === 0 ? Math.min(navigator.hardwareConcurrency, THREADS_MAX) : wanted;
+    return wanted === 0 ? Math.min(cores(), THREADS_MAX) : wanted;
 }
 
 /** Memory for a module with threads. */
 export function sharedMemory(): WebAssembly.Memory {
     return new WebAssembly.Memory(PAGES);
+}
+
+/** The cores of a browser's machine, as far as the browser tells. */
+export function webCores(): number {
+    return navigator.hardwareConcurrency ?? 1;
 }
 
 /** Creates the threads of a module. One is the calling thread, each other one a worker. */
