@@ -18,6 +18,7 @@ mod recording;
 mod runner;
 mod table;
 
+pub use args::DEFAULT_FOLDER;
 pub use catalog::{Category, Entry, SceneRun, StageTimes, Stats};
 pub use drawing::{Drawing, View};
 pub use painter::{Painter, Rasteriser};

@@ -1,5 +1,6 @@
 //! A scene that runs: pace, pause, single steps, history.
 
+use crate::camera::OrbitCamera;
 use crate::hand::Grip;
 use crate::history::History;
 use crate::rapier::prelude::*;
@@ -11,8 +12,8 @@ const BUDGET: Duration = Duration::from_millis(24);
 /// Longest delay that is caught up, in seconds.
 const CATCH_UP: f64 = 0.1;
 
-/// Builds a scene.
-pub(crate) type Build = std::sync::Arc<dyn Fn() -> Scene + Send + Sync>;
+/// Builds a scene, with the camera that it asks for where its view is not enough.
+pub(crate) type Build = std::sync::Arc<dyn Fn() -> (Scene, Option<OrbitCamera>) + Send + Sync>;
 
 /// A running scene.
 pub(crate) struct Player {
@@ -24,22 +25,23 @@ pub(crate) struct Player {
 }
 
 impl Player {
-    pub(crate) fn new(build: Build) -> Self {
-        let scene = build();
+    /// A player from the start of its scene, and the camera that the scene asks for.
+    pub(crate) fn new(build: Build) -> (Self, Option<OrbitCamera>) {
+        let (scene, camera) = build();
         let mut history = History::default();
         history.save(&scene);
-        Self { build, scene, history, rewound: None }
+        (Self { build, scene, history, rewound: None }, camera)
     }
 
     /// A player of the same scene, from its start.
     pub(crate) fn twin(&self) -> Self {
-        Self::new(self.build.clone())
+        Self::new(self.build.clone()).0
     }
 
     /// Builds the scene anew and keeps the parameters.
     pub(crate) fn restart(&mut self) {
         let parameters = self.scene.world.integration_parameters;
-        self.scene = (self.build)();
+        self.scene = (self.build)().0;
         self.scene.world.integration_parameters = parameters;
         self.history.clear();
         self.history.save(&self.scene);
@@ -95,6 +97,11 @@ impl Default for Pace {
 }
 
 impl Pace {
+    /// Returns whether the next frame takes steps.
+    pub(crate) fn is_due(&self) -> bool {
+        self.running || self.single_steps > 0
+    }
+
     /// Runs steps for a frame that took `elapsed` seconds; `step` returns the length of the step. Returns the number of
     /// steps.
     pub(crate) fn run(&mut self, elapsed: f64, mut step: impl FnMut() -> f64) -> usize {
@@ -126,14 +133,14 @@ mod tests {
         std::sync::Arc::new(|| {
             let mut world = PhysicsWorld::new();
             world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
-            Scene::new(world, drawing::View::flat())
+            (Scene::new(world, drawing::View::flat()), None)
         })
     }
 
     /// A scene that goes back and runs again arrives at the same bits.
     #[test]
     fn the_past_repeats() {
-        let mut player = Player::new(falling());
+        let (mut player, _) = Player::new(falling());
         (0..60).for_each(|_| player.step(None));
         let hash = player.scene.world.hash();
         player.rewound = Some(4);
@@ -144,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_restart_keeps_the_parameters() {
-        let mut player = Player::new(falling());
+        let (mut player, _) = Player::new(falling());
         player.scene.world.integration_parameters.num_solver_iterations = 9;
         player.step(None);
         player.restart();

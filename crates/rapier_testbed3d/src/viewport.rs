@@ -1,6 +1,6 @@
 //! The part of the window that shows the scene, and the mouse in it.
 
-use crate::scene::IN_SPACE;
+use crate::rapier::math::DIM;
 use crate::session::Session;
 use drawing::{Camera, Label};
 use eframe::egui::{self, Color32, PointerButton, Rect, Sense, TextureId, Ui, Vec2, pos2};
@@ -164,7 +164,10 @@ impl Viewport {
 /// The camera with the region of shadows that suits the drawing.
 fn framed(session: &Session, aspect: f32, drawing: &drawing::Drawing) -> Camera {
     let mut camera = session.camera.camera(aspect);
-    if let (Some((middle, radius)), false) = (drawing.moving_extent(), camera.flat) {
+    if camera.flat {
+        return camera;
+    }
+    if let Some((middle, radius)) = drawing.moving_extent() {
         // A near camera looks at a part of the scene only.
         let near = 1.6 * session.camera.distance;
         if radius < near {
@@ -179,12 +182,8 @@ fn framed(session: &Session, aspect: f32, drawing: &drawing::Drawing) -> Camera 
 
 /// Writes a label at its place.
 fn write(ui: &Ui, rect: Rect, camera: &Camera, label: &Label) {
-    let seen = camera.see(label.at);
-    if seen.w < camera.nearest() || seen.x.abs() > seen.w || seen.y.abs() > seen.w {
-        return;
-    }
-    let at = rect.center()
-        + Vec2::new(seen.x / seen.w * 0.5 * rect.width(), -seen.y / seen.w * 0.5 * rect.height());
+    let Some([x, y]) = camera.in_picture(label.at) else { return };
+    let at = rect.center() + Vec2::new(x * 0.5 * rect.width(), -y * 0.5 * rect.height());
     let font = egui::FontId::proportional(14.0);
     ui.painter().text(at, egui::Align2::CENTER_CENTER, &label.text, font, Color32::LIGHT_GRAY);
 }
@@ -208,8 +207,8 @@ fn mouse(ui: &Ui, response: &egui::Response, session: &mut Session, camera: &Cam
     let primary = response.dragged_by(PointerButton::Primary);
     let pans = response.dragged_by(PointerButton::Middle)
         || (primary && shift)
-        || (!IN_SPACE && response.dragged_by(PointerButton::Secondary))
-        || (!IN_SPACE && primary && session.grip.is_none());
+        || (DIM == 2 && response.dragged_by(PointerButton::Secondary))
+        || (DIM == 2 && primary && session.grip.is_none());
     if let (Some(at), true) = (pointer, session.grip.is_some()) {
         session.drag(camera, at);
     } else if pans {

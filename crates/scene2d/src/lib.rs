@@ -9,10 +9,5 @@ pub use rapier2d as rapier;
 mod common;
 mod shapes;
 
-pub use common::{
-    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, entries, gap, measured,
-};
+pub use common::{Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, entries, gap};
 pub use shapes::point;
-
-/// Whether the scene has three dimensions.
-pub const IN_SPACE: bool = rapier::math::DIM == 3;

@@ -31,13 +31,16 @@ impl Islands {
         islands
     }
 
-    fn root(&self, mut body: RigidBodyHandle) -> Option<RigidBodyHandle> {
+    /// The root of a body's group. Each visited body moves up to its grandparent, which keeps the paths short.
+    fn root(&mut self, mut body: RigidBodyHandle) -> Option<RigidBodyHandle> {
         loop {
             let parent = *self.parents.get(&body)?;
             if parent == body {
                 return Some(body);
             }
-            body = parent;
+            let above = *self.parents.get(&parent)?;
+            self.parents.insert(body, above);
+            body = above;
         }
     }
 
@@ -49,7 +52,7 @@ impl Islands {
     }
 
     /// The colour of a body's group; none for a body that is not dynamic.
-    pub(super) fn color(&self, body: RigidBodyHandle) -> Option<Color> {
+    pub(super) fn color(&mut self, body: RigidBodyHandle) -> Option<Color> {
         let hue = (slot(self.root(body)?) as f32 * 0.618_034).fract() * 360.0;
         Some(Color::from_hsl(hue, 0.6, 0.58, 1.0))
     }

@@ -1,4 +1,4 @@
-//! Zones that notice who enters and leaves, without touching anyone.
+//! Sensors: zones that report each body that enters or leaves, and exert no force.
 //!
 //! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 9.8.
 
@@ -12,7 +12,7 @@ use std::sync::mpsc::channel;
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sensors",
-    description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
+    description: "Each body in a sensor zone floats up, until an event says that it has left.",
     category: Category::Queries,
     steps: 420,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 9.8, ..Law::after(200) },

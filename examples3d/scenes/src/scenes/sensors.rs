@@ -1,4 +1,4 @@
-//! Zones that notice who enters and leaves, without touching anyone.
+//! Sensors: zones that report each body that enters or leaves, and exert no force.
 //!
 //! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
 //! faster than 2.0.
@@ -13,7 +13,7 @@ use std::sync::mpsc::channel;
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sensors",
-    description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
+    description: "Each body in a sensor zone floats up, until an event says that it has left.",
     category: Category::Queries,
     steps: 420,
     law: Law {
