@@ -2,7 +2,7 @@
 # Builds the WebAssembly module: build.sh OUTPUT PROFILE simd|scalar FEATURES
 #
 # The standard library for the target comes from `rustup target add wasm32-unknown-unknown` where that works. Elsewhere Debian's toolchain builds it from
-# source. A toolchain in CARGO_WEB and RUSTC_WEB is used before both.
+# source.
 set -euo pipefail
 output=$1 profile=$2 lanes=$3 features=$4
 cd "$(dirname "$0")/../.."

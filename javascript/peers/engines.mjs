@@ -1,11 +1,12 @@
-// One adapter for each engine: builds a scene, and returns the function that steps it and one that reads a height.
+// One adapter for each engine: builds a scene, and returns the function that steps it and one that reads a height. In Node.js, node_modules contains the packages of the
+// registry; on a page, an import map does: see browser.mjs.
 
-import { ours as loadOurs, published as load } from "#load";
+import { load } from "#load";
 
 /** Ours and the published packages: one API. */
-function rapier(load) {
+function rapier(prepare) {
     return async (dimension, { bodies, joints }) => {
-        const RAPIER = await load(dimension);
+        const RAPIER = await prepare(dimension);
         const v = ([x, y, z]) => (dimension === 2 ? { x, y } : { x, y, z });
         const c = ([x, y, z]) => (dimension === 2 ? [x, y] : [x, y, z]);
         const turn = (angle) => (dimension === 2 ? angle : { x: 0, y: 0, z: Math.sin(angle / 2), w: Math.cos(angle / 2) });
@@ -40,20 +41,20 @@ function rapier(load) {
 }
 
 const published = (name) => async (dimension) => {
-    const RAPIER = await load(name.replace("%d", `${dimension}d`));
+    const RAPIER = await import(name.replace("%d", `${dimension}d`));
     await RAPIER.init();
     return RAPIER;
 };
 
 const ours = (simd) => async (dimension) => {
-    const RAPIER = await loadOurs(dimension);
+    const RAPIER = await load(dimension);
     await RAPIER.init({ simd });
     return RAPIER;
 };
 
 /** Jolt: 3D, one thread, SIMD. */
 async function jolt(_dimension, { bodies, joints }) {
-    const { default: make } = await load("jolt-physics/wasm-compat");
+    const { default: make } = await import("jolt-physics/wasm-compat");
     const Jolt = await make();
     const settings = new Jolt.JoltSettings();
     settings.mMaxBodies = 8192;
@@ -106,7 +107,7 @@ async function jolt(_dimension, { bodies, joints }) {
 
 /** Box2D 3: 2D, one thread, SIMD. */
 async function box2d(_dimension, { bodies, joints }) {
-    const { default: make } = await load("box2d3-wasm");
+    const { default: make } = await import("box2d3-wasm");
     const b2 = await make();
     const worldDef = b2.b2DefaultWorldDef();
     worldDef.gravity.Set(0, -9.81);

@@ -206,12 +206,12 @@ export class KinematicCharacterController extends Owner {
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
         const { world } = this;
-        world.own(collider, "collider");
+        const handle = world.handleOf(collider, "collider");
         const mass = this.pushes ? (this.mass ?? collider.parent()?.mass() ?? collider.mass()) : NaN;
-        const accept = filterPredicate && ((handle: ColliderHandle) => filterPredicate(world.colliders.get(handle)!));
+        const accept = filterPredicate && ((other: ColliderHandle) => filterPredicate(world.colliders.get(other)!));
         putVector(0, desiredTranslationDelta);
         run([filterFlags, filterGroups, undefined, undefined, accept], () =>
-            raw.character_move(this.id, world.id, collider.handle, mass),
+            raw.character_move(this.id, world.id, handle, mass),
         );
     }
 

@@ -8,7 +8,9 @@ import {
     RotationOps,
     type Vector,
     VectorOps,
+    copyAngular,
     copyRotation,
+    copyVector,
     putMassProperties,
     putRotation,
     putVector,
@@ -96,7 +98,10 @@ export class ColliderDescBase {
     /** Sets mass, centre of mass and inertia, whatever the shape. */
     setMassProperties(...properties: MassProperties): this {
         this.massPropsMode = MassPropsMode.MassProps;
-        [this.mass, this.centerOfMass, this.principalAngularInertia] = properties;
+        const [mass, centerOfMass, inertia] = properties;
+        this.mass = mass;
+        this.centerOfMass = copyVector(centerOfMass);
+        this.principalAngularInertia = copyAngular(inertia);
         return this;
     }
 

@@ -1,6 +1,6 @@
 // Descriptions of colliders in 3D.
 
-import { type MassProperties, type Rotation, RotationOps, type Vector } from "#dim";
+import { type MassProperties, type Rotation, RotationOps, type Vector, copyRotation } from "#dim";
 import { orNull } from "./collider_desc.js";
 import { ColliderShapes, setDescription } from "./collider_shapes.js";
 import type { HeightFieldFlags } from "./shape.js";
@@ -63,7 +63,7 @@ export class ColliderDesc extends ColliderShapes {
 
     override setMassProperties(...properties: MassProperties): this {
         super.setMassProperties(...properties);
-        this.angularInertiaLocalFrame = properties[3];
+        this.angularInertiaLocalFrame = copyRotation(properties[3]);
         return this;
     }
 

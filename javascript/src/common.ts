@@ -74,4 +74,4 @@ export { type BodyChange } from "./world.js";
 export { PhysicsWorld } from "./physics_world.js";
 export { type Port } from "./shared_steps.js";
 export { WorldFollower } from "./world_follower.js";
-export { type PublishOptions, WorldPublisher, canShareMemory } from "./world_publisher.js";
+export { type PublishOptions, WorldPublisher } from "./world_publisher.js";

@@ -53,17 +53,17 @@ export class PidController extends Owner {
     }
 
     private linear(body: RigidBody, position: Vector, velocity: Vector, apply: number): void {
-        this.world.own(body, "rigid body");
+        const handle = this.world.handleOf(body, "rigid body");
         putVector(0, position);
         putVector(1, velocity);
-        raw.pid_linear(this.id, this.world.id, body.handle, apply);
+        raw.pid_linear(this.id, this.world.id, handle, apply);
     }
 
     private angular(body: RigidBody, rotation: Rotation, velocity: AngVector, apply: number): void {
-        this.world.own(body, "rigid body");
+        const handle = this.world.handleOf(body, "rigid body");
         putRotation(0, rotation);
         putAngular(1, velocity);
-        raw.pid_angular(this.id, this.world.id, body.handle, apply);
+        raw.pid_angular(this.id, this.world.id, handle, apply);
     }
 
     /** Corrects the linear velocity of a body. */

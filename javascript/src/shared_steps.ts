@@ -57,9 +57,9 @@ export function listen(port: Port, receive: (message: Message) => void): () => v
 const STEPS = 3;
 /** The words of the header: the last step whose writing has begun, and the last one that is written. */
 const [BEGUN, WRITTEN] = [0, 1];
-/** Numbers before the handles of a step: time, interval and the number of slots. */
-const NOTES = 3;
-const [TIME, INTERVAL, LENGTH] = [0, 1, 2];
+/** Numbers before the handles of a step: its own number, time, interval and the number of slots. */
+const NOTES = 4;
+const [NUMBER, TIME, INTERVAL, LENGTH] = [0, 1, 2, 3];
 const HEADER_BYTES = 8;
 
 /** Memory for the last steps of a world. One thread writes, others read. */
@@ -90,6 +90,7 @@ export class SharedSteps {
     write({ number, time, interval, handles, poses }: Step): void {
         const to = this.steps[number % STEPS]!;
         Atomics.store(this.header, BEGUN, number);
+        to.notes[NUMBER] = number;
         to.notes[TIME] = time;
         to.notes[INTERVAL] = interval;
         to.notes[LENGTH] = handles.length;
@@ -103,12 +104,16 @@ export class SharedSteps {
         return Atomics.load(this.header, WRITTEN);
     }
 
-    /** Copies a step. Null if it is not there yet, or has been overwritten meanwhile. */
+    /** Copies a step. Null if this memory does not contain it yet or any more, or a write overlaps the copy. */
     read(number: number): Step | null {
         if (number < 1 || number > this.last()) {
             return null;
         }
         const { notes, handles, poses } = this.steps[number % STEPS]!;
+        // Memory that has just replaced a smaller one contains none of the steps before.
+        if (notes[NUMBER] !== number) {
+            return null;
+        }
         const length = Math.min(notes[LENGTH]!, this.capacity);
         const step = {
             number,

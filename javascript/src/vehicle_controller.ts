@@ -16,7 +16,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** @internal Worlds make controllers: `World.createVehicleController`. */
     constructor(world: World, chassis: RigidBody) {
-        super(raw.vehicle_new(world.id, chassis.handle), (id) => raw.vehicle_free(id));
+        super(raw.vehicle_new(world.id, world.handleOf(chassis, "rigid body")), (id) => raw.vehicle_free(id));
         this.world = world;
         this.body = chassis;
     }

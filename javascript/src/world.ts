@@ -589,17 +589,12 @@ export class World extends Owner {
         return this.narrowPhase.intersectionPair(this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider"));
     }
 
-    /** The handle of an object of this world. */
-    private handleOf(object: { readonly world: World; readonly handle: number }, what: string): number {
-        this.own(object, what);
-        return object.handle;
-    }
-
-    /** @internal Refuses objects of other worlds. */
-    own(object: { readonly world: World; readonly handle: number }, what: string): void {
+    /** @internal The handle of an object of this world. Objects of other worlds are refused. */
+    handleOf(object: { readonly world: World; readonly handle: number }, what: string): number {
         // Libraries pass proxies of worlds: the number tells worlds apart.
         if (object.world.id !== this.id) {
             throw new RapierError("StaleHandle", `the ${what} ${bodyIndex(object.handle)} belongs to another world`);
         }
+        return object.handle;
     }
 }

@@ -11,7 +11,6 @@ export class World extends Base {
 
     /** Creates a vehicle of a body. */
     createVehicleController(chassis: RigidBody): DynamicRayCastVehicleController {
-        this.own(chassis, "rigid body");
         const controller = new DynamicRayCastVehicleController(this, chassis);
         this.vehicleControllers.add(controller);
         return controller;

@@ -11,6 +11,8 @@ export class WorldFollower {
     readonly poseStride = POSE;
     private readonly unlisten: () => void;
     private memory: SharedSteps | null = null;
+    /** Steps of messages that no call has read yet: two at most. */
+    private received: Step[] = [];
     private previous: Step | null = null;
     private last: Step | null = null;
     private blended: RealArray = new RealArrayType(0);
@@ -31,9 +33,8 @@ export class WorldFollower {
         return this.last?.number ?? 0;
     }
 
-    /** The handle of the body in each slot, at the last step that has arrived. NaN for slots without a body. */
+    /** The handle of the body in each slot, at the step of the last call of `poses` or `step`. NaN for slots without a body. */
     get handles(): Float64Array {
-        this.update();
         return this.last?.handles ?? new Float64Array(0);
     }
 
@@ -66,26 +67,28 @@ export class WorldFollower {
     private receive(message: Message): void {
         if (message.rapier === "shared") {
             this.memory = new SharedSteps(message.capacity, message.buffer);
+            this.received = [];
         } else if (message.rapier === "step") {
-            this.take(message.step);
+            this.memory = null;
+            this.received = [...this.received.slice(-1), message.step];
         }
     }
 
-    private take(step: Step): void {
-        this.previous = this.last;
-        this.last = step;
-    }
-
-    /** Takes the last two steps from shared memory. */
+    /** Takes the last two steps that have arrived. */
     private update(): void {
-        const number = this.memory?.last() ?? 0;
-        const known = this.last?.number ?? 0;
-        for (let next = Math.max(known + 1, number - 1); next <= number; next += 1) {
-            const step = this.memory!.read(next);
-            if (step) {
-                this.take(step);
-            }
+        for (const step of this.memory ? this.read(this.memory) : this.received.splice(0)) {
+            this.previous = this.last;
+            this.last = step;
         }
+    }
+
+    /** Copies the new ones of the last two steps from shared memory. */
+    private read(memory: SharedSteps): Step[] {
+        const number = memory.last();
+        const known = this.last?.number ?? 0;
+        // A second publisher at the same port restarts the numbers at 1.
+        const first = number < known ? number - 1 : Math.max(known + 1, number - 1);
+        return [first, first + 1].filter((next) => next <= number).flatMap((next) => memory.read(next) ?? []);
     }
 }
 

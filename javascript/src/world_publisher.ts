@@ -12,13 +12,13 @@ export interface PublishOptions {
     beforeStep?: (world: World) => void;
 }
 
-/** Most steps in a row that make up for a delay. More time than that is lost. */
-const CATCH_UP = 4;
+/** Most steps in a row after a delay. The time of more steps is lost. */
+const STEPS_MAX = 5;
 /** The least number of slots for which memory is shared. */
 const CAPACITY_MIN = 64;
 
 /** Returns whether the platform lets threads share memory. */
-export function canShareMemory(): boolean {
+function canShareMemory(): boolean {
     return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
 }
 
@@ -54,9 +54,13 @@ export class WorldPublisher {
         });
     }
 
-    /** Makes one step, and publishes it. */
+    /** Makes one step, and publishes it. Makes none if `beforeStep` frees the world. */
     step(): void {
+        const wasAlive = this.world.isAlive();
         this.beforeStep?.(this.world);
+        if (wasAlive && !this.world.isAlive()) {
+            return;
+        }
         this.world.step();
         this.publish();
     }
@@ -67,11 +71,13 @@ export class WorldPublisher {
         let due = performance.now();
         const run = (): void => {
             const now = performance.now();
-            due = Math.max(due, now - CATCH_UP * this.interval);
-            for (; due <= now; due += this.interval) {
+            const late = Math.max(0, Math.floor((now - due) / this.interval) + 1);
+            due += late * this.interval;
+            // The timer exists before the steps: `beforeStep` can stop this loop, or start another one.
+            const timer = (this.timer = setTimeout(run, Math.max(0, due - now)));
+            for (let left = Math.min(late, STEPS_MAX); left > 0 && this.timer === timer; left -= 1) {
                 this.step();
             }
-            this.timer = setTimeout(run, Math.max(0, due - performance.now()));
         };
         run();
     }

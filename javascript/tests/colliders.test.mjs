@@ -159,3 +159,24 @@ test("a collider follows its body with its offset", () => {
     steps(world, 1);
     world.free();
 });
+
+test("a description copies mass properties", () => {
+    const world = makeWorld();
+    const center = v(0.25, 0.5);
+    const inertia = DIM === 2 ? [2] : [{ x: 1, y: 2, z: 3 }, { x: 0, y: 0, z: 0.6, w: 0.8 }];
+    const desc = box(1, 1).setMassProperties(4, center, ...inertia);
+    for (const object of [center, ...inertia]) {
+        if (typeof object === "object") Object.assign(object, { x: 9, y: 9, z: 9, w: 9 });
+    }
+    assert.deepEqual([desc.centerOfMass.x, desc.centerOfMass.y], [0.25, 0.5]);
+    const body = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic());
+    world.createCollider(desc, body);
+    world.step();
+    near(body.localCom().x, 0.25, 1e-6);
+    near(body.localCom().y, 0.5, 1e-6);
+    if (DIM === 3) {
+        near(body.principalInertia().y, 2, 1e-5);
+        near(body.principalInertiaLocalFrame().z, 0.6, 1e-6);
+    }
+    world.free();
+});

@@ -139,13 +139,11 @@ fn parts() -> Result<Vec<(Pose, SharedShape)>, Fault> {
     Ok(parts)
 }
 
-/// Gives a compound its flags. Other shapes have got theirs.
-fn with_compound_flags(shape: SharedShape, kind: u32, flags: u32) -> SharedShape {
+/// Gives a compound its flags. The constructors of other shapes take theirs.
+fn with_compound_flags(shape: SharedShape, flags: u32) -> SharedShape {
     let flags = CompoundFlags::from_bits_truncate(flags as _);
     match shape.as_compound() {
-        Some(compound)
-            if matches!(kind, kind::COMPOUND | kind::DECOMPOSITION) && !flags.is_empty() =>
-        {
+        Some(compound) if !flags.is_empty() => {
             SharedShape::new(Compound::with_flags(compound.shapes().to_vec(), flags, None))
         }
         _ => shape,
@@ -483,7 +481,7 @@ exports! {
             finite("a size of the shape", number(SIZES, component))?;
         }
         let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(Fault::invalid)?;
-        register(with_compound_flags(shape, kind, flags))
+        register(with_compound_flags(shape, flags))
     }
 
     /// Frees a shape. Colliders keep theirs.

@@ -6,7 +6,9 @@ use crate::model::collider::{
     ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle, ColliderSet,
 };
 use crate::model::contact::{ContactManifold, SolverFlags};
-use crate::model::hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
+use crate::model::hooks::{
+    ContactModificationContext, PairFilterContext, PhysicsHooks, lets_solver_push,
+};
 use core::cell::RefCell;
 
 /// What hooks remember of the contacts of one character: the
@@ -113,20 +115,21 @@ impl<'a> Advisor<'a> {
         (obstacle.active_hooks() | own).contains(hooks)
     }
 
-    /// Do the character and the obstacle meet at all?
+    /// Returns whether the filter lets the obstacle stop the character. Flags without impulses let the character pass,
+    /// as a refusal does.
     pub fn lets_meet(&self, handle: ColliderHandle, obstacle: &Collider) -> bool {
         if !self.is_asked(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS) {
             return true;
         }
-        let flags = self.hooks.contact_pair_flags(&PairFilterContext {
+        let pair = PairFilterContext {
             bodies: self.bodies,
             colliders: self.colliders,
             collider1: handle,
             collider2: self.handle,
             rigid_body1: obstacle.parent(),
             rigid_body2: self.character.and_then(Collider::parent),
-        });
-        flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
+        };
+        lets_solver_push(self.hooks, &pair)
     }
 
     /// May the hooks change contacts with this obstacle?

@@ -46,12 +46,12 @@ impl KinematicCharacterController {
 
     /// [`Self::move_shape`] for a character that is subject to the world's hooks.
     ///
-    /// The hooks are asked as the narrow phase asks them, if the [`ActiveHooks`](crate::model::collider::ActiveHooks) of the
-    /// obstacle or of the character's collider say so: `filter_contact_pair` whether the two meet at all, and
-    /// `modify_solver_contact` about each manifold, of which an obstacle is then what the hook leaves: without points, or without
-    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES), the character
-    /// passes. The obstacle is always the first collider, the character the second. Solver groups
-    /// count where `modify_solver_contact` is asked.
+    /// The hooks are called as the narrow phase calls them, for the [`ActiveHooks`](crate::model::collider::ActiveHooks) of the
+    /// obstacle and of the character's collider. `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
+    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the filter refuses the pair,
+    /// where the modified manifold has no points, and where either leaves out
+    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle is always the
+    /// first collider, the character the second. Solver groups count where `modify_solver_contact` is called.
     ///
     /// ```
     /// use rapier3d::prelude::*;

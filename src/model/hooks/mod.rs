@@ -88,6 +88,12 @@ pub trait PhysicsHooks: Send + Sync {
     }
 }
 
+/// Returns whether the filter lets the solver push the pair.
+pub(crate) fn lets_solver_push(hooks: &dyn PhysicsHooks, pair: &PairFilterContext<'_>) -> bool {
+    let flags = hooks.contact_pair_flags(pair);
+    flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
+}
+
 /// Lets everything collide as it is.
 impl PhysicsHooks for () {}
 

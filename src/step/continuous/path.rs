@@ -6,8 +6,7 @@ use crate::collide::{Leg, Overlap, Solid, Sweep, SweepGoal, ends_deep, first_imp
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
-use crate::model::contact::SolverFlags;
-use crate::model::hooks::PairFilterContext;
+use crate::model::hooks::{PairFilterContext, lets_solver_push};
 use crate::model::island::NONE;
 use crate::model::tree::TreeKind;
 use crate::step::notes::FastMotion;
@@ -229,14 +228,7 @@ impl<'a> Mover<'a> {
             && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
             && !self.is_parted_from(other, search)
             && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
-                || self.presses_by_hook(other, search))
-    }
-
-    /// Returns whether the user's filter lets the solver push the two.
-    fn presses_by_hook(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
-        let context = self.filter_context(other, search);
-        let flags = search.world.hooks.contact_pair_flags(&context);
-        flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
+                || lets_solver_push(search.world.hooks, &self.filter_context(other, search)))
     }
 
     /// What a hook is told of the two.
