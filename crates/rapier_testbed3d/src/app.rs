@@ -5,6 +5,7 @@ use crate::panels::{help, inspect, parameters, shown, transport};
 use crate::recorder::Recorder;
 use crate::scene::SceneInfo;
 use crate::session::{Demo, Session};
+use crate::stages::Part;
 use crate::testbed::Testbed;
 use crate::thumbnails::Thumbnails;
 use crate::viewport::Viewport;
@@ -100,6 +101,8 @@ struct Window {
     /// Whether this frame follows the last one without a rest.
     hurries: bool,
     last_frame: Instant,
+    /// End of the window's own work in the last frame.
+    last_end: Instant,
     frame_time: f64,
 }
 
@@ -117,6 +120,7 @@ impl Window {
             help: false,
             hurries: false,
             last_frame: Instant::now(),
+            last_end: Instant::now(),
             frame_time: 1.0 / 60.0,
         }
     }
@@ -257,8 +261,12 @@ impl eframe::App for Window {
             self.frame_time += SMOOTHING * (elapsed - self.frame_time);
             self.viewport.adapt(self.frame_time);
         }
+        if self.hurries {
+            self.session.plot.add(Part::Display, self.last_end);
+        }
+        self.session.plot.end_frame();
         self.keys(ui);
-        let stepping = self.session.advance(elapsed);
+        self.session.advance(start, elapsed);
         self.panels(ui);
         if self.recorder.is_due(elapsed)
             && let Some(picture) = self.viewport.picture()
@@ -266,9 +274,8 @@ impl eframe::App for Window {
             let name = self.name().to_owned();
             self.recorder.push(&picture, &name);
         }
-        // The time of a frame that no step took: panels, upload, drawing, waiting for the display, but no rest.
-        let whole = if self.hurries { elapsed } else { start.elapsed().as_secs_f64() };
-        self.session.plot.end_frame((1.0e3 * whole - stepping).max(0.0));
+        self.session.plot.add_rest(Part::Panels, start);
+        self.last_end = Instant::now();
         self.hurries = self.session.pace.is_due();
         // Input repaints at once, too; thumbnails and recordings need no more than the slow rate.
         let rest = if self.hurries { Duration::ZERO } else { IDLE_FRAME };

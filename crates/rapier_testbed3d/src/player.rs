@@ -5,6 +5,7 @@ use crate::hand::Grip;
 use crate::history::History;
 use crate::rapier::prelude::*;
 use crate::scene::Scene;
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 /// Longest time that a frame may spend on steps; a scene that needs more runs slower than real time.
@@ -22,7 +23,13 @@ pub(crate) struct Player {
     pub history: History,
     /// Position in the history that is shown instead of the present.
     pub rewound: Option<usize>,
+    /// Number of changes to the world beside its steps.
+    changes: usize,
+    hash: Cell<Option<(Moment, u64)>>,
 }
+
+/// A shown state: position in the history, steps taken, changes.
+type Moment = (Option<usize>, usize, usize);
 
 impl Player {
     /// A player from the start of its scene, and the camera that the scene asks for.
@@ -30,7 +37,8 @@ impl Player {
         let (scene, camera) = build();
         let mut history = History::default();
         history.save(&scene);
-        (Self { build, scene, history, rewound: None }, camera)
+        let hash = Cell::new(None);
+        (Self { build, scene, history, rewound: None, changes: 0, hash }, camera)
     }
 
     /// A player of the same scene, from its start.
@@ -46,6 +54,7 @@ impl Player {
         self.history.clear();
         self.history.save(&self.scene);
         self.rewound = None;
+        self.changes += 1;
     }
 
     /// The scene that is shown: the present, or a moment of the history.
@@ -56,6 +65,7 @@ impl Player {
     /// Makes the shown moment the present.
     pub(crate) fn resume(&mut self) {
         let Some(position) = self.rewound.take() else { return };
+        self.changes += 1;
         if let Some(moment) = self.history.get(position) {
             self.scene.clone_from(moment);
             self.history.truncate(position);
@@ -75,7 +85,18 @@ impl Player {
     /// The world of the present, for the hand and the panels.
     pub(crate) fn world_mut(&mut self) -> &mut PhysicsWorld {
         self.resume();
+        self.changes += 1;
         &mut self.scene.world
+    }
+
+    /// The hash of the shown world, which the first call for a moment computes: the bar shows it in each frame.
+    pub(crate) fn hash(&self) -> u64 {
+        let shown = self.shown();
+        let moment = (self.rewound, shown.steps_taken, self.changes);
+        let known = self.hash.get().filter(|(known, _)| *known == moment);
+        let (_, hash) = known.unwrap_or_else(|| (moment, shown.world.hash()));
+        self.hash.set(Some((moment, hash)));
+        hash
     }
 }
 
@@ -147,6 +168,22 @@ mod tests {
         assert_eq!(player.shown().steps_taken, 24);
         (0..36).for_each(|_| player.step(None));
         assert_eq!((player.scene.steps_taken, player.scene.world.hash()), (60, hash));
+    }
+
+    #[test]
+    fn the_hash_is_that_of_the_shown_moment() {
+        let (mut player, _) = Player::new(falling());
+        (0..12).for_each(|_| player.step(None));
+        let present = player.hash();
+        assert_eq!(present, player.scene.world.hash());
+        player.world_mut().gravity = Vector::ZERO;
+        let (body, _) = player.scene.world.bodies.iter().next().expect("there is one");
+        player.world_mut().bodies[body].set_linvel(Vector::X, true);
+        assert_eq!(player.hash(), player.scene.world.hash());
+        // The copy of the same step lacks the change.
+        player.rewound = Some(2);
+        assert_eq!(player.shown().steps_taken, 12);
+        assert_eq!(player.hash(), present);
     }
 
     #[test]

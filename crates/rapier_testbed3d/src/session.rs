@@ -5,7 +5,7 @@ use crate::hand::{Grip, pick, throw};
 use crate::player::{Build, Pace, Player};
 use crate::rapier::prelude::*;
 use crate::scene::{Artist, point};
-use crate::stages::StagePlot;
+use crate::stages::{Part, StagePlot};
 use drawing::{Camera, Drawing, Point};
 use gallery::Category;
 use std::time::Instant;
@@ -107,9 +107,8 @@ impl Session {
         }
     }
 
-    /// Runs the steps of a frame; returns the milliseconds that they took.
-    pub(crate) fn advance(&mut self, elapsed: f64) -> f64 {
-        let start = Instant::now();
+    /// Runs the steps of a frame that began at a moment, `elapsed` seconds after the last one.
+    pub(crate) fn advance(&mut self, begin: Instant, elapsed: f64) {
         let Self { player, other, pace, grip, plot, .. } = self;
         if player.rewound.is_some() && pace.running {
             player.resume();
@@ -123,7 +122,7 @@ impl Session {
             }
             f64::from(player.scene.world.integration_parameters.dt)
         });
-        start.elapsed().as_secs_f64() * 1.0e3
+        plot.add_rest(Part::BesideSteps, begin);
     }
 
     /// Draws the scene that is shown, and moves a following camera.

@@ -118,7 +118,8 @@ impl Testbed {
         self.graphics.set_body_color(body, color);
     }
 
-    /// Runs a function after each step.
+    /// Runs a function after each step. The slider of the time restores the world and the colours, and leaves the
+    /// variables of the function as they are.
     pub fn add_callback(
         &mut self,
         callback: impl FnMut(Option<&mut TestbedGraphics>, &mut PhysicsWorld, &PhysicsEvents, &RunState)
@@ -134,20 +135,21 @@ impl Testbed {
         let (send_collision, collision_events) = channel();
         let (send_force, contact_force_events) = channel();
         let events = PhysicsEvents { collision_events, contact_force_events };
-        let mut scene = Scene::new(world, view)
-            .events(ChannelEventCollector::new(send_collision, send_force))
-            .observe(move |world, colors, steps| {
-                let time = steps as f32 * world.integration_parameters.dt as f32;
-                let state = RunState { timestep_id: steps, time };
-                let mut graphics = TestbedGraphics { colors: std::mem::take(colors) };
-                for callback in &mut callbacks {
-                    callback(Some(&mut graphics), world, &events, &state);
-                }
-                // Events that no callback read must not pile up.
-                events.collision_events.try_iter().for_each(drop);
-                events.contact_force_events.try_iter().for_each(drop);
-                *colors = graphics.colors;
-            });
+        let mut scene = Scene::new(world, view).observe(move |world, colors, step, steps| {
+            let time = steps as f32 * world.integration_parameters.dt as f32;
+            let state = RunState { timestep_id: steps, time };
+            let mut graphics = TestbedGraphics { colors: std::mem::take(colors) };
+            // The closure owns both ends of each channel, so no event is lost.
+            step.collisions.iter().for_each(|event| _ = send_collision.send(*event));
+            step.contact_forces.iter().for_each(|event| _ = send_force.send(*event));
+            for callback in &mut callbacks {
+                callback(Some(&mut graphics), world, &events, &state);
+            }
+            // Events that no callback read must not pile up.
+            events.collision_events.try_iter().for_each(drop);
+            events.contact_force_events.try_iter().for_each(drop);
+            *colors = graphics.colors;
+        });
         scene.body_colors = graphics.colors;
         if let Some(hooks) = hooks {
             scene = scene.shared_hooks(hooks);

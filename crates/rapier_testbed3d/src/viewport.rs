@@ -2,11 +2,13 @@
 
 use crate::rapier::math::DIM;
 use crate::session::Session;
+use crate::stages::Part;
 use drawing::{Camera, Label};
 use eframe::egui::{self, Color32, PointerButton, Rect, Sense, TextureId, Ui, Vec2, pos2};
 use eframe::egui_wgpu::RenderState;
 use render::wgpu::FilterMode;
 use render::{Quality, Renderer, Target};
+use std::time::Instant;
 
 /// Gap between two pictures in points.
 const GAP: f32 = 4.0;
@@ -92,6 +94,7 @@ impl Viewport {
 
     /// Shows a session: one picture, or two for a comparison.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &mut Session) {
+        let begin = Instant::now();
         let area = ui.available_rect_before_wrap();
         let count = if session.other.is_some() { 2 } else { 1 };
         let width = (area.width() - GAP * (count - 1) as f32) / count as f32;
@@ -101,6 +104,7 @@ impl Viewport {
             self.show_picture(ui, session, rect, index);
         }
         ui.allocate_rect(area, Sense::hover());
+        session.plot.add(Part::Drawing, begin);
     }
 
     fn show_picture(&mut self, ui: &mut Ui, session: &mut Session, rect: Rect, index: usize) {

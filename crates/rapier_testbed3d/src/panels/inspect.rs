@@ -172,10 +172,15 @@ fn show_contacts(ui: &mut Ui, world: &PhysicsWorld, handle: ColliderHandle) {
     let mut texts = Vec::new();
     for pair in world.contact_pairs_with(handle) {
         let other = if pair.collider1 == handle { pair.collider2 } else { pair.collider1 };
-        for contact in pair.manifolds.iter().flat_map(|manifold| &manifold.data) {
-            let other = other.into_raw_parts().0;
-            let (distance, impulse) = (contact.dist, contact.impulse);
-            texts.push(format!("{other}: distance {distance:.4}, impulse {impulse:.3}"));
+        let other = other.into_raw_parts().0;
+        for manifold in &pair.manifolds {
+            let color = manifold.solver_color().map_or("-".to_owned(), |color| color.to_string());
+            for contact in &manifold.data {
+                let (distance, impulse) = (contact.dist, contact.impulse);
+                texts.push(format!(
+                    "{other}: distance {distance:.4}, impulse {impulse:.3}, colour {color}"
+                ));
+            }
         }
     }
     if !texts.is_empty() {

@@ -2,6 +2,7 @@
 //! roots import under the name `rapier`.
 
 mod draw;
+mod events;
 mod islands;
 mod law;
 mod overlays;
@@ -12,6 +13,7 @@ mod surfaces;
 
 pub use draw::Artist;
 pub(crate) use draw::Look;
+pub use events::StepEvents;
 pub use law::{Law, gap};
 pub use overlays::Overlays;
 pub use run::entries;

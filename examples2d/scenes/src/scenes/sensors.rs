@@ -6,8 +6,6 @@ use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
-use std::rc::Rc;
-use std::sync::mpsc::channel;
 
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
@@ -37,13 +35,9 @@ pub fn build() -> Scene {
         add(&mut world, place, ColliderBuilder::ball(0.35).restitution(0.4));
     }
 
-    let (send_collision, collisions) = channel();
-    let (send_force, _) = channel();
-    let collisions = Rc::new(collisions); // Copies of the scene share it.
     Scene::new(world, View::flat())
-        .events(ChannelEventCollector::new(send_collision, send_force))
-        .script(move |world, _| {
-            for event in collisions.try_iter() {
+        .react(move |world, events| {
+            for event in &events.collisions {
                 let (h1, h2) = (event.collider1(), event.collider2());
                 let visitor = if zones.contains(&h1) { h2 } else { h1 };
                 let body = world.colliders.get(visitor).and_then(Collider::parent);
