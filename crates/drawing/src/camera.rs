@@ -201,7 +201,7 @@ impl Camera {
     }
 
     /// Direction from a point to the eye.
-    pub fn toward_eye(&self, point: Point) -> Point {
+    pub(crate) fn toward_eye(&self, point: Point) -> Point {
         if self.flat { self.forward.map(|c| -c) } else { sub(self.eye, point) }
     }
 }

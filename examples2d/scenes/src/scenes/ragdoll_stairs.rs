@@ -74,7 +74,7 @@ pub(super) fn add_ragdoll(
         join(world, (near, -end), (far, end), bend, muscles);
         bodies.extend([near, far]);
     }
-    // The limbs of one doll pass each other; so flat a person has them all in one place.
+    // The limbs of one ragdoll do not collide: in a plane they all overlap.
     for (k, &body) in bodies.iter().enumerate() {
         let doll = InteractionGroups::new(Group::GROUP_2, !Group::GROUP_2);
         let colliders = world.bodies[body].colliders().to_vec();
