@@ -231,14 +231,18 @@ impl Window {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
-        let left = egui::Panel::left("gallery").default_size(230.0);
+        // The window is cleared in the colour of the panels: pixels that panels fill cost adapters in software much more.
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::TRANSPARENT);
+        let left = egui::Panel::left("gallery").default_size(230.0).frame(frame);
         let clicked = left
             .show(ui, |ui| self.gallery.show(ui, &self.demos, self.current, &mut self.thumbnails));
         if let Some(index) = clicked.inner {
             self.load(index);
         }
-        egui::Panel::right("panels").default_size(310.0).show(ui, |ui| self.side_panel(ui));
+        let right = egui::Panel::right("panels").default_size(310.0).frame(frame);
+        right.show(ui, |ui| self.side_panel(ui));
         egui::Panel::bottom("transport")
+            .frame(frame)
             .show(ui, |ui| transport::show(ui, &mut self.session, self.frame_time));
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             self.viewport.show(ui, &mut self.session);
@@ -253,6 +257,10 @@ impl Window {
 }
 
 impl eframe::App for Window {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let start = Instant::now();
         let elapsed = (start - self.last_frame).as_secs_f64();

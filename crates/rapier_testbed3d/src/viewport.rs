@@ -4,10 +4,10 @@ use crate::rapier::math::DIM;
 use crate::session::Session;
 use crate::stages::Part;
 use drawing::{Camera, Label};
-use eframe::egui::{self, Color32, PointerButton, Rect, Sense, TextureId, Ui, Vec2, pos2};
-use eframe::egui_wgpu::RenderState;
-use render::wgpu::FilterMode;
-use render::{Quality, Renderer, Target};
+use eframe::egui::{self, Color32, PointerButton, Rect, Sense, Ui, Vec2, pos2};
+use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState};
+use render::wgpu::RenderPass;
+use render::{Blit, Copyable, Quality, Renderer, Target};
 use std::time::Instant;
 
 /// Gap between two pictures in points.
@@ -23,13 +23,28 @@ const PATIENCE: u32 = 12;
 /// A picture in the window.
 struct Screen {
     target: Target,
-    texture: TextureId,
+    picture: Copyable,
+}
+
+/// Copies a picture into the window's pass.
+struct Paint(Copyable);
+
+impl CallbackTrait for Paint {
+    fn paint(
+        &self,
+        _: egui::PaintCallbackInfo,
+        pass: &mut RenderPass<'static>,
+        _: &CallbackResources,
+    ) {
+        self.0.copy_into(pass);
+    }
 }
 
 /// The renderer and its pictures: one, or two side by side.
 pub(crate) struct Viewport {
     state: RenderState,
     renderer: Renderer,
+    blit: Blit,
     screens: Vec<Screen>,
     /// Pixels of the picture for a pixel of the window.
     pub scale: f32,
@@ -46,6 +61,7 @@ impl Viewport {
         Self {
             state: state.clone(),
             renderer,
+            blit: Blit::new(&state.device, state.target_format),
             screens: Vec::new(),
             scale: 1.0,
             adapts,
@@ -57,7 +73,7 @@ impl Viewport {
     pub(crate) fn set_quality(&mut self, quality: Quality) {
         if quality != self.renderer.quality() {
             self.renderer = Renderer::new(&self.state.device, &self.state.queue, quality);
-            self.drop_screens();
+            self.screens.clear();
         }
     }
 
@@ -78,12 +94,6 @@ impl Viewport {
 
     pub(crate) fn quality(&self) -> Quality {
         self.renderer.quality()
-    }
-
-    fn drop_screens(&mut self) {
-        for screen in self.screens.drain(..) {
-            self.state.renderer.write().free_texture(&screen.texture);
-        }
     }
 
     /// The finished first picture.
@@ -122,10 +132,9 @@ impl Viewport {
             self.renderer.renew_shadows();
         }
         let screen = self.screen(ui, rect, index);
-        let Screen { target, texture } = &self.screens[screen];
+        let Screen { target, picture } = &self.screens[screen];
         self.renderer.draw(target, &drawing, &camera);
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        ui.painter().image(*texture, rect, whole, Color32::WHITE);
+        ui.painter().add(Callback::new_paint_callback(rect, Paint(picture.clone())));
         for label in &drawing.labels {
             write(ui, rect, &camera, label);
         }
@@ -144,18 +153,8 @@ impl Viewport {
             [rect.width(), rect.height()].map(|side| (side * pixels).round().max(1.0) as u32);
         if self.screens.get(index).is_none_or(|screen| screen.target.size != size) {
             let target = self.renderer.target(size);
-            let mut egui = self.state.renderer.write();
-            let (device, filter) = (&self.state.device, FilterMode::Linear);
-            let texture = match self.screens.get(index) {
-                Some(screen) => {
-                    let id = screen.texture;
-                    egui.update_egui_texture_from_wgpu_texture(device, &target.view, filter, id);
-                    id
-                }
-                None => egui.register_native_texture(device, &target.view, filter),
-            };
-            drop(egui);
-            let screen = Screen { target, texture };
+            let picture = self.blit.picture(&self.state.device, &target);
+            let screen = Screen { target, picture };
             match self.screens.get_mut(index) {
                 Some(place) => *place = screen,
                 None => self.screens.push(screen),

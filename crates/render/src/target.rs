@@ -15,7 +15,7 @@ pub struct Target {
     pub size: [u32; 2],
     pub(crate) color: Texture,
     /// View of the finished picture.
-    pub view: TextureView,
+    pub(crate) view: TextureView,
     pub(crate) sampled: Option<TextureView>,
     pub(crate) depth: TextureView,
 }
