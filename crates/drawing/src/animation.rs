@@ -7,7 +7,6 @@
 use crate::Image;
 use crate::image::naming;
 use png::{BitDepth, BlendOp, ColorType, Compression, DisposeOp, Encoder};
-use std::collections::HashMap;
 use std::io;
 use std::path::Path;
 
@@ -138,40 +137,49 @@ impl Area {
 /// The colours of an animation.
 struct Palette {
     colors: Vec<[u8; 3]>,
-    /// The index for each shortened colour that occurs.
-    index: HashMap<[u8; 3], u8>,
+    /// The index for each shortened colour that occurs, by its number.
+    index: Vec<u8>,
 }
 
-/// A colour with the considered bits only.
-fn shortened(pixel: &[u8]) -> [u8; 3] {
-    [pixel[0], pixel[1], pixel[2]].map(|c| c >> (8 - BITS))
+/// Number of the shortened colours: those with the considered bits only.
+const SHORTENED: usize = 1 << (3 * BITS);
+
+/// The number of a shortened colour, in the order of red, green, blue.
+fn number(pixel: &[u8]) -> usize {
+    pixel.iter().fold(0, |number, c| number << BITS | usize::from(c >> (8 - BITS)))
+}
+
+/// The channels of the shortened colour with a number.
+fn channels(number: usize) -> [u8; 3] {
+    [2, 1, 0].map(|place| (number >> (place * BITS) & ((1 << BITS) - 1)) as u8)
 }
 
 impl Palette {
     /// Colours that fit the frames: the median cut of all that occur.
     fn of(frames: &[Image]) -> Self {
-        let mut counts: HashMap<[u8; 3], u64> = HashMap::new();
+        let mut counts = vec![0; SHORTENED];
         for frame in frames {
-            for pixel in frame.pixels.chunks_exact(3) {
-                *counts.entry(shortened(pixel)).or_default() += 1;
-            }
+            frame.pixels.chunks_exact(3).for_each(|pixel| counts[number(pixel)] += 1);
         }
-        // Sorted, because the order of a hash map differs from run to run.
-        let mut all: Vec<([u8; 3], u64)> = counts.into_iter().collect();
-        all.sort_unstable();
-        let mut boxes = vec![all.clone()];
+        let occurring = counts.iter().enumerate().filter(|&(_, &count)| count > 0);
+        let all: Part = occurring.map(|(number, &count)| (channels(number), count)).collect();
+        let mut boxes = vec![all];
         while boxes.len() < COLORS {
             let Some(largest) = largest(&boxes) else { break };
             let (left, right) = split(boxes.swap_remove(largest));
             boxes.extend([left, right]);
         }
         let colors: Vec<[u8; 3]> = boxes.iter().map(|part| mean(part)).collect();
-        let index = all.iter().map(|&(color, _)| (color, closest(&colors, color))).collect();
+        let nearest = |(number, &count): (usize, &u64)| match count {
+            0 => 1,
+            _ => closest(&colors, channels(number)),
+        };
+        let index = counts.iter().enumerate().map(nearest).collect();
         Self { colors, index }
     }
 
     fn nearest(&self, pixel: &[u8]) -> u8 {
-        self.index.get(&shortened(pixel)).copied().unwrap_or(1)
+        self.index[number(pixel)]
     }
 
     /// The transparent entry, then the colours.

@@ -1,6 +1,6 @@
 //! The camera, and the fit of a camera to the content of a scene.
 
-use crate::Point;
+use crate::{Drawing, Point};
 use crate::sheet::box_corners;
 use crate::vector::{add_scaled, cross, dot, normalize, sub};
 
@@ -29,22 +29,12 @@ impl View {
         Self { kind: Kind::Orbit { yaw, pitch }, focus: None }
     }
 
-    /// Whether the projection is parallel, onto the plane of a flat scene.
-    pub fn is_flat(&self) -> bool {
-        self.kind == Kind::Flat
-    }
-
     /// Yaw and pitch (degrees); zero for a flat view.
     pub fn angles(&self) -> [f32; 2] {
         match self.kind {
             Kind::Flat => [0.0; 2],
             Kind::Orbit { yaw, pitch } => [yaw, pitch],
         }
-    }
-
-    /// The box that it shows, if one was chosen.
-    pub fn focus_box(&self) -> Option<[Point; 2]> {
-        self.focus
     }
 
     /// Shows the box with these two opposite corners, rather than all that moves.
@@ -77,6 +67,19 @@ pub struct Seen {
     pub w: f32,
 }
 
+/// The unit vector from what is shown to the eye of an orbit, by its angles in degrees as in [`View::orbit`].
+pub fn back(yaw: f32, pitch: f32) -> Point {
+    let (yaw, pitch) = (yaw.to_radians(), pitch.to_radians());
+    [yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()]
+}
+
+impl Drawing {
+    /// The camera that shows the points to frame in a picture of a size in pixels.
+    pub fn camera(&self, view: &View, size: [usize; 2]) -> Camera {
+        Camera::fit(view, &self.points_to_frame(), size[0] as f32 / size[1] as f32)
+    }
+}
+
 /// A camera in its place.
 #[derive(Clone, Debug)]
 pub struct Camera {
@@ -96,7 +99,7 @@ pub struct Camera {
     pub flat: bool,
     /// Nearest and farthest distance of what is shown.
     pub depth: [f32; 2],
-    /// Middle of what is shown, and its radius.
+    /// Middle of what is shown.
     pub center: Point,
     /// Its radius.
     pub radius: f32,
@@ -126,18 +129,8 @@ impl Camera {
         let [left, right] = extent(points.iter().map(|p| p[0]));
         let [bottom, top] = extent(points.iter().map(|p| p[1]));
         let half_height = (0.5 * (top - bottom)).max(0.5 * (right - left) / aspect).max(0.5) / FILL;
-        Self {
-            eye: [0.5 * (left + right), 0.5 * (bottom + top), 0.0],
-            right: [1.0, 0.0, 0.0],
-            up: [0.0, 1.0, 0.0],
-            forward: [0.0, 0.0, -1.0],
-            scale: [1.0 / (half_height * aspect), 1.0 / half_height],
-            lift: LIFT,
-            flat: true,
-            depth: [0.0, 1.0],
-            center: [0.0; 3],
-            radius: 1.0,
-        }
+        let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
+        Self { lift: LIFT, ..Self::level(middle, half_height, aspect) }
     }
 
     /// The eye goes as near as it can. With the axes of the picture fixed, a point (x, y, z) is to
@@ -145,9 +138,7 @@ impl Camera {
     /// other three edges likewise. So each edge asks for the largest of one linear function over all
     /// points, and two opposite edges together give one coordinate of the eye and a bound on its z.
     fn fit_orbit(yaw: f32, pitch: f32, points: &[Point], aspect: f32) -> Self {
-        let (yaw, pitch) = (yaw.to_radians(), pitch.to_radians());
-        let back = [yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()];
-        let forward = back.map(|c| -c);
+        let forward = back(yaw, pitch).map(|c| -c);
         let right = normalize(cross(forward, [0.0, 1.0, 0.0]));
         let up = cross(right, forward);
 
@@ -189,6 +180,13 @@ impl Camera {
         }
     }
 
+    /// The place of the picture that shows a point (both coordinates from -1 to 1); none for a point outside.
+    pub fn in_picture(&self, point: Point) -> Option<[f32; 2]> {
+        let Seen { x, y, w } = self.see(point);
+        let inside = w >= self.nearest() && x.abs() <= w && y.abs() <= w;
+        inside.then(|| [x / w, y / w])
+    }
+
     /// Nothing nearer than this is drawn.
     pub fn nearest(&self) -> f32 {
         if self.flat { 0.5 } else { 0.02 * self.depth[0] }
@@ -202,13 +200,8 @@ impl Camera {
         if self.flat { p } else { add_scaled(p, self.forward, w) }
     }
 
-    /// How large a thing of size 1 at distance 1 stands in a picture of height 2.
-    pub fn scale_up(&self) -> f32 {
-        self.scale[1]
-    }
-
     /// Direction from a point to the eye.
-    pub fn toward_eye(&self, point: Point) -> Point {
+    pub(crate) fn toward_eye(&self, point: Point) -> Point {
         if self.flat { self.forward.map(|c| -c) } else { sub(self.eye, point) }
     }
 }

@@ -36,7 +36,7 @@ fn decode(value: f32) -> f32 {
 }
 
 /// The sRGB byte that stands for an amount of light.
-pub fn encode(light: f32) -> u8 {
+pub(crate) fn encode(light: f32) -> u8 {
     let light = light.clamp(0.0, 1.0);
     let value =
         if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };

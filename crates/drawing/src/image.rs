@@ -70,7 +70,7 @@ impl Image {
 }
 
 /// The same error, with the path of the file.
-pub(crate) fn naming(path: &Path, error: io::Error) -> io::Error {
+pub fn naming(path: &Path, error: io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 

@@ -7,7 +7,7 @@
 //! The crate contains no physics. Points are `[f32; 3]` in every dimension and precision; flat scenes lie at z = 0.
 
 mod animation;
-mod camera;
+pub mod camera;
 mod color;
 mod image;
 pub mod light;
@@ -19,7 +19,7 @@ pub mod vector;
 pub use animation::Animation;
 pub use camera::{Camera, Seen, View};
 pub use color::Color;
-pub use image::Image;
+pub use image::{Image, naming};
 pub use mesh::{Mesh, Vertex};
 pub use sheet::{Batch, Drawing, Instance, Label, Line, Role};
 

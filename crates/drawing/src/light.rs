@@ -1,6 +1,7 @@
 //! The light of every picture: one sun, a sky above, a ground below. Both renderers use these numbers.
 
 use crate::Point;
+use crate::vector::{cross, normalize};
 
 /// Direction towards the sun, not normalised.
 pub const SUN: Point = [0.42, 0.84, 0.46];
@@ -28,6 +29,13 @@ pub const HIGHLIGHT: f32 = 0.22;
 pub const SHADOW_TEXELS: usize = 2048;
 /// Radius of the shadowed region, in radii of the framed content.
 pub const SHADOW_REACH: f32 = 1.25;
+
+/// The axes of the picture that the sun sees: to the right, up, and towards the sun.
+pub fn sun_axes() -> [Point; 3] {
+    let sun = normalize(SUN);
+    let right = normalize(cross([0.0, 1.0, 0.0], sun));
+    [right, cross(sun, right), sun]
+}
 
 /// Side of a cell of the ground's grid: a round number that is about a sixth of the radius of the content, 1, 2 or 5 times a
 /// power of ten.

@@ -122,7 +122,7 @@ impl Mesh {
     }
 
     /// The form with the fewest triangles.
-    pub fn coarsest(&self) -> &Self {
+    pub(crate) fn coarsest(&self) -> &Self {
         self.coarse.last().map_or(self, |(mesh, _)| mesh)
     }
 

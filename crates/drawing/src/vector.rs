@@ -29,13 +29,13 @@ pub fn normalize(a: Point) -> Point {
 }
 
 /// From 0 below `low` to 1 above `high`, with level ends.
-pub fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
+pub(crate) fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
     let t = ((x - low) / (high - low).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
 /// The vector rotated by a unit quaternion (x, y, z, w).
-pub fn rotate([x, y, z, w]: [f32; 4], v: Point) -> Point {
+pub(crate) fn rotate([x, y, z, w]: [f32; 4], v: Point) -> Point {
     let q = [x, y, z];
     let t = cross(q, v).map(|c| 2.0 * c);
     add_scaled(add_scaled(v, t, w), cross(q, t), 1.0)

@@ -2,6 +2,7 @@
 
 use crate::catalog::{Category, Entry};
 use crate::runner::Outcome;
+use drawing::naming;
 use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
@@ -32,11 +33,6 @@ pub(crate) fn write(folder: &Path, title: &str, pages: &[Page]) -> io::Result<()
         std::fs::write(&path, text).map_err(|error| naming(&path, error))?;
     }
     Ok(())
-}
-
-/// The same error, with the path that it is about.
-pub(crate) fn naming(path: &Path, error: io::Error) -> io::Error {
-    io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
 /// The figures below a picture.

@@ -5,8 +5,8 @@ use std::fmt;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Where the pictures go unless the user says otherwise.
-const DEFAULT_FOLDER: &str = "target/gallery";
+/// Folder of pictures and recordings where the command line chooses none.
+pub const DEFAULT_FOLDER: &str = "target/gallery";
 
 /// What the user asks for.
 #[derive(Debug, PartialEq)]

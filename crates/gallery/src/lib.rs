@@ -18,9 +18,10 @@ mod recording;
 mod runner;
 mod table;
 
+pub use args::DEFAULT_FOLDER;
 pub use catalog::{Category, Entry, SceneRun, StageTimes, Stats};
 pub use drawing::{Drawing, View};
-pub use painter::{Painter, Rasteriser};
+pub use painter::Painter;
 pub use program::{Program, WindowRequest};
 pub use progress::Progress;
 pub use table::{Table, grouped};

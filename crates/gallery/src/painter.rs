@@ -13,7 +13,7 @@ pub trait Painter {
 
 /// Paints on the processor.
 #[derive(Copy, Clone, Debug, Default)]
-pub struct Rasteriser;
+pub(crate) struct Rasteriser;
 
 impl Painter for Rasteriser {
     fn device(&self) -> String {

@@ -7,7 +7,7 @@ use crate::painter::Painter;
 use crate::progress::{Progress, seconds};
 use crate::recording::Recording;
 use crate::table::{Table, grouped};
-use drawing::{Camera, Image, raster};
+use drawing::{Image, raster};
 use std::io::{self, Write};
 use std::time::Instant;
 
@@ -101,8 +101,7 @@ fn take_steps(
 
 fn draw(scene: &mut dyn SceneRun, page: &Page, painter: &mut dyn Painter) -> Image {
     let drawing = scene.draw();
-    let aspect = SIZE[0] as f32 / SIZE[1] as f32;
-    let camera = Camera::fit(&scene.view(), &drawing.points_to_frame(), aspect);
+    let camera = drawing.camera(&scene.view(), SIZE);
     let picture = painter.paint(&drawing, &camera, SIZE);
     let stats = &page.outcome.stats;
     let caption = [

@@ -5,21 +5,22 @@ use crate::panels::{help, inspect, parameters, shown, transport};
 use crate::recorder::Recorder;
 use crate::scene::SceneInfo;
 use crate::session::{Demo, Session};
+use crate::stages::Part;
 use crate::testbed::Testbed;
 use crate::thumbnails::Thumbnails;
 use crate::viewport::Viewport;
 use eframe::egui::{self, Key, Ui};
-use gallery::{Category, WindowRequest};
+use gallery::{Category, DEFAULT_FOLDER, WindowRequest};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-/// Folder of pictures and recordings where the program chooses none.
-const FOLDER: &str = "target/gallery";
 /// Size of the window in points.
 const SIZE: [f32; 2] = [1360.0, 840.0];
 /// Weight of the last frame in the shown frame rate.
 const SMOOTHING: f64 = 0.08;
+/// Time between two frames of a paused scene without input.
+const IDLE_FRAME: Duration = Duration::from_millis(50);
 
 /// A list of demos, and a window for them.
 pub struct TestbedApp {
@@ -34,8 +35,7 @@ impl TestbedApp {
         F: Fn(&mut Testbed) + Send + Sync + 'static,
     {
         let demos = builders.into_iter().map(|(name, init)| {
-            let init = Arc::new(init);
-            let make = move || {
+            let build = move || {
                 let mut testbed = Testbed::new();
                 init(&mut testbed);
                 testbed.into_scene()
@@ -44,21 +44,22 @@ impl TestbedApp {
                 name: name.to_owned(),
                 description: String::new(),
                 category: Category::Basics,
-                camera: make().1,
-                build: Arc::new(move || make().0),
+                build: Arc::new(build),
             }
         });
-        Self { demos: demos.collect(), folder: PathBuf::from(FOLDER) }
+        Self { demos: demos.collect(), folder: PathBuf::from(DEFAULT_FOLDER) }
     }
 
     /// The chosen ones of a gallery's scenes.
     pub fn from_scenes(scenes: &[SceneInfo], request: &WindowRequest) -> Self {
-        let demos = request.chosen.iter().filter_map(|&index| scenes.get(index)).map(|info| Demo {
-            name: info.name.to_owned(),
-            description: info.description.to_owned(),
-            category: info.category,
-            build: Arc::new(info.build),
-            camera: None,
+        let demos = request.chosen.iter().filter_map(|&index| scenes.get(index)).map(|info| {
+            let build = info.build;
+            Demo {
+                name: info.name.to_owned(),
+                description: info.description.to_owned(),
+                category: info.category,
+                build: Arc::new(move || (build(), None)),
+            }
         });
         Self { demos: demos.collect(), folder: request.folder.to_owned() }
     }
@@ -97,7 +98,11 @@ struct Window {
     thumbnails: Thumbnails,
     recorder: Recorder,
     help: bool,
+    /// Whether this frame follows the last one without a rest.
+    hurries: bool,
     last_frame: Instant,
+    /// End of the window's own work in the last frame.
+    last_end: Instant,
     frame_time: f64,
 }
 
@@ -113,7 +118,9 @@ impl Window {
             thumbnails: Thumbnails::new(folder),
             recorder: Recorder::new(folder),
             help: false,
+            hurries: false,
             last_frame: Instant::now(),
+            last_end: Instant::now(),
             frame_time: 1.0 / 60.0,
         }
     }
@@ -154,7 +161,7 @@ impl Window {
             let comparing = session.other.is_some();
             session.set_comparison(!comparing);
         }
-        session.follow ^= pressed(Key::F) && session.selected.is_some();
+        session.follow ^= pressed(Key::F) && session.artist.selected.is_some();
         if pressed(Key::Delete) {
             session.remove_selected();
         }
@@ -224,14 +231,18 @@ impl Window {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
-        let left = egui::Panel::left("gallery").default_size(230.0);
+        // The window is cleared in the colour of the panels: pixels that panels fill cost adapters in software much more.
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::TRANSPARENT);
+        let left = egui::Panel::left("gallery").default_size(230.0).frame(frame);
         let clicked = left
             .show(ui, |ui| self.gallery.show(ui, &self.demos, self.current, &mut self.thumbnails));
         if let Some(index) = clicked.inner {
             self.load(index);
         }
-        egui::Panel::right("panels").default_size(310.0).show(ui, |ui| self.side_panel(ui));
+        let right = egui::Panel::right("panels").default_size(310.0).frame(frame);
+        right.show(ui, |ui| self.side_panel(ui));
         egui::Panel::bottom("transport")
+            .frame(frame)
             .show(ui, |ui| transport::show(ui, &mut self.session, self.frame_time));
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             self.viewport.show(ui, &mut self.session);
@@ -246,14 +257,24 @@ impl Window {
 }
 
 impl eframe::App for Window {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let start = Instant::now();
         let elapsed = (start - self.last_frame).as_secs_f64();
         self.last_frame = start;
-        self.frame_time += SMOOTHING * (elapsed - self.frame_time);
-        self.viewport.adapt(self.frame_time);
+        if self.hurries {
+            self.frame_time += SMOOTHING * (elapsed - self.frame_time);
+            self.viewport.adapt(self.frame_time);
+        }
+        if self.hurries {
+            self.session.plot.add(Part::Display, self.last_end);
+        }
+        self.session.plot.end_frame();
         self.keys(ui);
-        let stepping = self.session.advance(elapsed);
+        self.session.advance(start, elapsed);
         self.panels(ui);
         if self.recorder.is_due(elapsed)
             && let Some(picture) = self.viewport.picture()
@@ -261,8 +282,11 @@ impl eframe::App for Window {
             let name = self.name().to_owned();
             self.recorder.push(&picture, &name);
         }
-        // The time between two frames that no step took: panels, upload, drawing, waiting for the display.
-        self.session.plot.end_frame((1.0e3 * elapsed - stepping).max(0.0));
-        ui.ctx().request_repaint();
+        self.session.plot.add_rest(Part::Panels, start);
+        self.last_end = Instant::now();
+        self.hurries = self.session.pace.is_due();
+        // Input repaints at once, too; thumbnails and recordings need no more than the slow rate.
+        let rest = if self.hurries { Duration::ZERO } else { IDLE_FRAME };
+        ui.ctx().request_repaint_after(rest);
     }
 }

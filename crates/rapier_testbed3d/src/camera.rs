@@ -1,6 +1,7 @@
 //! The camera of the window: orbit, pan, zoom, follow.
 
 use crate::rapier::math::DIM;
+use drawing::camera::back;
 use drawing::vector::{add_scaled, dot, sub};
 use drawing::{Camera, Point, View};
 
@@ -45,9 +46,7 @@ impl OrbitCamera {
     }
 
     pub(crate) fn eye(&self) -> Point {
-        let (yaw, pitch) = (self.yaw.to_radians(), self.pitch.to_radians());
-        let back = [yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()];
-        add_scaled(self.target, back, self.distance)
+        add_scaled(self.target, back(self.yaw, self.pitch), self.distance)
     }
 
     /// Turns by a motion of the mouse, in points.

@@ -1,9 +1,11 @@
 //! A scene that runs: pace, pause, single steps, history.
 
+use crate::camera::OrbitCamera;
 use crate::hand::Grip;
 use crate::history::History;
 use crate::rapier::prelude::*;
 use crate::scene::Scene;
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 /// Longest time that a frame may spend on steps; a scene that needs more runs slower than real time.
@@ -11,8 +13,8 @@ const BUDGET: Duration = Duration::from_millis(24);
 /// Longest delay that is caught up, in seconds.
 const CATCH_UP: f64 = 0.1;
 
-/// Builds a scene.
-pub(crate) type Build = std::sync::Arc<dyn Fn() -> Scene + Send + Sync>;
+/// Builds a scene, with the camera that it asks for where its view is not enough.
+pub(crate) type Build = std::sync::Arc<dyn Fn() -> (Scene, Option<OrbitCamera>) + Send + Sync>;
 
 /// A running scene.
 pub(crate) struct Player {
@@ -21,29 +23,38 @@ pub(crate) struct Player {
     pub history: History,
     /// Position in the history that is shown instead of the present.
     pub rewound: Option<usize>,
+    /// Number of changes to the world beside its steps.
+    changes: usize,
+    hash: Cell<Option<(Moment, u64)>>,
 }
 
+/// A shown state: position in the history, steps taken, changes.
+type Moment = (Option<usize>, usize, usize);
+
 impl Player {
-    pub(crate) fn new(build: Build) -> Self {
-        let scene = build();
+    /// A player from the start of its scene, and the camera that the scene asks for.
+    pub(crate) fn new(build: Build) -> (Self, Option<OrbitCamera>) {
+        let (scene, camera) = build();
         let mut history = History::default();
         history.save(&scene);
-        Self { build, scene, history, rewound: None }
+        let hash = Cell::new(None);
+        (Self { build, scene, history, rewound: None, changes: 0, hash }, camera)
     }
 
     /// A player of the same scene, from its start.
     pub(crate) fn twin(&self) -> Self {
-        Self::new(self.build.clone())
+        Self::new(self.build.clone()).0
     }
 
     /// Builds the scene anew and keeps the parameters.
     pub(crate) fn restart(&mut self) {
         let parameters = self.scene.world.integration_parameters;
-        self.scene = (self.build)();
+        self.scene = (self.build)().0;
         self.scene.world.integration_parameters = parameters;
         self.history.clear();
         self.history.save(&self.scene);
         self.rewound = None;
+        self.changes += 1;
     }
 
     /// The scene that is shown: the present, or a moment of the history.
@@ -54,6 +65,7 @@ impl Player {
     /// Makes the shown moment the present.
     pub(crate) fn resume(&mut self) {
         let Some(position) = self.rewound.take() else { return };
+        self.changes += 1;
         if let Some(moment) = self.history.get(position) {
             self.scene.clone_from(moment);
             self.history.truncate(position);
@@ -73,7 +85,18 @@ impl Player {
     /// The world of the present, for the hand and the panels.
     pub(crate) fn world_mut(&mut self) -> &mut PhysicsWorld {
         self.resume();
+        self.changes += 1;
         &mut self.scene.world
+    }
+
+    /// The hash of the shown world, which the first call for a moment computes: the bar shows it in each frame.
+    pub(crate) fn hash(&self) -> u64 {
+        let shown = self.shown();
+        let moment = (self.rewound, shown.steps_taken, self.changes);
+        let known = self.hash.get().filter(|(known, _)| *known == moment);
+        let (_, hash) = known.unwrap_or_else(|| (moment, shown.world.hash()));
+        self.hash.set(Some((moment, hash)));
+        hash
     }
 }
 
@@ -95,6 +118,11 @@ impl Default for Pace {
 }
 
 impl Pace {
+    /// Returns whether the next frame takes steps.
+    pub(crate) fn is_due(&self) -> bool {
+        self.running || self.single_steps > 0
+    }
+
     /// Runs steps for a frame that took `elapsed` seconds; `step` returns the length of the step. Returns the number of
     /// steps.
     pub(crate) fn run(&mut self, elapsed: f64, mut step: impl FnMut() -> f64) -> usize {
@@ -126,14 +154,14 @@ mod tests {
         std::sync::Arc::new(|| {
             let mut world = PhysicsWorld::new();
             world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
-            Scene::new(world, drawing::View::flat())
+            (Scene::new(world, drawing::View::flat()), None)
         })
     }
 
     /// A scene that goes back and runs again arrives at the same bits.
     #[test]
     fn the_past_repeats() {
-        let mut player = Player::new(falling());
+        let (mut player, _) = Player::new(falling());
         (0..60).for_each(|_| player.step(None));
         let hash = player.scene.world.hash();
         player.rewound = Some(4);
@@ -143,8 +171,24 @@ mod tests {
     }
 
     #[test]
+    fn the_hash_is_that_of_the_shown_moment() {
+        let (mut player, _) = Player::new(falling());
+        (0..12).for_each(|_| player.step(None));
+        let present = player.hash();
+        assert_eq!(present, player.scene.world.hash());
+        player.world_mut().gravity = Vector::ZERO;
+        let (body, _) = player.scene.world.bodies.iter().next().expect("there is one");
+        player.world_mut().bodies[body].set_linvel(Vector::X, true);
+        assert_eq!(player.hash(), player.scene.world.hash());
+        // The copy of the same step lacks the change.
+        player.rewound = Some(2);
+        assert_eq!(player.shown().steps_taken, 12);
+        assert_eq!(player.hash(), present);
+    }
+
+    #[test]
     fn a_restart_keeps_the_parameters() {
-        let mut player = Player::new(falling());
+        let (mut player, _) = Player::new(falling());
         player.scene.world.integration_parameters.num_solver_iterations = 9;
         player.step(None);
         player.restart();

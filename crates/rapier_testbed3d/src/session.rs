@@ -4,8 +4,8 @@ use crate::camera::OrbitCamera;
 use crate::hand::{Grip, pick, throw};
 use crate::player::{Build, Pace, Player};
 use crate::rapier::prelude::*;
-use crate::scene::{Artist, IN_SPACE, point};
-use crate::stages::StagePlot;
+use crate::scene::{Artist, point};
+use crate::stages::{Part, StagePlot};
 use drawing::{Camera, Drawing, Point};
 use gallery::Category;
 use std::time::Instant;
@@ -16,8 +16,6 @@ pub(crate) struct Demo {
     pub description: String,
     pub category: Category,
     pub build: Build,
-    /// The camera that the scene asks for, where its view is not enough.
-    pub camera: Option<OrbitCamera>,
 }
 
 /// A running demo.
@@ -31,19 +29,22 @@ pub(crate) struct Session {
     pub camera: OrbitCamera,
     pub artist: Artist,
     pub grip: Option<Grip>,
-    pub selected: Option<ColliderHandle>,
     pub follow: bool,
     pub plot: StagePlot,
     home: OrbitCamera,
-    /// The camera that the scene asks for, and the aspect that the home fits.
+    /// The camera that the scene asks for.
     wanted: Option<OrbitCamera>,
+    /// Points of the first picture, which the home frames.
+    points: Vec<Point>,
+    /// The aspect that the home fits.
     fitted: f32,
 }
 
 impl Session {
     pub(crate) fn new(demo: &Demo) -> Self {
-        let player = Player::new(demo.build.clone());
-        let artist = Artist::default();
+        let (player, wanted) = Player::new(demo.build.clone());
+        let mut artist = Artist::default();
+        let points = artist.draw(&player.scene).points_to_frame();
         let camera = OrbitCamera { target: [0.0; 3], distance: 10.0, yaw: 0.0, pitch: 0.0 };
         Self {
             player,
@@ -53,11 +54,11 @@ impl Session {
             camera,
             artist,
             grip: None,
-            selected: None,
             follow: false,
             plot: StagePlot::default(),
             home: camera,
-            wanted: demo.camera,
+            wanted,
+            points,
             fitted: 0.0,
         }
     }
@@ -68,9 +69,7 @@ impl Session {
             return;
         }
         let at_home = self.camera == self.home;
-        let scene = self.player.history.get(0).unwrap_or(&self.player.scene);
-        let points = Artist::default().draw(scene).points_to_frame();
-        let fit = || OrbitCamera::framing(&scene.view, &points, aspect);
+        let fit = || OrbitCamera::framing(&self.player.scene.view, &self.points, aspect);
         (self.home, self.fitted) = (self.wanted.unwrap_or_else(fit), aspect);
         if at_home {
             self.camera = self.home;
@@ -90,7 +89,7 @@ impl Session {
             other.restart();
         }
         self.grip = None;
-        self.selected = None;
+        self.artist.selected = None;
     }
 
     /// Shows the scene a second time, beside the first, or stops to do so.
@@ -108,9 +107,8 @@ impl Session {
         }
     }
 
-    /// Runs the steps of a frame; returns the milliseconds that they took.
-    pub(crate) fn advance(&mut self, elapsed: f64) -> f64 {
-        let start = Instant::now();
+    /// Runs the steps of a frame that began at a moment, `elapsed` seconds after the last one.
+    pub(crate) fn advance(&mut self, begin: Instant, elapsed: f64) {
         let Self { player, other, pace, grip, plot, .. } = self;
         if player.rewound.is_some() && pace.running {
             player.resume();
@@ -124,7 +122,7 @@ impl Session {
             }
             f64::from(player.scene.world.integration_parameters.dt)
         });
-        start.elapsed().as_secs_f64() * 1.0e3
+        plot.add_rest(Part::BesideSteps, begin);
     }
 
     /// Draws the scene that is shown, and moves a following camera.
@@ -135,12 +133,11 @@ impl Session {
         };
         let scene = player.shown();
         if self.follow && !other {
-            let body = self.selected.and_then(|handle| scene.world.colliders.get(handle)?.parent());
+            let body = self.artist.selected.and_then(|handle| scene.world.colliders.get(handle)?.parent());
             if let Some(body) = body.and_then(|body| scene.world.bodies.get(body)) {
                 self.camera.target = point(body.center_of_mass());
             }
         }
-        self.artist.selected = self.selected;
         let mut drawing = self.artist.draw(scene);
         if let (Some(grip), false) = (&self.grip, other)
             && let Some(anchor) = grip.anchor(&scene.world)
@@ -152,17 +149,20 @@ impl Session {
         drawing
     }
 
-    /// Selects the collider under a place of the picture, and takes hold of its body.
+    /// Selects the collider under a place of the picture, and takes hold of its body if that is dynamic.
     pub(crate) fn grab(&mut self, camera: &Camera, at: [f32; 2]) {
-        self.player.resume();
         let [origin, direction] = camera.ray(at[0], at[1]).map(vector);
-        let hit = pick(&self.player.scene.world, origin, direction);
-        self.selected = hit.map(|(handle, _)| handle);
+        let world = &self.player.shown().world;
+        let hit = pick(world, origin, direction);
+        self.artist.selected = hit.map(|(handle, _)| handle);
         self.grip = hit.and_then(|(handle, place)| {
-            let world = &self.player.scene.world;
             let body = world.colliders.get(handle)?.parent()?;
             Grip::new(world, body, place)
         });
+        // A pull changes the future; a selection only looks.
+        if self.grip.is_some() {
+            self.player.resume();
+        }
     }
 
     /// Moves the target of the hand to a place of the picture, at the distance of the held point.
@@ -174,7 +174,7 @@ impl Session {
 
     /// Removes the body of the selected collider.
     pub(crate) fn remove_selected(&mut self) {
-        let Some(handle) = self.selected.take() else { return };
+        let Some(handle) = self.artist.selected.take() else { return };
         self.grip = None;
         let world = self.player.world_mut();
         match world.colliders.get(handle).map(|collider| collider.parent()) {
@@ -186,10 +186,10 @@ impl Session {
 
     /// Throws a ball towards a place of the picture.
     pub(crate) fn throw(&mut self, camera: &Camera, at: [f32; 2]) {
-        let size = self.camera.distance * if IN_SPACE { 1.0 } else { 2.0 };
+        let size = self.camera.distance * if DIM == 3 { 1.0 } else { 2.0 };
         let [origin, direction] = camera.ray(at[0], at[1]);
         let world = self.player.world_mut();
-        if IN_SPACE {
+        if DIM == 3 {
             throw(world, vector(origin), vector(direction), size as Real);
         } else {
             let corner = vector(camera.point_at(-0.95, 0.9, 1.0));
@@ -206,4 +206,70 @@ pub(crate) fn vector(point: Point) -> Vector {
         vector += axis * value as Real;
     }
     vector
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::panels::inspect;
+    use crate::scene::Scene;
+    use eframe::egui;
+
+    /// A session with a ball on a fixed box, 60 steps after its start.
+    fn session() -> Session {
+        let build = || {
+            let mut world = PhysicsWorld::new();
+            world.insert(
+                RigidBodyBuilder::dynamic().translation(Vector::Y),
+                ColliderBuilder::ball(0.5),
+            );
+            let floor = SharedShape::new(Cuboid::new(Vector::splat(0.5)));
+            world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::new(floor));
+            let view = if DIM == 2 { drawing::View::flat() } else { drawing::View::orbit(0.0, 0.0) };
+            (Scene::new(world, view), None)
+        };
+        let mut session = Session::new(&Demo {
+            name: String::new(),
+            description: String::new(),
+            category: Category::Basics,
+            build: std::sync::Arc::new(build),
+        });
+        (0..60).for_each(|_| session.player.step(None));
+        session
+    }
+
+    /// Presses the mouse on a point of the world.
+    fn press(session: &mut Session, point: Point) {
+        session.fit(1.0);
+        let camera = session.camera.camera(1.0);
+        let seen = camera.see(point);
+        session.grab(&camera, [seen.x / seen.w, seen.y / seen.w]);
+    }
+
+    #[test]
+    fn an_inspected_selection_keeps_the_history() {
+        let mut session = session();
+        session.artist.selected = session.player.scene.world.colliders.iter().map(|(c, _)| c).next();
+        let copies = session.player.history.len();
+        session.player.rewound = Some(2);
+        let mut shown = egui::Context::default()
+            .run_ui(egui::RawInput::default(), |ui| inspect::show(ui, &mut session));
+        // No adapter takes the letters.
+        shown.textures_delta.clear();
+        assert!(session.artist.selected.is_some());
+        assert_eq!((session.player.rewound, session.player.history.len()), (Some(2), copies));
+    }
+
+    #[test]
+    fn only_a_held_body_ends_the_rewound_state() {
+        let mut session = session();
+        let copies = session.player.history.len();
+        session.player.rewound = Some(2);
+        press(&mut session, [0.0, 0.0, 0.0]);
+        assert!(session.artist.selected.is_some() && session.grip.is_none());
+        assert_eq!((session.player.rewound, session.player.history.len()), (Some(2), copies));
+        press(&mut session, [0.0, 1.0, 0.0]);
+        assert!(session.grip.is_some());
+        assert_eq!((session.player.rewound, session.player.history.len()), (None, 3));
+    }
 }

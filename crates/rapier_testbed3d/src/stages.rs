@@ -1,15 +1,16 @@
-//! Times of the stages of the last frames, as a stacked plot.
+//! Times of the parts of the last frames, as a stacked plot: the stages of the step, the picture, the panels.
 
 use crate::rapier::prelude::*;
 use eframe::egui::{Color32, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2};
 use std::collections::VecDeque;
+use std::time::Instant;
 
 /// Frames in the plot.
 const FRAMES: usize = 240;
 /// Height of the plot in points.
 const HEIGHT: f32 = 130.0;
 /// Number of parts.
-const PARTS: usize = 8;
+const PARTS: usize = 11;
 /// Names and colours of the parts, from the bottom.
 const LEGEND: [(&str, Color32); PARTS] = [
     ("user changes", Color32::from_rgb(120, 132, 158)),
@@ -19,8 +20,24 @@ const LEGEND: [(&str, Color32); PARTS] = [
     ("solver", Color32::from_rgb(232, 170, 70)),
     ("continuous", Color32::from_rgb(220, 110, 90)),
     ("rest of the step", Color32::from_rgb(170, 120, 190)),
+    ("scripts, history", Color32::from_rgb(110, 84, 140)),
     ("drawing", Color32::from_rgb(90, 96, 110)),
+    ("panels", Color32::from_rgb(130, 118, 96)),
+    ("adapter, display", Color32::from_rgb(60, 66, 80)),
 ];
+
+/// The parts of a frame beside the stages of the step, by their positions in the legend.
+#[derive(Copy, Clone)]
+pub(crate) enum Part {
+    /// Scripts, copies for the history, the compared world.
+    BesideSteps = 7,
+    /// The drawing of the scene, and its commands for the adapter.
+    Drawing,
+    /// All other work of the window's thread.
+    Panels,
+    /// The time from the end of this work to the next frame: the adapter paints, and the display shows the result.
+    Display,
+}
 
 /// Milliseconds of each part, by frame.
 #[derive(Default)]
@@ -47,9 +64,19 @@ impl StagePlot {
         }
     }
 
-    /// Ends the frame, which took so many milliseconds to draw.
-    pub(crate) fn end_frame(&mut self, drawing: f64) {
-        self.current[PARTS - 1] = drawing;
+    /// Adds the time since the begin of the frame that belongs to no other part so far.
+    pub(crate) fn add_rest(&mut self, part: Part, begin: Instant) {
+        let known: f64 = self.current.iter().sum();
+        self.current[part as usize] += (milliseconds(begin) - known).max(0.0);
+    }
+
+    /// Adds the time since a moment.
+    pub(crate) fn add(&mut self, part: Part, since: Instant) {
+        self.current[part as usize] += milliseconds(since);
+    }
+
+    /// Ends the frame.
+    pub(crate) fn end_frame(&mut self) {
         self.frames.push_back(std::mem::take(&mut self.current));
         while self.frames.len() > FRAMES {
             self.frames.pop_front();
@@ -109,6 +136,10 @@ impl StagePlot {
             }
         });
     }
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    1.0e3 * since.elapsed().as_secs_f64()
 }
 
 /// The next round number of milliseconds.

@@ -4,7 +4,6 @@ use crate::camera::OrbitCamera;
 use crate::rapier::prelude::*;
 use crate::scene::{BodyColors, Scene};
 use drawing::{Color, View};
-use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::mpsc::{Receiver, channel};
 
@@ -119,7 +118,8 @@ impl Testbed {
         self.graphics.set_body_color(body, color);
     }
 
-    /// Runs a function after each step.
+    /// Runs a function after each step. The slider of the time restores the world and the colours, and leaves the
+    /// variables of the function as they are.
     pub fn add_callback(
         &mut self,
         callback: impl FnMut(Option<&mut TestbedGraphics>, &mut PhysicsWorld, &PhysicsEvents, &RunState)
@@ -132,26 +132,25 @@ impl Testbed {
     pub(crate) fn into_scene(self) -> (Scene, Option<OrbitCamera>) {
         let Self { world, hooks, mut callbacks, graphics, camera } = self;
         let view = if DIM == 2 { View::flat() } else { View::orbit(30.0, 22.0) };
-        let colors = graphics.colors.clone();
         let (send_collision, collision_events) = channel();
         let (send_force, contact_force_events) = channel();
         let events = PhysicsEvents { collision_events, contact_force_events };
-        let graphics = Rc::new(RefCell::new(graphics));
-        let mut scene = Scene::new(world, view)
-            .events(ChannelEventCollector::new(send_collision, send_force))
-            .observe(move |world, colors, steps| {
-                let time = steps as f32 * world.integration_parameters.dt as f32;
-                let state = RunState { timestep_id: steps, time };
-                let mut graphics = graphics.borrow_mut();
-                for callback in &mut callbacks {
-                    callback(Some(&mut graphics), world, &events, &state);
-                }
-                // Events that no callback read must not pile up.
-                events.collision_events.try_iter().for_each(drop);
-                events.contact_force_events.try_iter().for_each(drop);
-                colors.clone_from(&graphics.colors);
-            });
-        scene.body_colors = colors;
+        let mut scene = Scene::new(world, view).observe(move |world, colors, step, steps| {
+            let time = steps as f32 * world.integration_parameters.dt as f32;
+            let state = RunState { timestep_id: steps, time };
+            let mut graphics = TestbedGraphics { colors: std::mem::take(colors) };
+            // The closure owns both ends of each channel, so no event is lost.
+            step.collisions.iter().for_each(|event| _ = send_collision.send(*event));
+            step.contact_forces.iter().for_each(|event| _ = send_force.send(*event));
+            for callback in &mut callbacks {
+                callback(Some(&mut graphics), world, &events, &state);
+            }
+            // Events that no callback read must not pile up.
+            events.collision_events.try_iter().for_each(drop);
+            events.contact_force_events.try_iter().for_each(drop);
+            *colors = graphics.colors;
+        });
+        scene.body_colors = graphics.colors;
         if let Some(hooks) = hooks {
             scene = scene.shared_hooks(hooks);
         }

@@ -1,8 +1,10 @@
 //! Small pictures of all scenes for the list, painted by a thread of their own.
 
 use crate::player::Build;
+use crate::rapier::math::DIM;
+use crate::recorder::file_name;
 use crate::scene::Artist;
-use drawing::{Camera, Image, raster};
+use drawing::{Image, raster};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -28,7 +30,8 @@ impl Thumbnails {
     pub(crate) fn new(folder: &Path) -> Self {
         let (wanted, requests) = channel::<(String, Build)>();
         let (results, done) = channel();
-        let folder = folder.join("thumbnails");
+        // Scenes of both dimensions share names, and programs of both dimensions the folder.
+        let folder = folder.join(format!("thumbnails{DIM}d"));
         std::thread::spawn(move || {
             // A folder that cannot be made costs the pictures' reuse only.
             let _ = std::fs::create_dir_all(&folder);
@@ -65,7 +68,7 @@ impl Thumbnails {
 }
 
 fn load_or_paint(folder: &Path, name: &str, build: &Build) -> Image {
-    let path: PathBuf = folder.join(format!("{name}.png"));
+    let path: PathBuf = folder.join(format!("{}.png", file_name(name)));
     if let Some(image) = Image::load(&path).ok().filter(|image| [image.width, image.height] == SIZE)
     {
         return image;
@@ -77,7 +80,7 @@ fn load_or_paint(folder: &Path, name: &str, build: &Build) -> Image {
 }
 
 fn paint(build: &Build) -> Image {
-    let mut scene = build();
+    let (mut scene, _) = build();
     let start = Instant::now();
     for _ in 0..STEPS {
         if start.elapsed() > STEP_TIME {
@@ -86,7 +89,5 @@ fn paint(build: &Build) -> Image {
         scene.step();
     }
     let drawing = Artist::default().draw(&scene);
-    let camera =
-        Camera::fit(&scene.view, &drawing.points_to_frame(), SIZE[0] as f32 / SIZE[1] as f32);
-    raster::picture(&drawing, &camera, SIZE)
+    raster::picture(&drawing, &drawing.camera(&scene.view, SIZE), SIZE)
 }

@@ -1,12 +1,14 @@
 //! The part of the window that shows the scene, and the mouse in it.
 
-use crate::scene::IN_SPACE;
+use crate::rapier::math::DIM;
 use crate::session::Session;
+use crate::stages::Part;
 use drawing::{Camera, Label};
-use eframe::egui::{self, Color32, PointerButton, Rect, Sense, TextureId, Ui, Vec2, pos2};
-use eframe::egui_wgpu::RenderState;
-use render::wgpu::FilterMode;
-use render::{Quality, Renderer, Target};
+use eframe::egui::{self, Color32, PointerButton, Rect, Sense, Ui, Vec2, pos2};
+use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState};
+use render::wgpu::RenderPass;
+use render::{Blit, Copyable, Quality, Renderer, Target};
+use std::time::Instant;
 
 /// Gap between two pictures in points.
 const GAP: f32 = 4.0;
@@ -21,13 +23,28 @@ const PATIENCE: u32 = 12;
 /// A picture in the window.
 struct Screen {
     target: Target,
-    texture: TextureId,
+    picture: Copyable,
+}
+
+/// Copies a picture into the window's pass.
+struct Paint(Copyable);
+
+impl CallbackTrait for Paint {
+    fn paint(
+        &self,
+        _: egui::PaintCallbackInfo,
+        pass: &mut RenderPass<'static>,
+        _: &CallbackResources,
+    ) {
+        self.0.copy_into(pass);
+    }
 }
 
 /// The renderer and its pictures: one, or two side by side.
 pub(crate) struct Viewport {
     state: RenderState,
     renderer: Renderer,
+    blit: Blit,
     screens: Vec<Screen>,
     /// Pixels of the picture for a pixel of the window.
     pub scale: f32,
@@ -44,6 +61,7 @@ impl Viewport {
         Self {
             state: state.clone(),
             renderer,
+            blit: Blit::new(&state.device, state.target_format),
             screens: Vec::new(),
             scale: 1.0,
             adapts,
@@ -55,7 +73,7 @@ impl Viewport {
     pub(crate) fn set_quality(&mut self, quality: Quality) {
         if quality != self.renderer.quality() {
             self.renderer = Renderer::new(&self.state.device, &self.state.queue, quality);
-            self.drop_screens();
+            self.screens.clear();
         }
     }
 
@@ -78,12 +96,6 @@ impl Viewport {
         self.renderer.quality()
     }
 
-    fn drop_screens(&mut self) {
-        for screen in self.screens.drain(..) {
-            self.state.renderer.write().free_texture(&screen.texture);
-        }
-    }
-
     /// The finished first picture.
     pub(crate) fn picture(&self) -> Option<drawing::Image> {
         let screen = self.screens.first()?;
@@ -92,6 +104,7 @@ impl Viewport {
 
     /// Shows a session: one picture, or two for a comparison.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &mut Session) {
+        let begin = Instant::now();
         let area = ui.available_rect_before_wrap();
         let count = if session.other.is_some() { 2 } else { 1 };
         let width = (area.width() - GAP * (count - 1) as f32) / count as f32;
@@ -101,6 +114,7 @@ impl Viewport {
             self.show_picture(ui, session, rect, index);
         }
         ui.allocate_rect(area, Sense::hover());
+        session.plot.add(Part::Drawing, begin);
     }
 
     fn show_picture(&mut self, ui: &mut Ui, session: &mut Session, rect: Rect, index: usize) {
@@ -118,10 +132,9 @@ impl Viewport {
             self.renderer.renew_shadows();
         }
         let screen = self.screen(ui, rect, index);
-        let Screen { target, texture } = &self.screens[screen];
+        let Screen { target, picture } = &self.screens[screen];
         self.renderer.draw(target, &drawing, &camera);
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        ui.painter().image(*texture, rect, whole, Color32::WHITE);
+        ui.painter().add(Callback::new_paint_callback(rect, Paint(picture.clone())));
         for label in &drawing.labels {
             write(ui, rect, &camera, label);
         }
@@ -140,18 +153,8 @@ impl Viewport {
             [rect.width(), rect.height()].map(|side| (side * pixels).round().max(1.0) as u32);
         if self.screens.get(index).is_none_or(|screen| screen.target.size != size) {
             let target = self.renderer.target(size);
-            let mut egui = self.state.renderer.write();
-            let (device, filter) = (&self.state.device, FilterMode::Linear);
-            let texture = match self.screens.get(index) {
-                Some(screen) => {
-                    let id = screen.texture;
-                    egui.update_egui_texture_from_wgpu_texture(device, &target.view, filter, id);
-                    id
-                }
-                None => egui.register_native_texture(device, &target.view, filter),
-            };
-            drop(egui);
-            let screen = Screen { target, texture };
+            let picture = self.blit.picture(&self.state.device, &target);
+            let screen = Screen { target, picture };
             match self.screens.get_mut(index) {
                 Some(place) => *place = screen,
                 None => self.screens.push(screen),
@@ -164,7 +167,10 @@ impl Viewport {
 /// The camera with the region of shadows that suits the drawing.
 fn framed(session: &Session, aspect: f32, drawing: &drawing::Drawing) -> Camera {
     let mut camera = session.camera.camera(aspect);
-    if let (Some((middle, radius)), false) = (drawing.moving_extent(), camera.flat) {
+    if camera.flat {
+        return camera;
+    }
+    if let Some((middle, radius)) = drawing.moving_extent() {
         // A near camera looks at a part of the scene only.
         let near = 1.6 * session.camera.distance;
         if radius < near {
@@ -179,12 +185,8 @@ fn framed(session: &Session, aspect: f32, drawing: &drawing::Drawing) -> Camera 
 
 /// Writes a label at its place.
 fn write(ui: &Ui, rect: Rect, camera: &Camera, label: &Label) {
-    let seen = camera.see(label.at);
-    if seen.w < camera.nearest() || seen.x.abs() > seen.w || seen.y.abs() > seen.w {
-        return;
-    }
-    let at = rect.center()
-        + Vec2::new(seen.x / seen.w * 0.5 * rect.width(), -seen.y / seen.w * 0.5 * rect.height());
+    let Some([x, y]) = camera.in_picture(label.at) else { return };
+    let at = rect.center() + Vec2::new(x * 0.5 * rect.width(), -y * 0.5 * rect.height());
     let font = egui::FontId::proportional(14.0);
     ui.painter().text(at, egui::Align2::CENTER_CENTER, &label.text, font, Color32::LIGHT_GRAY);
 }
@@ -208,8 +210,8 @@ fn mouse(ui: &Ui, response: &egui::Response, session: &mut Session, camera: &Cam
     let primary = response.dragged_by(PointerButton::Primary);
     let pans = response.dragged_by(PointerButton::Middle)
         || (primary && shift)
-        || (!IN_SPACE && response.dragged_by(PointerButton::Secondary))
-        || (!IN_SPACE && primary && session.grip.is_none());
+        || (DIM == 2 && response.dragged_by(PointerButton::Secondary))
+        || (DIM == 2 && primary && session.grip.is_none());
     if let (Some(at), true) = (pointer, session.grip.is_some()) {
         session.drag(camera, at);
     } else if pans {

@@ -1,7 +1,7 @@
 //! Times frames of 5,000 boxes and balls on the adapter of this machine, for each quality:
 //! `cargo run --release -p render --example frames -- 1000 780`.
 
-use drawing::{Camera, Color, Drawing, Instance, Mesh, Role, View};
+use drawing::{Color, Drawing, Instance, Mesh, Role, View};
 use render::wgpu::{self, Instance as Adapters, InstanceDescriptor, PollType};
 use render::{Quality, Renderer};
 use std::time::Instant;
@@ -52,8 +52,7 @@ fn main() {
     let (device, queue) = device.expect("it has a device");
     println!("{} at {size:?}", adapter.get_info().name);
     let drawing = block();
-    let points = drawing.points_to_frame();
-    let camera = Camera::fit(&View::orbit(30.0, 25.0), &points, size[0] as f32 / size[1] as f32);
+    let camera = drawing.camera(&View::orbit(30.0, 25.0), size.map(|side| side as usize));
     for (samples, shadow_texels, shadow_life) in
         [(1, 0, 1), (1, 1024, 3), (1, 2048, 1), (4, 2048, 1)]
     {

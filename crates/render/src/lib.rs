@@ -1,9 +1,10 @@
 //! # Render: drawings on a graphics adapter
 //!
 //! [`Renderer`] draws a [`Drawing`](drawing::Drawing) into a [`Target`]: instanced meshes with the shadow of the sun,
-//! lines, four samples a pixel. A window shows the texture of the target; [`Offscreen`] reads it back as a picture.
+//! lines, four samples a pixel. [`Blit`] copies the target into a window's pass; [`Offscreen`] reads it back as a picture.
 //! The crate contains no physics, no window and no user interface.
 
+mod blit;
 mod buffers;
 mod offscreen;
 mod pipelines;
@@ -11,6 +12,7 @@ mod renderer;
 mod target;
 mod uniforms;
 
+pub use blit::{Blit, Copyable};
 pub use offscreen::{Offscreen, read};
 pub use renderer::{Quality, Renderer};
 pub use target::Target;

@@ -6,7 +6,7 @@ struct View {
     eye: vec4<f32>,         // w: 1 if the view is flat
     center: vec4<f32>,      // w: radius of the content
     sun: vec4<f32>,         // w: side of a texel of the shadow map, in world units; 0 without shadows
-    sun_light: vec4<f32>,
+    sun_light: vec4<f32>,   // w: light of a highlighted surface
     sky_light: vec4<f32>,   // w: strength of highlights
     ground_light: vec4<f32>,// w: haze
     top: vec4<f32>,         // background; w: taps of the shadow map, 1 or 4
@@ -135,7 +135,7 @@ fn ground(place: vec3<f32>, w: f32) -> vec2<f32> {
 
 @fragment
 fn surface_fragment(in: Surface, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let highlight = select(0.0, 0.22, (in.flags & HIGHLIGHTED) != 0u);
+    let highlight = select(0.0, view.sun_light.w, (in.flags & HIGHLIGHTED) != 0u);
     if view.eye.w > 0.5 {
         return vec4(encode(in.color.rgb * mix(view.size.z, view.size.w, in.normal.z) + highlight), in.color.a);
     }

@@ -13,11 +13,9 @@ pub(crate) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 pub struct Target {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Samples a pixel: 1 or 4.
-    pub samples: u32,
     pub(crate) color: Texture,
     /// View of the finished picture.
-    pub view: TextureView,
+    pub(crate) view: TextureView,
     pub(crate) sampled: Option<TextureView>,
     pub(crate) depth: TextureView,
 }
@@ -48,11 +46,6 @@ impl Target {
         let sampled = (samples > 1)
             .then(|| texture(COLOR, samples, attachment).create_view(&Default::default()));
         let depth = texture(DEPTH, samples, attachment).create_view(&Default::default());
-        Self { size, samples, color, view, sampled, depth }
-    }
-
-    /// Width over height.
-    pub fn aspect(&self) -> f32 {
-        self.size[0] as f32 / self.size[1] as f32
+        Self { size, color, view, sampled, depth }
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::renderer::Quality;
 use drawing::light::{
-    BACKGROUND, FLAT_LIGHT, GLOSS, GROUND_LIGHT, HAZE, RIM_LIGHT, RIM_PIXELS, SHADOW_REACH,
-    SKY_LIGHT, SUN, SUN_LIGHT,
+    BACKGROUND, FLAT_LIGHT, GLOSS, GROUND_LIGHT, HAZE, HIGHLIGHT, RIM_LIGHT, RIM_PIXELS, SHADOW_REACH,
+    SKY_LIGHT, SUN, SUN_LIGHT, sun_axes,
 };
-use drawing::vector::{cross, dot, normalize};
+use drawing::vector::{dot, normalize};
 use drawing::{Camera, Point};
 
 /// Rows of four numbers.
@@ -40,7 +40,7 @@ pub(crate) fn rows(
     rows[8] = with(camera.eye, if camera.flat { 1.0 } else { 0.0 });
     rows[9] = with(camera.center, camera.radius);
     rows[10] = with(normalize(SUN), texel);
-    rows[11] = with(SUN_LIGHT, 0.0);
+    rows[11] = with(SUN_LIGHT, HIGHLIGHT);
     rows[12] = with(SKY_LIGHT, GLOSS);
     rows[13] = with(GROUND_LIGHT, HAZE);
     rows[14] = with(BACKGROUND[0], if quality.samples > 1 { 4.0 } else { 1.0 });
@@ -54,9 +54,7 @@ pub(crate) fn rows(
 
 /// The matrix, by columns, from the world to the shadow map.
 fn sun_matrix(center: Point, radius: f32) -> [[f32; 4]; 4] {
-    let sun = normalize(SUN);
-    let right = normalize(cross([0.0, 1.0, 0.0], sun));
-    let up = cross(sun, right);
+    let [right, up, sun] = sun_axes();
     let across = |axis: Point, scale: f32| {
         [axis[0] * scale, axis[1] * scale, axis[2] * scale, -dot(axis, center) * scale]
     };

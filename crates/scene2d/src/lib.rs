@@ -1,6 +1,6 @@
 //! # A 2D scene: a world, and all that belongs to it beside physics
 //!
-//! [`Scene`] steps a world with a script, hooks and events; the gallery runs it, and the testbed shows it.
+//! [`Scene`] steps a world with a script, hooks and reactions to events; the gallery runs it, and the testbed shows it.
 //! [`Artist`] turns its world into a drawing.
 
 pub use rapier2d as rapier;
@@ -9,10 +9,5 @@ pub use rapier2d as rapier;
 mod common;
 mod shapes;
 
-pub use common::{
-    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, entries, gap, measured,
-};
+pub use common::{Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap};
 pub use shapes::point;
-
-/// Whether the scene has three dimensions.
-pub const IN_SPACE: bool = rapier::math::DIM == 3;

@@ -1,6 +1,6 @@
 //! The insides of shapes as instances of flat meshes.
 
-use crate::common::Look;
+use crate::common::{BORDER_PIECES, Look, Surfaces};
 use crate::rapier::prelude::*;
 use drawing::{Drawing, Instance, Mesh};
 use std::collections::HashMap;
@@ -8,8 +8,6 @@ use std::sync::Arc;
 
 /// Pieces of a full circle, for shapes without a shared mesh.
 const PIECES: u32 = 32;
-/// Pieces of the quarter turn of a rounded border.
-const BORDER_PIECES: u32 = 5;
 /// Half the length of the border of an endless plane, and its depth.
 const PLANE_EXTENT: Real = 1000.0;
 
@@ -17,14 +15,6 @@ const PLANE_EXTENT: Real = 1000.0;
 #[allow(clippy::unnecessary_cast, reason = "`Real` may be `f64`")]
 pub fn point(p: Vector) -> drawing::Point {
     [p.x as f32, p.y as f32, 0.0]
-}
-
-/// The meshes of shapes that are not one of the shared ones, by the address of the shape.
-///
-/// The store keeps the shape alive, so its address stays its own, and a shared shape never changes.
-#[derive(Clone, Default)]
-pub(crate) struct Surfaces {
-    kept: HashMap<usize, (SharedShape, Arc<Mesh>)>,
 }
 
 impl Surfaces {
@@ -49,17 +39,6 @@ impl Surfaces {
             }
         }
     }
-
-    fn kept(&mut self, shape: &SharedShape) -> Arc<Mesh> {
-        let address = Arc::as_ptr(&shape.0).cast::<()>() as usize;
-        let entry = self.kept.entry(address);
-        entry.or_insert_with(|| (shape.clone(), Arc::new(mesh(&shape.as_typed_shape())))).1.clone()
-    }
-
-    /// Drops the meshes of shapes that have no other owner any more.
-    pub(crate) fn forget_unused(&mut self) {
-        self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
-    }
 }
 
 #[allow(clippy::unnecessary_cast, reason = "`Real` may be `f64`")]
@@ -79,7 +58,7 @@ fn add(out: &mut Drawing, pose: Pose, mesh: &Arc<Mesh>, scale: [Real; 2], look: 
 }
 
 /// The mesh of a shape in its own coordinates.
-fn mesh(shape: &TypedShape) -> Mesh {
+pub(crate) fn mesh(shape: &TypedShape) -> Mesh {
     match shape {
         TypedShape::Capsule(s) => convex(&s.to_polyline(PIECES / 2)),
         TypedShape::Triangle(s) => convex(&[s.a, s.b, s.c]),

@@ -1,15 +1,12 @@
 //! The surfaces of shapes as instances of meshes.
 
-use crate::common::Look;
+use crate::common::{BORDER_PIECES, Look, Surfaces};
 use crate::rapier::prelude::*;
 use drawing::{Drawing, Instance, Mesh};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Pieces of a full circle, for shapes without a shared mesh.
 const PIECES: u32 = 24;
-/// Pieces of the quarter turn of a rounded border.
-const BORDER_PIECES: u32 = 5;
 /// Half the side of the square that stands for an endless plane.
 const PLANE_EXTENT: Real = 500.0;
 
@@ -17,14 +14,6 @@ const PLANE_EXTENT: Real = 500.0;
 #[allow(clippy::unnecessary_cast, reason = "`Real` may be `f64`")]
 pub fn point(p: Vector) -> drawing::Point {
     [p.x as f32, p.y as f32, p.z as f32]
-}
-
-/// The meshes of shapes that are not one of the shared ones, by the address of the shape.
-///
-/// The store keeps the shape alive, so its address stays its own, and a shared shape never changes.
-#[derive(Clone, Default)]
-pub(crate) struct Surfaces {
-    kept: HashMap<usize, (SharedShape, Arc<Mesh>)>,
 }
 
 /// A place for a mesh, and its look.
@@ -85,17 +74,6 @@ impl Surfaces {
             }
         }
     }
-
-    fn kept(&mut self, shape: &SharedShape) -> Arc<Mesh> {
-        let address = Arc::as_ptr(&shape.0).cast::<()>() as usize;
-        let entry = self.kept.entry(address);
-        entry.or_insert_with(|| (shape.clone(), Arc::new(mesh(&shape.as_typed_shape())))).1.clone()
-    }
-
-    /// Drops the meshes of shapes that have no other owner any more.
-    pub(crate) fn forget_unused(&mut self) {
-        self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
-    }
 }
 
 /// A capsule: two balls and the cylinder between them.
@@ -112,7 +90,7 @@ fn capsule(brush: &mut Brush, capsule: &Capsule) {
 }
 
 /// The mesh of a shape in its own coordinates.
-fn mesh(shape: &TypedShape) -> Mesh {
+pub(crate) fn mesh(shape: &TypedShape) -> Mesh {
     match shape {
         TypedShape::Triangle(s) => surface((vec![s.a, s.b, s.c], vec![[0, 1, 2]])),
         TypedShape::Voxels(s) => surface(s.to_trimesh()),

@@ -1,6 +1,7 @@
-//! What most scenes begin with.
+//! The first parts of most scenes.
 
 use crate::common::Dice;
+pub(crate) use crate::common::{add, add_fixed};
 use crate::rapier::prelude::*;
 use std::f64::consts::PI;
 
@@ -14,24 +15,6 @@ pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     let floor = ColliderBuilder::cuboid(half_extent, half_extent);
     world.insert(RigidBodyBuilder::fixed().translation(-Vector::Y * half_extent), floor);
     world
-}
-
-/// Adds a dynamic body with one collider.
-pub(crate) fn add(
-    world: &mut PhysicsWorld,
-    place: Vector,
-    collider: ColliderBuilder,
-) -> RigidBodyHandle {
-    world.insert(RigidBodyBuilder::dynamic().translation(place), collider).0
-}
-
-/// Adds a fixed body with one collider.
-pub(crate) fn add_fixed(
-    world: &mut PhysicsWorld,
-    place: Vector,
-    collider: ColliderBuilder,
-) -> RigidBodyHandle {
-    world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
 }
 
 /// Adds a fixed body that something hangs on: a small square that touches nothing.

@@ -1,5 +1,7 @@
-//! What most scenes begin with.
+//! The first parts of most scenes.
 
+use crate::common::Dice;
+pub(crate) use crate::common::{add, add_fixed};
 use crate::rapier::prelude::*;
 use std::f64::consts::PI;
 
@@ -41,24 +43,6 @@ pub(crate) fn surface(
     let places = (0..squares).flat_map(|i| (0..squares).map(move |j| (i, j)));
     let triangles = places.flat_map(|(i, j)| square(i, j)).collect();
     ColliderBuilder::trimesh(vertices, triangles).expect("there are squares")
-}
-
-/// Adds a dynamic body with one collider.
-pub(crate) fn add(
-    world: &mut PhysicsWorld,
-    place: Vector,
-    collider: ColliderBuilder,
-) -> RigidBodyHandle {
-    world.insert(RigidBodyBuilder::dynamic().translation(place), collider).0
-}
-
-/// Adds a fixed body with one collider.
-pub(crate) fn add_fixed(
-    world: &mut PhysicsWorld,
-    place: Vector,
-    collider: ColliderBuilder,
-) -> RigidBodyHandle {
-    world.insert(RigidBodyBuilder::fixed().translation(place), collider).0
 }
 
 /// Adds a fixed body that something hangs on: a small cube that touches nothing.
@@ -109,7 +93,7 @@ pub(crate) fn cube(half_extent: Real) -> ColliderBuilder {
 }
 
 /// The corners of an irregular rock: random points on a sphere.
-pub(crate) fn rock(dice: &mut crate::common::Dice, radius: Real, corners: usize) -> Vec<Vector> {
+pub(crate) fn rock(dice: &mut Dice, radius: Real, corners: usize) -> Vec<Vector> {
     (0..corners)
         .map(|_| {
             let mut number = || dice.between(-1.0, 1.0);

@@ -238,6 +238,12 @@ impl ContactManifold {
         &self.data.points
     }
 
+    /// The solver's colour, from 0 to 64: constraints with a dynamic body in common have different colours, except for
+    /// those of colour 64, which the solver takes one by one. `None` while the solver does not handle the manifold.
+    pub fn solver_color(&self) -> Option<u32> {
+        self.slot.map(|slot| slot.color)
+    }
+
     /// Does the solver keep the two colliders apart here?
     pub(crate) fn is_solved(&self) -> bool {
         !self.data.points.is_empty()

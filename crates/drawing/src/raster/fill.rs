@@ -5,6 +5,9 @@ use crate::light::RIM_PIXELS;
 use crate::vector::{add_scaled, cross, dot, normalize, rotate, sub};
 use crate::{Camera, Instance, Mesh, Point, Role, Seen};
 
+/// Twice the area of a triangle (square pixels) below which it covers no pixel.
+const AREA_MIN: f32 = 1.0e-6;
+
 /// A pixel of a surface.
 pub(super) struct Pixel {
     pub x: usize,
@@ -107,12 +110,27 @@ fn fill(size: [usize; 2], corners: [Seen; 3], normals: [Point; 3], visit: &mut i
         [(x * 0.5 + 0.5) * size[0] as f32, (0.5 - y * 0.5) * size[1] as f32]
     };
     let p = corners.map(at);
-    let nearness = corners.map(|c| 1.0 / c.w);
-    let area = twice_area(p[0], p[1], p[2]);
-    if area.abs() < 1.0e-6 {
+    if twice_area(p[0], p[1], p[2]).abs() < AREA_MIN {
         return;
     }
-    let inverse = 1.0 / area;
+    let nearness = corners.map(|c| 1.0 / c.w);
+    cover(size, p, |x, y, shares| {
+        visit(&Pixel {
+            x,
+            y,
+            nearness: (0..3).map(|i| shares[i] * nearness[i]).sum(),
+            normal: std::array::from_fn(|axis| (0..3).map(|i| shares[i] * normals[i][axis]).sum()),
+        });
+    });
+}
+
+/// Visits the pixels whose middle lies in a triangle, with the shares of its corners there.
+pub(super) fn cover(
+    size: [usize; 2],
+    p: [[f32; 2]; 3],
+    mut visit: impl FnMut(usize, usize, [f32; 3]),
+) {
+    let inverse = 1.0 / twice_area(p[0], p[1], p[2]);
     // Share of corner `i`: the area between the opposite side and the pixel, over the whole area.
     let share = |i: usize, at: [f32; 2]| twice_area(p[(i + 1) % 3], p[(i + 2) % 3], at) * inverse;
     let range = |axis: usize| {
@@ -123,16 +141,14 @@ fn fill(size: [usize; 2], corners: [Seen; 3], normals: [Point; 3], visit: &mut i
     for y in rows {
         for x in columns.clone() {
             let at = [x as f32 + 0.5, y as f32 + 0.5];
-            let shares = [share(0, at), share(1, at), share(2, at)];
-            if shares.iter().all(|&share| share > 0.0) {
-                visit(&Pixel {
-                    x,
-                    y,
-                    nearness: (0..3).map(|i| shares[i] * nearness[i]).sum(),
-                    normal: std::array::from_fn(|axis| {
-                        (0..3).map(|i| shares[i] * normals[i][axis]).sum()
-                    }),
-                });
+            let mut shares = [0.0; 3];
+            // Most pixels of the range are outside, and the first sides show it.
+            let inside = (0..3).all(|i| {
+                shares[i] = share(i, at);
+                shares[i] > 0.0
+            });
+            if inside {
+                visit(x, y, shares);
             }
         }
     }
@@ -149,26 +165,4 @@ fn twice_area(a: [f32; 2], b: [f32; 2], point: [f32; 2]) -> f32 {
         if area == 0.0 { f32::EPSILON } else { area }
     };
     if (a[0], a[1]) < (b[0], b[1]) { rising(a, b) } else { -rising(b, a) }
-}
-
-/// Visits the texels of a triangle as the sun sees it.
-pub(super) fn parallel(
-    light: &super::shadow::Light,
-    size: [usize; 2],
-    corners: [Point; 3],
-    mut visit: impl FnMut(usize, usize),
-) {
-    let [a, b, c] = corners.map(|corner| light.place(corner));
-    let area = twice_area([a[0], a[1]], [b[0], b[1]], [c[0], c[1]]);
-    let range =
-        |axis: usize| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])];
-    let sides = [[a, b], [b, c], [c, a]].map(|side| side.map(|p| [p[0], p[1]]));
-    for y in whole(range(1), size[1]) {
-        for x in whole(range(0), size[0]) {
-            let at = [x as f32 + 0.5, y as f32 + 0.5];
-            if sides.iter().all(|[from, to]| twice_area(*from, *to, at) * area > 0.0) {
-                visit(x, y);
-            }
-        }
-    }
 }

@@ -77,12 +77,9 @@ pub(super) fn caption(canvas: &mut Canvas, [title, details]: &[String; 2]) {
 
 /// Writes a line of text with its middle at a place of the scene, if that is in the picture.
 pub(super) fn label(canvas: &mut Canvas, camera: &Camera, at: Point, text: &str) {
-    let seen = camera.see(at);
-    if seen.w < camera.nearest() || seen.x.abs() > seen.w || seen.y.abs() > seen.w {
-        return;
-    }
+    let Some([x, y]) = camera.in_picture(at) else { return };
     let fineness = canvas.fineness as f32;
-    let middle = canvas.place(seen.x / seen.w, seen.y / seen.w).map(|c| c / fineness);
+    let middle = canvas.place(x, y).map(|c| c / fineness);
     // The gap behind the last letter is no part of the text.
     let width = (text.chars().count() as f32 * ADVANCE - (ADVANCE - 4.0)) * LABEL_UNIT;
     let start = [middle[0] - 0.5 * width, middle[1] + 3.0 * LABEL_UNIT];

@@ -1,8 +1,8 @@
 //! The shadow map: the depth of the scene as the sun sees it.
 
 use super::fill;
-use crate::light::{SHADOW_REACH, SHADOW_TEXELS, SUN};
-use crate::vector::{add_scaled, cross, dot, normalize, sub};
+use crate::light::{SHADOW_REACH, SHADOW_TEXELS, sun_axes};
+use crate::vector::{add_scaled, dot, sub};
 use crate::{Camera, Drawing, Point, Role};
 
 /// Offset along the normal, and towards the sun, in texels: keeps surfaces from shadowing themselves.
@@ -10,68 +10,48 @@ const BIAS: f32 = 1.6;
 
 /// Distances from the sun.
 pub(super) struct ShadowMap {
-    right: Point,
-    up: Point,
-    sun: Point,
-    center: Point,
-    radius: f32,
-    /// Heights towards the sun, in radii; the lowest float where nothing is.
+    light: Light,
+    /// Heights towards the sun; the lowest float where nothing is.
     heights: Vec<f32>,
 }
 
 impl ShadowMap {
     /// The map of the region that the camera shows.
     pub(super) fn new(drawing: &Drawing, camera: &Camera) -> Self {
-        let sun = normalize(SUN);
-        let right = normalize(cross([0.0, 1.0, 0.0], sun));
-        let up = cross(sun, right);
+        let [right, up, sun] = sun_axes();
         let radius = camera.radius * SHADOW_REACH;
-        let heights = vec![f32::MIN; SHADOW_TEXELS * SHADOW_TEXELS];
-        let mut map = Self { right, up, sun, center: camera.center, radius, heights };
+        let light = Light { right, up, sun, center: camera.center, radius };
+        let mut map = Self { light, heights: vec![f32::MIN; SHADOW_TEXELS * SHADOW_TEXELS] };
         map.paint(drawing);
         map
     }
 
     fn paint(&mut self, drawing: &Drawing) {
-        let light = self.camera();
-        let size = [SHADOW_TEXELS; 2];
+        let Self { light, heights } = self;
         for (mesh, instance) in drawing.instances() {
             let mesh = mesh.coarsest();
             if instance.role == Role::Ground {
                 continue;
             }
-            // The parallel camera sees no depth, so depth travels as the coordinate of the pixel's plane.
-            let points: Vec<Point> =
-                mesh.vertices.iter().map(|v| instance.place(v.position)).collect();
+            let places: Vec<[f32; 3]> =
+                mesh.vertices.iter().map(|v| light.place(instance.place(v.position))).collect();
             for triangle in &mesh.triangles {
-                let [a, b, c] = triangle.map(|i| points[i as usize]);
-                let plane = Plane::through([a, b, c], &light);
-                let Some(plane) = plane else { continue };
-                fill::parallel(&light, size, [a, b, c], |x, y| {
-                    let height = plane.height_at(x, y);
-                    let texel = &mut self.heights[y * SHADOW_TEXELS + x];
-                    *texel = texel.max(height);
+                let corners = triangle.map(|i| places[i as usize]);
+                let Some(plane) = Plane::through(corners) else { continue };
+                let flat = corners.map(|[x, y, _]| [x, y]);
+                fill::cover([SHADOW_TEXELS; 2], flat, |x, y, _| {
+                    let texel = &mut heights[y * SHADOW_TEXELS + x];
+                    *texel = texel.max(plane.height_at(x, y));
                 });
             }
         }
     }
 
-    /// The sun as a parallel camera.
-    fn camera(&self) -> Light {
-        Light {
-            right: self.right,
-            up: self.up,
-            sun: self.sun,
-            center: self.center,
-            radius: self.radius,
-        }
-    }
-
     /// Fraction of the sun's light that reaches a point of a surface with this unit normal.
     pub(super) fn light_at(&self, point: Point, normal: Point) -> f32 {
-        let texel = 2.0 * self.radius / SHADOW_TEXELS as f32;
-        let raised = add_scaled(add_scaled(point, normal, BIAS * texel), self.sun, BIAS * texel);
-        let [x, y, height] = self.camera().place(raised);
+        let bias = BIAS * (2.0 * self.light.radius / SHADOW_TEXELS as f32);
+        let raised = add_scaled(add_scaled(point, normal, bias), self.light.sun, bias);
+        let [x, y, height] = self.light.place(raised);
         let (x, y) = (x - 0.5, y - 0.5);
         let last = (SHADOW_TEXELS - 2) as f32;
         if x < 1.0 || y < 1.0 || x > last || y > last {
@@ -94,8 +74,8 @@ impl ShadowMap {
     }
 }
 
-/// Coordinates in the picture that the sun sees.
-pub(super) struct Light {
+/// The sun as a parallel camera.
+struct Light {
     right: Point,
     up: Point,
     sun: Point,
@@ -105,7 +85,7 @@ pub(super) struct Light {
 
 impl Light {
     /// Texel coordinates of a point, and its height towards the sun.
-    pub(super) fn place(&self, point: Point) -> [f32; 3] {
+    fn place(&self, point: Point) -> [f32; 3] {
         let offset = sub(point, self.center);
         let texels = |axis: Point, sign: f32| {
             (sign * dot(offset, axis) / self.radius * 0.5 + 0.5) * SHADOW_TEXELS as f32
@@ -122,8 +102,7 @@ struct Plane {
 
 impl Plane {
     /// The plane of a triangle; none where the sun sees its edge only.
-    fn through(corners: [Point; 3], light: &Light) -> Option<Self> {
-        let [a, b, c] = corners.map(|corner| light.place(corner));
+    fn through([a, b, c]: [[f32; 3]; 3]) -> Option<Self> {
         let (u, v) = (sub(b, a), sub(c, a));
         let area = u[0] * v[1] - u[1] * v[0];
         if area.abs() < 1.0e-4 {

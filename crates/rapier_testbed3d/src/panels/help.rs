@@ -1,6 +1,6 @@
 //! The list of keys and of what the mouse does.
 
-use crate::scene::IN_SPACE;
+use crate::rapier::math::DIM;
 use eframe::egui::{Align2, Context, Grid, Key, RichText, Window};
 
 /// Keys and their effects.
@@ -37,7 +37,7 @@ pub(crate) fn show(ctx: &Context, open: &mut bool) {
     if ctx.input(|input| input.key_pressed(Key::Escape)) {
         *open = false;
     }
-    let mouse: &[_] = if IN_SPACE { &MOUSE } else { &FLAT_MOUSE };
+    let mouse: &[_] = if DIM == 3 { &MOUSE } else { &FLAT_MOUSE };
     Window::new("Keys")
         .open(open)
         .collapsible(false)

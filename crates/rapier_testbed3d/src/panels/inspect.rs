@@ -1,5 +1,6 @@
 //! The selected body, its collider, its joints and its contacts.
 
+use crate::player::Player;
 use crate::rapier::prelude::*;
 use crate::session::Session;
 use eframe::egui::{DragValue, Grid, Slider, Ui};
@@ -9,21 +10,22 @@ const ROWS_MAX: usize = 12;
 
 /// Shows the selection, and changes it.
 pub(crate) fn show(ui: &mut Ui, session: &mut Session) {
-    let Some(handle) = session.selected else {
+    let Some(handle) = session.artist.selected else {
         ui.weak("Click a body.");
         return;
     };
     ui.checkbox(&mut session.follow, "follow (F)");
-    let world = session.player.world_mut();
-    let Some(collider) = world.colliders.get(handle) else {
-        session.selected = None;
+    let player = &mut session.player;
+    let Some(collider) = player.shown().world.colliders.get(handle) else {
+        session.artist.selected = None;
         return;
     };
     let parent = collider.parent();
     if let Some(body) = parent {
-        show_body(ui, world, body);
+        show_body(ui, player, body);
     }
-    show_collider(ui, world, handle);
+    show_collider(ui, player, handle);
+    let world = &player.shown().world;
     if let Some(body) = parent {
         show_joints(ui, world, body);
     }
@@ -47,9 +49,11 @@ fn vector(v: Vector) -> String {
     parts.join("  ")
 }
 
-fn show_body(ui: &mut Ui, world: &mut PhysicsWorld, handle: RigidBodyHandle) {
-    let Some(body) = world.bodies.get_mut(handle) else { return };
+fn show_body(ui: &mut Ui, player: &mut Player, handle: RigidBodyHandle) {
+    let Some(body) = player.shown().world.bodies.get(handle) else { return };
     heading(ui, format!("Body {}, {:?}", handle.into_raw_parts().0, body.body_type()));
+    let shown = BodySettings::of(body);
+    let (mut wanted, mut edited) = (shown, false);
     Grid::new("body").num_columns(2).show(ui, |ui| {
         fact(ui, "position", vector(body.translation()));
         fact(ui, "velocity", vector(body.linvel()));
@@ -58,48 +62,76 @@ fn show_body(ui: &mut Ui, world: &mut PhysicsWorld, handle: RigidBodyHandle) {
         fact(ui, "kinetic energy", format!("{:.3}", body.kinetic_energy()));
         let sleep = if body.is_sleeping() { "asleep" } else { "awake" };
         fact(ui, "state", sleep.to_owned());
-        let mut damping = [body.linear_damping(), body.angular_damping()];
-        for (name, value) in ["linear damping", "angular damping"].into_iter().zip(&mut damping) {
-            ui.small(name);
-            ui.add(DragValue::new(value).range(0.0..=100.0).speed(0.02));
-            ui.end_row();
-        }
-        if damping != [body.linear_damping(), body.angular_damping()] {
-            body.set_linear_damping(damping[0]);
-            body.set_angular_damping(damping[1]);
-        }
-        let mut scale = body.gravity_scale();
-        ui.small("gravity scale");
-        if ui.add(DragValue::new(&mut scale).speed(0.02)).changed() {
-            body.set_gravity_scale(scale, true);
-        }
-        ui.end_row();
-        let mut ccd = body.is_ccd_enabled();
-        ui.small("continuous");
-        if ui.checkbox(&mut ccd, "").changed() {
-            body.enable_ccd(ccd);
-        }
-        ui.end_row();
+        edited = wanted.edit(ui);
     });
+    // Write access ends the rewound state, so an edit alone takes it.
+    if edited
+        && let Some(body) = player.world_mut().bodies.get_mut(handle)
+    {
+        wanted.apply(body, &shown);
+    }
 }
 
-fn show_collider(ui: &mut Ui, world: &mut PhysicsWorld, handle: ColliderHandle) {
-    let Some(collider) = world.colliders.get_mut(handle) else { return };
+/// The properties of a body that the panel edits.
+#[derive(Copy, Clone)]
+struct BodySettings {
+    /// Linear and angular.
+    damping: [Real; 2],
+    gravity_scale: Real,
+    ccd: bool,
+}
+
+impl BodySettings {
+    fn of(body: &RigidBody) -> Self {
+        Self {
+            damping: [body.linear_damping(), body.angular_damping()],
+            gravity_scale: body.gravity_scale(),
+            ccd: body.is_ccd_enabled(),
+        }
+    }
+
+    /// Shows the fields; returns whether an input changed one.
+    fn edit(&mut self, ui: &mut Ui) -> bool {
+        let mut edited = false;
+        for (name, value) in ["linear damping", "angular damping"].into_iter().zip(&mut self.damping)
+        {
+            ui.small(name);
+            edited |= ui.add(DragValue::new(value).range(0.0..=100.0).speed(0.02)).changed();
+            ui.end_row();
+        }
+        ui.small("gravity scale");
+        edited |= ui.add(DragValue::new(&mut self.gravity_scale).speed(0.02)).changed();
+        ui.end_row();
+        ui.small("continuous");
+        edited |= ui.checkbox(&mut self.ccd, "").changed();
+        ui.end_row();
+        edited
+    }
+
+    /// Sets the properties that differ from the previous ones: a new gravity scale alone wakes the body.
+    fn apply(&self, body: &mut RigidBody, previous: &Self) {
+        let [linear, angular] = self.damping;
+        body.set_linear_damping(linear);
+        body.set_angular_damping(angular);
+        if self.gravity_scale != previous.gravity_scale {
+            body.set_gravity_scale(self.gravity_scale, true);
+        }
+        body.enable_ccd(self.ccd);
+    }
+}
+
+fn show_collider(ui: &mut Ui, player: &mut Player, handle: ColliderHandle) {
+    let Some(collider) = player.shown().world.colliders.get(handle) else { return };
     let shape = format!("{:?}", collider.shape().shape_type());
     heading(ui, format!("Collider {}, {shape}", handle.into_raw_parts().0));
+    let (mut edited, mut surface) = (false, [collider.friction(), collider.restitution()]);
     Grid::new("collider").num_columns(2).show(ui, |ui| {
-        ui.small("friction");
-        let mut friction = collider.friction();
-        if ui.add(Slider::new(&mut friction, 0.0..=2.0)).changed() {
-            collider.set_friction(friction);
+        let rows = [("friction", 2.0), ("restitution", 1.0)];
+        for ((name, most), value) in rows.into_iter().zip(&mut surface) {
+            ui.small(name);
+            edited |= ui.add(Slider::new(value, 0.0..=most)).changed();
+            ui.end_row();
         }
-        ui.end_row();
-        ui.small("restitution");
-        let mut restitution = collider.restitution();
-        if ui.add(Slider::new(&mut restitution, 0.0..=1.0)).changed() {
-            collider.set_restitution(restitution);
-        }
-        ui.end_row();
         fact(ui, "density", format!("{:.3}", collider.density()));
         let groups = collider.collision_groups();
         fact(
@@ -108,6 +140,13 @@ fn show_collider(ui: &mut Ui, world: &mut PhysicsWorld, handle: ColliderHandle) 
             format!("{:08x} / {:08x}", groups.memberships.bits(), groups.filter.bits()),
         );
     });
+    if edited
+        && let Some(collider) = player.world_mut().colliders.get_mut(handle)
+    {
+        let [friction, restitution] = surface;
+        collider.set_friction(friction);
+        collider.set_restitution(restitution);
+    }
 }
 
 fn show_joints(ui: &mut Ui, world: &PhysicsWorld, body: RigidBodyHandle) {
@@ -133,10 +172,15 @@ fn show_contacts(ui: &mut Ui, world: &PhysicsWorld, handle: ColliderHandle) {
     let mut texts = Vec::new();
     for pair in world.contact_pairs_with(handle) {
         let other = if pair.collider1 == handle { pair.collider2 } else { pair.collider1 };
-        for contact in pair.manifolds.iter().flat_map(|manifold| &manifold.data) {
-            let other = other.into_raw_parts().0;
-            let (distance, impulse) = (contact.dist, contact.impulse);
-            texts.push(format!("{other}: distance {distance:.4}, impulse {impulse:.3}"));
+        let other = other.into_raw_parts().0;
+        for manifold in &pair.manifolds {
+            let color = manifold.solver_color().map_or("-".to_owned(), |color| color.to_string());
+            for contact in &manifold.data {
+                let (distance, impulse) = (contact.dist, contact.impulse);
+                texts.push(format!(
+                    "{other}: distance {distance:.4}, impulse {impulse:.3}, colour {color}"
+                ));
+            }
         }
     }
     if !texts.is_empty() {

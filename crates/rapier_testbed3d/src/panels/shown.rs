@@ -27,6 +27,7 @@ pub(crate) fn show(ui: &mut Ui, overlays: &mut Overlays) {
         }
     }
     ui.checkbox(&mut overlays.impulses, "impulses of contacts");
+    ui.checkbox(&mut overlays.solver_colors, "solver colours of contacts");
     ui.checkbox(&mut overlays.centers_of_mass, "centres of mass");
     ui.checkbox(&mut overlays.velocities, "velocities");
     ui.checkbox(&mut overlays.sleep, "dim sleeping bodies");

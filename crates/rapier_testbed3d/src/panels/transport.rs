@@ -67,6 +67,6 @@ fn counts(ui: &mut Ui, session: &Session, frame_time: f64) {
     if session.pace.running {
         part("hash: while paused".to_owned());
     } else {
-        part(format!("hash {:016x}", world.hash()));
+        part(format!("hash {:016x}", session.player.hash()));
     }
 }

@@ -4,8 +4,9 @@ use super::islands::Islands;
 use super::overlays::Overlays;
 use super::palette::color;
 use super::scene::{BodyColors, Scene};
+use super::surfaces::Surfaces;
 use crate::rapier::prelude::*;
-use crate::shapes::{Surfaces, point};
+use crate::shapes::point;
 use drawing::{Color, Drawing, Line, Role};
 
 /// A fixed collider that is this many times larger than all that moves is scenery.
@@ -29,29 +30,32 @@ impl Artist {
     /// Draws a scene: its world, its joints as it wants them, its labels.
     pub fn draw(&mut self, scene: &Scene) -> Drawing {
         self.lines.style.joint_axes_length = scene.joint_axes.unwrap_or(self.overlays.length);
-        let wanted = self.overlays.lines;
-        if scene.joint_axes.is_some() {
-            self.overlays.lines |= DebugRenderMode::JOINTS | DebugRenderMode::JOINT_AXES;
-        }
-        let mut drawing = self.draw_world(&scene.world, &scene.body_colors);
-        self.overlays.lines = wanted;
+        let joints = DebugRenderMode::JOINTS | DebugRenderMode::JOINT_AXES;
+        let added = scene.joint_axes.map_or(DebugRenderMode::empty(), |_| joints);
+        let mode = self.overlays.lines | added;
+        let mut drawing = self.draw_world(&scene.world, &scene.body_colors, mode);
         for (at, text) in &scene.labels {
             drawing.label(point(*at), text);
         }
         drawing
     }
 
-    /// Draws a world, with the colours of some bodies.
-    pub fn draw_world(&mut self, world: &PhysicsWorld, colors: &BodyColors) -> Drawing {
+    /// Draws a world, with the colours of some bodies, and the lines of a mode.
+    fn draw_world(
+        &mut self,
+        world: &PhysicsWorld,
+        colors: &BodyColors,
+        mode: DebugRenderMode,
+    ) -> Drawing {
         let mut drawing = Drawing::default();
         let moving = extent_of_moving(world);
-        let islands = self.overlays.islands.then(|| Islands::of(world));
+        let mut islands = self.overlays.islands.then(|| Islands::of(world));
         for (handle, collider) in world.colliders.iter().filter(|(_, c)| !c.is_sensor()) {
             let body = collider.parent().and_then(|parent| world.bodies.get(parent));
             let role = role_of(collider, body, moving);
             let scenery = matches!(role, Role::Scenery | Role::Ground);
             let own = collider.parent().and_then(|parent| {
-                let island = islands.as_ref().and_then(|islands| islands.color(parent));
+                let island = islands.as_mut().and_then(|islands| islands.color(parent));
                 island.or_else(|| colors.get(&parent).copied())
             });
             let color = own.unwrap_or_else(|| color(handle, body, scenery, self.overlays.sleep));
@@ -67,16 +71,22 @@ impl Artist {
             self.surfaces.add(&mut drawing, collider, &look);
         }
         self.surfaces.forget_unused();
-        self.add_lines(world, moving, &mut drawing);
+        self.add_lines(world, moving, mode, &mut drawing);
         self.overlays.mark(world, &mut drawing);
         drawing
     }
 
-    fn add_lines(&mut self, world: &PhysicsWorld, moving: Real, drawing: &mut Drawing) {
+    fn add_lines(
+        &mut self,
+        world: &PhysicsWorld,
+        moving: Real,
+        mode: DebugRenderMode,
+        drawing: &mut Drawing,
+    ) {
         let Self { overlays, lines, .. } = self;
         // Joints are inside their bodies; the axes are there to be seen.
-        let joints_on_top = overlays.lines.contains(DebugRenderMode::JOINT_AXES);
-        lines.mode = overlays.lines | DebugRenderMode::COLLIDER_SHAPES;
+        let joints_on_top = mode.contains(DebugRenderMode::JOINT_AXES);
+        lines.mode = mode | DebugRenderMode::COLLIDER_SHAPES;
         lines.style.contact_normal_length = overlays.length;
         lines.style.rigid_body_axes_length = overlays.length;
         let mut pen = Pen { drawing, moving, world, everything: !overlays.surfaces, joints_on_top };
@@ -149,8 +159,8 @@ impl DebugRenderBackend for Pen<'_> {
         match object {
             DebugRenderObject::Collider(_, collider) => {
                 let body = collider.parent().and_then(|parent| self.world.bodies.get(parent));
-                let scenery = role_of(collider, body, self.moving) == Role::Ground;
-                Self::is_wire(collider) || (self.everything && !scenery)
+                Self::is_wire(collider)
+                    || (self.everything && role_of(collider, body, self.moving) != Role::Ground)
             }
             DebugRenderObject::ImpulseJoint(_, joint) => joint.data.is_enabled(),
             _ => true,

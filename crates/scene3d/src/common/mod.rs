@@ -2,16 +2,20 @@
 //! roots import under the name `rapier`.
 
 mod draw;
+mod events;
 mod islands;
 mod law;
 mod overlays;
 mod palette;
 mod run;
 mod scene;
+mod surfaces;
 
 pub use draw::Artist;
 pub(crate) use draw::Look;
+pub use events::StepEvents;
 pub use law::{Law, gap};
 pub use overlays::Overlays;
-pub use run::{entries, measured};
+pub use run::entries;
 pub use scene::{BodyColors, Scene, SceneInfo, Script};
+pub(crate) use surfaces::{BORDER_PIECES, Surfaces};

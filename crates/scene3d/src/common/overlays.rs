@@ -15,6 +15,8 @@ pub struct Overlays {
     pub velocities: bool,
     /// Whether impulses of contacts are drawn along their normals.
     pub impulses: bool,
+    /// Whether contacts have the colour in which the solver takes their constraint.
+    pub solver_colors: bool,
     /// Whether sleeping bodies are dimmed.
     pub sleep: bool,
     /// Whether bodies have the colour of their island.
@@ -32,6 +34,7 @@ impl Default for Overlays {
             centers_of_mass: false,
             velocities: false,
             impulses: false,
+            solver_colors: false,
             sleep: true,
             islands: false,
             surfaces: true,
@@ -46,6 +49,11 @@ const VELOCITY: [f32; 3] = [165.0, 0.85, 0.60];
 const IMPULSE: [f32; 3] = [18.0, 0.95, 0.62];
 /// Length of the line of a velocity, in seconds of motion.
 const VELOCITY_TIME: Real = 0.15;
+/// Saturation and lightness of solver colours, and the look of constraints without one.
+const SOLVER_COLOR: [f32; 2] = [0.85, 0.60];
+const OVERFLOW: [f32; 3] = [0.0, 0.0, 0.95];
+/// The engine's number for constraints without a colour.
+const OVERFLOW_COLOR: u32 = 64;
 
 impl Overlays {
     /// Adds the marks of bodies and contacts that the debug-renderer has none for.
@@ -66,6 +74,25 @@ impl Overlays {
         if self.impulses {
             self.mark_impulses(world, out);
         }
+        if self.solver_colors {
+            self.mark_solver_colors(world, out);
+        }
+    }
+
+    /// A cross at each contact point and its normal, with a hue for each solver colour; white for the overflow.
+    fn mark_solver_colors(&self, world: &PhysicsWorld, out: &mut Drawing) {
+        for manifold in world.narrow_phase.contact_pairs().flat_map(|(_, _, pair)| &pair.manifolds) {
+            let Some(number) = manifold.solver_color() else { continue };
+            let look = solver_look(number);
+            for contact in &manifold.data {
+                for axis in Vector::AXES {
+                    let arm = axis * (0.2 * self.length);
+                    out.line(mark(contact.point - arm, contact.point + arm, look));
+                }
+                let tip = contact.point + manifold.data.normal * self.length;
+                out.line(mark(contact.point, tip, look));
+            }
+        }
     }
 
     /// Impulses of contacts; the largest of the scene has twice the length of a normal.
@@ -84,6 +111,15 @@ impl Overlays {
                 out.line(mark(contact.point, tip, IMPULSE));
             }
         }
+    }
+}
+
+/// The look of a solver colour. Multiples of the golden section keep the hues of neighbouring numbers apart.
+fn solver_look(number: u32) -> [f32; 3] {
+    let [saturation, lightness] = SOLVER_COLOR;
+    match number {
+        OVERFLOW_COLOR => OVERFLOW,
+        _ => [(number as f32 * 0.618_034).fract() * 360.0, saturation, lightness],
     }
 }
 

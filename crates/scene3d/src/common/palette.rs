@@ -29,7 +29,7 @@ pub(super) fn color(
     let [hue, mut saturation, mut lightness] = match body {
         Some(body) if body.is_dynamic() => {
             // Multiples of the golden section spread evenly.
-            let spread = (body_index(handle) as f32 * 0.618_034).fract();
+            let spread = (handle.into_raw_parts().0 as f32 * 0.618_034).fract();
             DYNAMIC[(spread * DYNAMIC.len() as f32) as usize % DYNAMIC.len()]
         }
         Some(body) if body.is_kinematic() => KINEMATIC,
@@ -41,8 +41,4 @@ pub(super) fn color(
         lightness *= ASLEEP[1];
     }
     Color::from_hsl(hue, saturation, lightness, 1.0)
-}
-
-fn body_index(handle: ColliderHandle) -> u32 {
-    handle.into_raw_parts().0
 }

@@ -52,7 +52,7 @@ impl SceneRun for Scene {
 }
 
 /// Times of the stages of the last step.
-pub fn measured(world: &PhysicsWorld) -> StageTimes {
+fn measured(world: &PhysicsWorld) -> StageTimes {
     let counters = &world.physics_pipeline.counters;
     StageTimes {
         total: counters.step_time.time(),

@@ -1,6 +1,7 @@
 //! A scene: a world, and what happens to it beside physics.
 
 use super::draw::Artist;
+use super::events::{EventLog, StepEvents};
 use super::law::Law;
 use crate::rapier::prelude::*;
 use crate::shapes::point;
@@ -49,8 +50,11 @@ impl<F: FnMut(&mut PhysicsWorld, usize) + Clone + 'static> Script for F {
 /// Colours by body.
 pub type BodyColors = HashMap<RigidBodyHandle, Color>;
 
+/// Answers the events of each step.
+type Reaction = Rc<dyn Fn(&mut PhysicsWorld, &StepEvents)>;
+
 /// Sees the world after each step.
-type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, usize)>>;
+type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize)>>;
 
 /// A world with all that belongs to it.
 pub struct Scene {
@@ -71,11 +75,11 @@ pub struct Scene {
     observer: Option<Observer>,
     script: Option<Box<dyn Script>>,
     hooks: Rc<dyn PhysicsHooks>,
-    events: Rc<dyn EventHandler>,
+    reaction: Option<Reaction>,
 }
 
-/// Copies the world and the script, which continue bit for bit as the original does. Hooks and handlers of events are
-/// shared.
+/// Copies the world and the script, which continue bit for bit as the original does. The copy shares hooks and the
+/// reaction, which have no state of their own, and the observer with its state.
 impl Clone for Scene {
     fn clone(&self) -> Self {
         Self { world: self.world.clone(), ..self.without_world() }
@@ -104,7 +108,7 @@ impl Scene {
             observer: self.observer.clone(),
             script: self.script.as_ref().map(|script| script.copy()),
             hooks: self.hooks.clone(),
-            events: self.events.clone(),
+            reaction: self.reaction.clone(),
         }
     }
 
@@ -121,7 +125,7 @@ impl Scene {
             observer: None,
             script: None,
             hooks: Rc::new(()),
-            events: Rc::new(()),
+            reaction: None,
         }
     }
 
@@ -152,10 +156,10 @@ impl Scene {
         self
     }
 
-    /// Runs a function after each step, with the number of steps taken. Copies of the scene share it.
+    /// Runs a function after each step, with its events and the number of steps taken. Copies of the scene share it.
     pub fn observe(
         mut self,
-        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, usize) + 'static,
+        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize) + 'static,
     ) -> Self {
         self.observer = Some(Rc::new(RefCell::new(observer)));
         self
@@ -172,13 +176,14 @@ impl Scene {
         self
     }
 
-    /// Sends the events of each step somewhere.
-    pub fn events(mut self, events: impl EventHandler + 'static) -> Self {
-        self.events = Rc::new(events);
+    /// Changes the world after each step as its events demand. Without a state of its own, a reaction repeats after a
+    /// return to an earlier copy.
+    pub fn react(mut self, reaction: impl Fn(&mut PhysicsWorld, &StepEvents) + 'static) -> Self {
+        self.reaction = Some(Rc::new(reaction));
         self
     }
 
-    /// Runs the script, then takes a step.
+    /// Runs the script, takes a step, then runs the reaction to its events.
     pub fn step(&mut self) {
         self.step_by(|world, hooks, events| world.step_with_events(hooks, events));
     }
@@ -192,10 +197,15 @@ impl Scene {
             script.run(&mut self.world, self.steps_taken);
         }
         self.steps_taken += 1;
-        let result = step(&mut self.world, self.hooks.as_ref(), self.events.as_ref());
+        let log = EventLog::default();
+        let result = step(&mut self.world, self.hooks.as_ref(), &log);
+        let events = log.into_events();
+        if let Some(react) = &self.reaction {
+            react(&mut self.world, &events);
+        }
         if let Some(observer) = &self.observer {
             let mut observe = observer.borrow_mut();
-            observe(&mut self.world, &mut self.body_colors, self.steps_taken);
+            observe(&mut self.world, &mut self.body_colors, &events, self.steps_taken);
         }
         result
     }

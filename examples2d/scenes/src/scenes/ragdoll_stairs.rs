@@ -1,4 +1,4 @@
-//! Ragdolls: bodies of limbs on hinges whose limits are those of people.
+//! Ragdolls: bodies of limbs on hinges with the limits of human joints.
 //!
 //! After 20 steps no overlap is deeper than 0.12, no body is below 3.5, none is farther out than 6.8, and no joint is
 //! open by more than 0.13.
@@ -49,7 +49,8 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-4.0, -0.3), Vector::new(10.0, 6.2))
 }
 
-/// Somebody who stands upright and looks along x, with the hips at a place, and with muscles that slow the limbs down or without.
+/// Adds a ragdoll that stands upright and looks along x, with the hips at a place. Muscles, if there are any, slow its
+/// limbs down.
 pub(super) fn add_ragdoll(
     world: &mut PhysicsWorld,
     hips: Vector,
@@ -73,7 +74,7 @@ pub(super) fn add_ragdoll(
         join(world, (near, -end), (far, end), bend, muscles);
         bodies.extend([near, far]);
     }
-    // The limbs of one doll pass each other; so flat a person has them all in one place.
+    // The limbs of one ragdoll do not collide: in a plane they all overlap.
     for (k, &body) in bodies.iter().enumerate() {
         let doll = InteractionGroups::new(Group::GROUP_2, !Group::GROUP_2);
         let colliders = world.bodies[body].colliders().to_vec();

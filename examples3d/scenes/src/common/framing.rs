@@ -52,8 +52,7 @@ fn cameras_frame_what_moves() {
         let stress = info.category == Category::Stress;
         scene.run(if stress { 2 } else { info.steps.min(STEPS) });
         let drawing = Artist::default().draw(&scene);
-        let aspect = SIZE[0] as f32 / SIZE[1] as f32;
-        let camera = Camera::fit(&scene.view, &drawing.points_to_frame(), aspect);
+        let camera = drawing.camera(&scene.view, SIZE);
         let Framing { covered, visible, moving } = framing(&drawing, &camera);
         let visible_min = if moving > HEAP { VISIBLE_IN_HEAPS_MIN } else { VISIBLE_MIN };
         if covered < COVERED_MIN || visible < visible_min {

@@ -3,6 +3,7 @@
 
 mod dice;
 mod jansen;
+mod kit;
 pub mod plays;
 pub mod stands;
 mod strider;
@@ -15,5 +16,6 @@ mod tests;
 
 pub use crate::scene::{Law, Scene, SceneInfo};
 pub use dice::Dice;
+pub(crate) use kit::{add, add_fixed};
 pub use strider::{Strider, turns};
 pub use walker::Walker;

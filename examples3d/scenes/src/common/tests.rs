@@ -46,6 +46,23 @@ fn the_pyramids_have_their_size() {
     assert_eq!(bodies("no such scene"), None);
 }
 
+/// A copy has events of its own: it continues as the original does, step by step beside it.
+#[test]
+fn copies_react_to_their_own_events() {
+    for name in ["contact_forces", "sensors"] {
+        let mut scene = after(name, 20);
+        let mut copy = scene.clone();
+        for _ in 0..100 {
+            scene.step();
+            copy.step();
+        }
+        assert_eq!(scene.world.hash(), copy.world.hash(), "{name}");
+        let without_events = scene.world.bodies.iter().all(|(_, body)| body.gravity_scale() == 1.0)
+            && scene.world.bodies.len() == after(name, 0).world.bodies.len();
+        assert!(!without_events, "{name} has no event to react to");
+    }
+}
+
 /// The scene with this name, after some steps.
 fn after(name: &str, steps: usize) -> crate::Scene {
     let info = crate::find(name).expect("is in the list");

@@ -1,4 +1,4 @@
-//! Somebody who walks to and fro: what a game does with a character controller.
+//! A character that walks to and fro, as games move it with a character controller.
 
 use crate::rapier::control::*;
 use crate::rapier::prelude::*;

@@ -77,7 +77,7 @@ fn add_bridge(world: &mut PhysicsWorld, z: Real, strength: Real) {
         world.insert_impulse_joint(last.0, plank, joint);
         last = (plank, edge);
     }
-    // The hinges keep the planks in line. The last one need not do it again, and nobody could tell how much of it it did.
+    // The hinges keep the planks in line. The last one does not do it again: its share of the load would be undetermined.
     let carries = JointAxesMask::LIN_X | JointAxesMask::LIN_Y;
     let joint = GenericJointBuilder::new(carries)
         .local_anchor1(Vector::new(-bank.x, bank.y, 0.0))

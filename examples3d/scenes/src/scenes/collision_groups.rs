@@ -1,4 +1,4 @@
-//! Who meets whom.
+//! Collision groups: two kinds of bodies, each with a shelf of its own.
 //!
 //! After 200 steps no overlap is deeper than 0.01, no body is below 2.1, none is farther out than 5.4, and none is
 //! faster than 0.1.
@@ -32,7 +32,7 @@ const FLOOR: Group = Group::GROUP_32;
 pub fn build() -> Scene {
     let mut world = world_with_floor(50.0);
     for (y, group) in [(2.0, BALLS), (4.5, BOXES)] {
-        // A shelf is a member of the group that it holds, and meets nobody else.
+        // A shelf is a member of the group that it holds, and meets no other.
         let shelf = ColliderBuilder::cuboid(4.0, 0.1, 4.0)
             .collision_groups(InteractionGroups::new(group, group));
         add_fixed(&mut world, Vector::Y * y, shelf);

@@ -6,8 +6,6 @@ use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
-use std::rc::Rc;
-use std::sync::mpsc::channel;
 
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
@@ -37,14 +35,10 @@ pub fn build() -> Scene {
         .linvel(Vector::new(18.0, 1.5, 0.0));
     world.insert(ball, ColliderBuilder::ball(0.9).density(8.0));
 
-    let (send_collision, _) = channel();
-    let (send_force, forces) = channel();
-    let forces = Rc::new(forces); // Copies of the scene share it.
     Scene::new(world, View::orbit(30.0, 18.0))
         .focusing(Vector::new(-4.0, 0.0, -4.0), Vector::new(8.0, 3.5, 4.0))
-        .events(ChannelEventCollector::new(send_collision, send_force))
-        .script(move |world, _| {
-            for event in forces.try_iter() {
+        .react(|world, events| {
+            for event in &events.contact_forces {
                 for collider in [event.collider1, event.collider2] {
                     break_crate(world, collider);
                 }
@@ -52,7 +46,7 @@ pub fn build() -> Scene {
         })
 }
 
-/// A crate that asks to be told of forces beyond its strength. Its user data tells it from the rest.
+/// A crate with an event for each force beyond its strength. Its user data distinguishes it from the rest.
 fn crate_shape() -> ColliderBuilder {
     cube(CRATE)
         .active_events(ActiveEvents::CONTACT_FORCE_EVENTS)

@@ -1,4 +1,4 @@
-//! Ragdolls: bodies of limbs on joints whose limits are those of people.
+//! Ragdolls: bodies of limbs on joints with the limits of human ones.
 //!
 //! After 20 steps no overlap is deeper than 0.01, no body is below 3.5, none is farther out than 5.1, and no joint is
 //! open by more than 0.005.
@@ -77,7 +77,7 @@ fn along(place: Vector, direction: Vector) -> Pose {
     Pose::from_parts(place, Rotation::from_rotation_arc(Vector::X, direction))
 }
 
-/// Somebody who stands upright and looks along x, with the hips at a place.
+/// Adds a ragdoll that stands upright and looks along x, with the hips at a place.
 fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
     let shape = ColliderBuilder::cuboid(0.14, 0.28, 0.2);
     let chest = add(world, hips + Vector::Y * 0.3, shape);

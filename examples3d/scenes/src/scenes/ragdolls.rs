@@ -45,15 +45,15 @@ pub fn build() -> Scene {
     Scene::new(world, View::orbit(25.0, 62.0))
 }
 
-/// Adds a person whose pelvis is here, and who spins.
+/// Adds a ragdoll with its pelvis at a pose and an angular velocity.
 pub(super) fn add_ragdoll(world: &mut PhysicsWorld, at: Pose, spin: AngVector) {
     Ragdoll { world, at, spin }.build();
 }
 
-/// A person that is being put together, standing with its arms spread.
+/// A ragdoll under construction: it stands with its arms spread.
 struct Ragdoll<'w> {
     world: &'w mut PhysicsWorld,
-    /// Where its pelvis is.
+    /// Pose of its pelvis.
     at: Pose,
     spin: AngVector,
 }
@@ -82,7 +82,7 @@ impl Ragdoll<'_> {
         }
     }
 
-    /// A capsule between two points of the standing person, as a body whose origin is in its middle.
+    /// A capsule between two points of the standing ragdoll, as a body whose origin is in its middle.
     fn limb(&mut self, from: Vector, to: Vector, radius: Real) -> (RigidBodyHandle, Vector) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let body = RigidBodyBuilder::dynamic()

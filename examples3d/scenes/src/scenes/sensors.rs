@@ -1,4 +1,4 @@
-//! Zones that notice who enters and leaves, without touching anyone.
+//! Sensors: zones that report each body that enters or leaves, and exert no force.
 //!
 //! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
 //! faster than 2.0.
@@ -7,13 +7,11 @@ use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
-use std::rc::Rc;
-use std::sync::mpsc::channel;
 
 /// The scene's entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sensors",
-    description: "Whoever enters a sensor zone floats up, until an event says that it has left.",
+    description: "Each body in a sensor zone floats up, until an event says that it has left.",
     category: Category::Queries,
     steps: 420,
     law: Law {
@@ -45,13 +43,9 @@ pub fn build() -> Scene {
         add(&mut world, place, ColliderBuilder::ball(0.4).restitution(0.4));
     }
 
-    let (send_collision, collisions) = channel();
-    let (send_force, _) = channel();
-    let collisions = Rc::new(collisions); // Copies of the scene share it.
     Scene::new(world, View::orbit(20.0, 16.0))
-        .events(ChannelEventCollector::new(send_collision, send_force))
-        .script(move |world, _| {
-            for event in collisions.try_iter() {
+        .react(move |world, events| {
+            for event in &events.collisions {
                 let (h1, h2) = (event.collider1(), event.collider2());
                 let visitor = if zones.contains(&h1) { h2 } else { h1 };
                 let body = world.colliders.get(visitor).and_then(Collider::parent);
