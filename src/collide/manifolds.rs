@@ -7,18 +7,18 @@
 //! spare allocations.
 
 use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
+use super::flat_parts::CulledParts;
+use super::internal_edges::InternalEdge;
 use super::matching::replace_contacts;
 use super::neighbor::Neighbor;
 use super::parts::{Part, Parts};
 use super::patches::{Patches, push_manifold, unit_normal};
-use super::seams::Seam;
 use super::search::Search;
-use super::sifting::Sifted;
 use crate::base::guard::guarded;
 use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
-use crate::model::contact::{ContactManifold, Nearby};
+use crate::model::contact::{ContactManifold, TriangleCache};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
 use parry::shape::Shape;
 use smallvec::SmallVec;
@@ -40,9 +40,9 @@ pub(crate) struct ManifoldScratch {
     /// The points of one manifold.
     points: Vec<RawPoint>,
     patches: Patches,
-    sifted: Sifted,
-    passing: Nearby,
-    seams: Vec<Seam>,
+    culled: CulledParts,
+    passing: TriangleCache,
+    internal_edges: Vec<InternalEdge>,
     /// Were there too many pairs of parts to compute the contacts of all?
     are_parts_culled: bool,
 }
@@ -65,7 +65,7 @@ pub(crate) struct ShapePair<'a> {
     /// How far apart points may be (length units).
     pub prediction: Real,
     /// How high a step may be that is none (length units).
-    pub flush: Real,
+    pub step_height_tolerance: Real,
     /// The other contacts of each of the two.
     pub neighbors: [&'a [Neighbor<'a>]; 2],
     /// The instructions that kernels run on.
@@ -84,7 +84,7 @@ pub(crate) struct ShapePair<'a> {
 pub(crate) fn compute_manifolds(
     pair: &ShapePair<'_>,
     previous: &[ContactManifold],
-    kept: Option<&mut Option<Box<Nearby>>>,
+    kept: Option<&mut Option<Box<TriangleCache>>>,
     scratch: &mut ManifoldScratch,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
@@ -108,7 +108,8 @@ pub(crate) fn compute_manifolds(
     if parry_merges_voxels(shape1, shape2, &pos12) || parry_merges_voxels(shape2, shape1, &pos12) {
         return voxel_manifolds(pair, scratch, out);
     }
-    let ManifoldScratch { raw, patches, sifted, passing, seams, are_parts_culled, .. } = scratch;
+    let ManifoldScratch { raw, patches, culled, passing, internal_edges, are_parts_culled, .. } =
+        scratch;
     let distance = Real::INFINITY;
     let mut search = Search {
         pair,
@@ -116,7 +117,7 @@ pub(crate) fn compute_manifolds(
         previous,
         raw,
         patches,
-        sifted,
+        culled,
         kept,
         passing,
         distance,
@@ -124,7 +125,7 @@ pub(crate) fn compute_manifolds(
     };
     let bound = search.visit_near();
     for side in 0..2 {
-        search.take_out_seams(side, seams);
+        search.remove_ghost_contacts(side, internal_edges);
     }
     search.patches.merge(&pos12, prediction, out);
     bound
@@ -223,7 +224,7 @@ impl<'a> ShapePair<'a> {
             shapes,
             motion: Vector::ZERO,
             prediction,
-            flush: 0.0,
+            step_height_tolerance: 0.0,
             neighbors: [&[], &[]],
             simd: Simd::detect(),
         }

@@ -4,7 +4,7 @@
 //! Nothing here knows of bodies or of time: the narrow phase asks for the pairs of the world, queries
 //! and controllers for whatever they like.
 //!
-//! [`manifolds`] takes shapes apart into convex [`parts`], finds out which contacts are only [`seams`]
+//! [`manifolds`] takes shapes apart into convex [`parts`], finds out which contacts are only [`internal_edges`]
 //! between these, and puts the [`patches`] that are left together; [`convex`] chooses the way for two
 //! parts: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and
 //! what is round about them), or [`support`] for all others. What differs by dimension is in
@@ -14,8 +14,8 @@ mod ball;
 mod capsule;
 mod convex;
 mod culling;
-mod floors;
-mod footing;
+mod coplanar;
+mod support_feature;
 mod form;
 mod manifolds;
 mod matching;
@@ -25,8 +25,8 @@ mod parts;
 mod patches;
 mod polytopes;
 mod search;
-mod seams;
-mod sifting;
+mod internal_edges;
+mod flat_parts;
 mod support;
 mod sweep;
 #[cfg(test)]
@@ -34,13 +34,13 @@ mod tests;
 mod voxels;
 
 pub(crate) use form::form_of;
+pub(crate) use internal_edges::SAME_NORMAL;
 pub(crate) use manifolds::{
     ManifoldScratch, ShapePair, compute_manifolds, renew_convex_manifold, shapes_intersect,
 };
 pub(crate) use matching::inherit_impulses;
-pub(crate) use neighbor::{Neighbor, seams_among};
-pub(crate) use seams::SAME_NORMAL;
+pub(crate) use neighbor::{Neighbor, internal_edges_among};
 pub(crate) use sweep::{
-    Leg, Overlap, PRESSED_DEPTH, Solid, Sweep, SweepGoal, Touch, ends_deep, find_touches,
+    Overlap, PRESSED_DEPTH, Segment, Solid, Sweep, SweepGoal, Touch, ends_deep, find_touches,
     first_impact, passes, turned,
 };

@@ -1,7 +1,7 @@
 //! What a body touches besides the shape that it is asked about.
 
+use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_seams};
 use super::parts::Parts;
-use super::seams::{Facet, Obstacle, SAME_NORMAL, Seam, find_seams};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use arrayvec::ArrayVec;
@@ -68,10 +68,10 @@ impl<'a> Neighbor<'a> {
 
 /// Is any contact, or nearly, below the plane of another? A seam is: it belongs to an obstacle that is. What lies
 /// among stones has its contacts all around, and to look at the stones' faces for nothing takes long.
-fn any_below_another(neighbors: &[Neighbor<'_>], flush: Real) -> bool {
+fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) -> bool {
     neighbors.iter().enumerate().any(|(index, one)| {
         let Some(place) = one.points.first() else { return false };
-        let level = one.normal.dot(*place) + NEARLY * flush;
+        let level = one.normal.dot(*place) + NEARLY * step_height_tolerance;
         let others = neighbors.iter().enumerate().filter(|(other, _)| *other != index);
         let is_below = |point: &Vector| one.normal.dot(*point) <= level;
         others.into_iter().any(|(_, other)| {
@@ -81,17 +81,20 @@ fn any_below_another(neighbors: &[Neighbor<'_>], flush: Real) -> bool {
     })
 }
 
-/// Which of the contacts of one body are only [seams](super::seams) between others, `flush` being how
+/// Which of the contacts of one body are only [seams](super::seams) between others, `step_height_tolerance` being how
 /// high a step may be that is none (length units).
-pub(crate) fn seams_among(neighbors: &[Neighbor<'_>], flush: Real) -> Vec<usize> {
-    if !any_below_another(neighbors, flush) {
+pub(crate) fn internal_edges_among(
+    neighbors: &[Neighbor<'_>],
+    step_height_tolerance: Real,
+) -> Vec<usize> {
+    if !any_below_another(neighbors, step_height_tolerance) {
         return Vec::new();
     }
     let facets: Vec<_> = neighbors.iter().map(Neighbor::as_facet).collect();
-    let mut seams = Vec::new();
+    let mut internal_edges = Vec::new();
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {
         neighbors[index].points.iter().for_each(|point| f(*point));
     };
-    find_seams(&facets, facets.len(), &points, flush, &mut seams);
-    seams.iter().map(|seam: &Seam| seam.index).collect()
+    find_seams(&facets, facets.len(), &points, step_height_tolerance, &mut internal_edges);
+    internal_edges.iter().map(|edge: &InternalEdge| edge.index).collect()
 }

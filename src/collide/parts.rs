@@ -3,7 +3,7 @@
 //! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
 //! only part. Parts that are far from the other shape are never looked at.
 
-use super::seams::FACE;
+use super::internal_edges::FACE;
 use super::voxels::{for_each_voxel, with_voxel};
 use crate::base::bvh::SlabProbe;
 use crate::dim::collide::{

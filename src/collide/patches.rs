@@ -6,10 +6,10 @@
 //! a single face would have: the outermost.
 
 use super::culling::{Grid, Rank, main_direction};
+use super::internal_edges::SAME_NORMAL;
 use super::manifolds::ShapePair;
 use super::matching::set_contacts;
 use super::parts::Part;
-use super::seams::SAME_NORMAL;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;

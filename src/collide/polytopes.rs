@@ -7,7 +7,7 @@
 //! farthest along the last normal, if no corner is deeper. Else the closest points are searched, which
 //! takes several times as long.
 
-use super::seams::LOOKS_ALONG;
+use super::internal_edges::LOOKS_ALONG;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{

@@ -1,15 +1,15 @@
 //! The search for contacts between the parts of two shapes, and for those that are only seams.
 
 use super::convex::{is_sound, manifold_along, part_manifold};
+use super::flat_parts::CulledParts;
+use super::internal_edges::{Facet, InternalEdge, Obstacle, find_seams};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
 use super::patches::Patches;
-use super::seams::{Facet, Obstacle, Seam, find_seams};
-use super::sifting::Sifted;
 use crate::dim::collide::RawManifold;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::contact::{ContactManifold, Nearby};
+use crate::model::contact::{ContactManifold, TriangleCache};
 use smallvec::SmallVec;
 
 /// The search for the contacts of a pair of shapes, one of which has several parts or other contacts.
@@ -19,10 +19,10 @@ pub(super) struct Search<'a> {
     pub previous: &'a [ContactManifold],
     pub raw: &'a mut RawManifold,
     pub patches: &'a mut Patches,
-    pub sifted: &'a mut Sifted,
+    pub culled: &'a mut CulledParts,
     /// Flat parts that are kept from step to step, where there is such a place, and those of the moment.
-    pub kept: Option<&'a mut Option<Box<Nearby>>>,
-    pub passing: &'a mut Nearby,
+    pub kept: Option<&'a mut Option<Box<TriangleCache>>>,
+    pub passing: &'a mut TriangleCache,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,
     /// Is set if there are too many pairs of parts to visit all.
@@ -87,9 +87,9 @@ impl Search<'_> {
                 return false;
             }
             let Some(contact) = manifold.contacts().first() else { return false };
-            let flush = self.pair.flush;
-            part1.is_flat_in(contact.local_p1, manifold.local_n1, flush)
-                || part2.is_flat_in(contact.local_p2, manifold.local_n2, flush)
+            let step_height_tolerance = self.pair.step_height_tolerance;
+            part1.is_flat_in(contact.local_p1, manifold.local_n1, step_height_tolerance)
+                || part2.is_flat_in(contact.local_p2, manifold.local_n2, step_height_tolerance)
         };
         let last = self.previous.iter().find(is_same);
         match (last.or_else(|| self.previous.iter().find(is_in_plane)), part1.pose) {
@@ -104,13 +104,13 @@ impl Search<'_> {
 impl Search<'_> {
     /// Takes contacts out that are only seams between parts of the shape on a side, or between these and
     /// other obstacles of the shape on the other side.
-    pub fn take_out_seams(&mut self, side: usize, seams: &mut Vec<Seam>) {
+    pub fn remove_ghost_contacts(&mut self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
         if !self.may_have_seams(side) {
             return;
         }
-        self.find_seams(side, seams);
-        for seam in &*seams {
-            self.turn(side, seam);
+        self.find_seams(side, internal_edges);
+        for edge in &*internal_edges {
+            self.turn(side, edge);
         }
     }
 
@@ -120,7 +120,7 @@ impl Search<'_> {
         !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
     }
 
-    fn find_seams(&self, side: usize, seams: &mut Vec<Seam>) {
+    fn find_seams(&self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
         let (pair, patches) = (self.pair, &*self.patches);
         let neighbors = pair.neighbors[1 - side];
         let facets = (0..patches.list().len()).map(|patch| self.facet(side, patch));
@@ -129,7 +129,13 @@ impl Search<'_> {
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
-        find_seams(&facets, patches.list().len(), &points, pair.flush, seams);
+        find_seams(
+            &facets,
+            patches.list().len(),
+            &points,
+            pair.step_height_tolerance,
+            internal_edges,
+        );
     }
 
     /// A patch as a contact with an obstacle on a side, in the frame of the shape on the other.
@@ -144,7 +150,7 @@ impl Search<'_> {
         // From the other side it is the body that is the obstacle.
         let floor = Obstacle::floor(patches.pieces(index), pose);
         let obstacle = floor
-            .filter(|_| side == self.sifted.side)
+            .filter(|_| side == self.culled.side)
             .unwrap_or_else(|| Obstacle::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
         let body = (self.parts[1 - side], patch.parts[1 - side]);
@@ -152,11 +158,11 @@ impl Search<'_> {
     }
 
     /// Computes a patch anew along the normal with which its obstacle may still carry the body.
-    fn turn(&mut self, side: usize, seam: &Seam) {
-        let Seam { index, along, .. } = *seam;
-        if seam.is_turned {
+    fn turn(&mut self, side: usize, edge: &InternalEdge) {
+        let InternalEdge { index, along, .. } = *edge;
+        if edge.is_turned {
             let points = self.patches.points(index);
-            if points.iter().any(|point| point.dist < seam.least_dist) {
+            if points.iter().any(|point| point.dist < edge.least_dist) {
                 self.patches.empty(index);
             }
             return;
@@ -173,14 +179,14 @@ impl Search<'_> {
                 raw.points.clear();
                 manifold_along(&pos12, [&part1, &part2], side == 0, direction, prediction, raw);
                 raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
-                is_too_deep = raw.points.iter().any(|point| point.dist < seam.least_dist);
+                is_too_deep = raw.points.iter().any(|point| point.dist < edge.least_dist);
                 is_carried = !raw.points.is_empty()
                     && !is_too_deep
                     && self.patches.replace(index, self.pair, raw, &[part1, part2]);
             });
         });
         // An edge that seemed hidden, and is not.
-        let stays = is_too_deep && !seam.is_behind;
+        let stays = is_too_deep && !edge.is_behind;
         if !is_carried && !stays {
             self.patches.empty(index);
         }

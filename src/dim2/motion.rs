@@ -54,7 +54,7 @@ impl FreeMotion {
     }
 
     /// Does the angular velocity change as the body turns?
-    pub fn tumbles(&self) -> bool {
+    pub fn is_gyroscopic(&self) -> bool {
         false
     }
 

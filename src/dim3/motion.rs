@@ -48,7 +48,7 @@ const LED_MAX: Real = 0.25;
 /// Numbers in each part of a record.
 const LEN: usize = 16;
 /// Where what stands in the first part, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
-const TUMBLES: usize = 12;
+const GYROSCOPIC: usize = 12;
 const INV_MOMENTS: usize = 13;
 /// Where what stands in the second.
 const FRAME: usize = 0;
@@ -95,7 +95,7 @@ impl FreeMotion {
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < ISOTROPY * high;
         if !is_round && angvel.length_squared() * h * h >= TURN_MIN * TURN_MIN {
-            self.plain[TUMBLES] = 1.0;
+            self.plain[GYROSCOPIC] = 1.0;
             self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
             self.tumbling[FRAME..FRAME + 4].copy_from_slice(&frame);
@@ -114,8 +114,8 @@ impl FreeMotion {
     }
 
     /// Does the angular velocity change as the body turns?
-    pub fn tumbles(&self) -> bool {
-        self.plain[TUMBLES] != 0.0
+    pub fn is_gyroscopic(&self) -> bool {
+        self.plain[GYROSCOPIC] != 0.0
     }
 
     /// May it be part of a pile?
@@ -125,7 +125,7 @@ impl FreeMotion {
 
     /// Turns a tumbling body by this rotation vector.
     pub fn turn(&mut self, turn: AngVector) {
-        if self.tumbles() {
+        if self.is_gyroscopic() {
             let turned = integrate_rotation(self.rotation(), turn);
             self.plain[0..4].copy_from_slice(&turned.to_array());
         }
@@ -147,11 +147,11 @@ pub(crate) fn accelerated<W: Wide>(
     let linear = (linear + linear_acceleration * substep) * (one / (one + substep * own[10]));
     let mut angular =
         (angular + angular_acceleration * substep) * (one / (one + substep * own[11]));
-    if bodies.iter().any(FreeMotion::tumbles) {
+    if bodies.iter().any(FreeMotion::is_gyroscopic) {
         let rotation = rotation_of(&own);
         let mut gyroscope = Gyroscope::gather(bodies, &own);
         let on_the_way = gyroscope.velocity_on_the_way(rotation, angular, substep);
-        angular = WideVector::select(W::zero().lt(own[TUMBLES]), on_the_way, angular);
+        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC]), on_the_way, angular);
         gyroscope.scatter(bodies);
     }
     WideMotion { linear, angular }
@@ -172,12 +172,12 @@ pub(crate) fn tumble<W: Wide>(
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
     let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
-    let tumbles = W::zero().lt(own[TUMBLES]);
-    *velocity = WideVector::select(tumbles, at_end, w);
-    *before = WideVector::select(tumbles, at_end - (w - *before), *before);
+    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC]);
+    *velocity = WideVector::select(is_gyroscopic, at_end, w);
+    *before = WideVector::select(is_gyroscopic, at_end - (w - *before), *before);
     let turned = [end.x, end.y, end.z, end.w];
     for k in 0..4 {
-        own[k] = W::select(tumbles, turned[k], own[k]);
+        own[k] = W::select(is_gyroscopic, turned[k], own[k]);
     }
     scatter_adjacent(own, bodies, |body| &mut body.plain);
     gyroscope.scatter(bodies);
@@ -213,7 +213,7 @@ fn turned_freely(
     h: Real,
 ) -> (Rotation, AngVector) {
     let body = FreeMotion::at_rest(rotation).with_gyroscope(mass, angvel, h);
-    if body.tumbles() {
+    if body.is_gyroscopic() {
         Simd::baseline().run(TurnFreely { body, angvel, h })
     } else {
         (integrate_rotation(rotation, angvel * h), angvel)

@@ -158,7 +158,7 @@ mod tests {
     struct Turns {
         turn: WideVector<Lane>,
         by: WideVector<Lane>,
-        lever: WideVector<Lane>,
+        arm: WideVector<Lane>,
         inertia: WideSymmetric<Lane>,
     }
 
@@ -168,7 +168,7 @@ mod tests {
         fn run<W: Wide>(self) {
             let (turn, by) = (WideVector::<W>::load(&self.turn), WideVector::load(&self.by));
             let rotation = WideDisplacement::new(WideVector::zero(), turn).rotation();
-            rotation.rotate(WideVector::load(&self.lever)).store(&mut self.lever);
+            rotation.rotate(WideVector::load(&self.arm)).store(&mut self.arm);
             let inertia = turned_inertia(load_symmetric::<W>(&self.inertia), rotation);
             store_symmetric(inertia, &mut self.inertia);
             turned_further(turn, by).store(&mut self.turn);
@@ -185,21 +185,21 @@ mod tests {
     fn lanes_turn_as_single_bodies_do() {
         let mut random = Random(31);
         let (turn, by) = (vector(&mut random, 0.2), vector(&mut random, 0.02));
-        let lever = vector(&mut random, 1.0);
+        let arm = vector(&mut random, 1.0);
         let (m, n) = (vector(&mut random, 1.0), vector(&mut random, 1.0));
         let inertia = AngularInertia { m11: m.x, m12: m.y, m13: m.z, m22: n.x, m23: n.y, m33: n.z };
         let zero = WideVector::ZERO;
-        let mut turns = Turns { turn: zero, by: zero, lever: zero, inertia: Default::default() };
+        let mut turns = Turns { turn: zero, by: zero, arm: zero, inertia: Default::default() };
         for lane in 0..LANES {
             turns.turn.set_lane(lane, turn);
             turns.by.set_lane(lane, by);
-            turns.lever.set_lane(lane, lever);
+            turns.arm.set_lane(lane, arm);
             set_symmetric_lane(&mut turns.inertia, lane, &inertia);
         }
         Simd::detect().run(&mut turns);
 
         let rotation = integrate_rotation(Rotation::IDENTITY, turn);
-        assert!(turns.lever.lane(1).abs_diff_eq(rotation * lever, 1.0e-6));
+        assert!(turns.arm.lane(1).abs_diff_eq(rotation * arm, 1.0e-6));
         let turned = symmetric_lane(&turns.inertia, 1);
         let torque: AngVector = vector(&mut random, 1.0);
         let expected = rotation * inertia.mul_vec(rotation.inverse() * torque);
@@ -220,8 +220,7 @@ mod tests {
         let mut random = Random(32);
         for size in [0.1, 0.6, 1.0, 2.0, 3.0] {
             let zero = WideVector::ZERO;
-            let mut turns =
-                Turns { turn: zero, by: zero, lever: zero, inertia: Default::default() };
+            let mut turns = Turns { turn: zero, by: zero, arm: zero, inertia: Default::default() };
             let (mut expected, mut sum) = (Rotation::IDENTITY, Vector::ZERO);
             for _ in 0..3 {
                 let by = Vector::X * size + vector(&mut random, 0.01);

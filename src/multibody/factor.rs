@@ -88,7 +88,7 @@ impl Factor {
                 self.pivots[dof] = Pivot { u, inv_inertia };
             }
             if let Some(parent) = link.parent {
-                let felt = inertia.carried_back(link.lever);
+                let felt = inertia.carried_back(link.offset);
                 self.inertias[parent].add(&felt);
             }
         }
@@ -102,7 +102,7 @@ impl Factor {
             let Some(parent) = link.parent else { continue };
             let [mass, moment] = self.sizes[id];
             self.sizes[parent][0] += mass;
-            self.sizes[parent][1] += moment + mass * link.lever.length_squared();
+            self.sizes[parent][1] += moment + mass * link.offset.length_squared();
         }
     }
 
@@ -137,7 +137,7 @@ impl Factor {
                 add_scaled(&mut wrench, &pivot.u, -(pivot.inv_inertia * forces[dof]));
             }
             if let Some(parent) = link.parent {
-                let felt = carry_back(&wrench, link.lever);
+                let felt = carry_back(&wrench, link.offset);
                 add_scaled(&mut self.wrenches[parent], &felt, 1.0);
             }
         }
@@ -148,7 +148,7 @@ impl Factor {
         self.accelerations.clear();
         for link in &kinematics.links {
             let mut acceleration = match link.parent {
-                Some(parent) => carry(&self.accelerations[parent], link.lever),
+                Some(parent) => carry(&self.accelerations[parent], link.offset),
                 None => ZERO,
             };
             for dof in link.dofs.clone() {

@@ -29,7 +29,7 @@ impl Multibody {
                 fill_column(&mut matrix, &kinematics, id, dof, &composites[id]);
             }
             if let Some(parent) = link.parent {
-                let felt = composites[id].carried_back(link.lever);
+                let felt = composites[id].carried_back(link.offset);
                 composites[parent].add(&felt);
             }
         }
@@ -77,7 +77,7 @@ fn fill_column(
             matrix[(other, dof)] = entry;
             matrix[(dof, other)] = entry;
         }
-        wrench = carry_back(&wrench, link.lever);
+        wrench = carry_back(&wrench, link.offset);
         next = link.parent;
     }
 }

@@ -24,8 +24,8 @@
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
 //! | `motion/` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
-//! | `whole.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
-//! | `course.rs` | the way through a step, and back | |
+//! | `locked_inertia.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
+//! | `trajectory.rs` | the way through a step, and back | |
 //! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
 //!
 //! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. We cut it where it depends
@@ -35,7 +35,7 @@
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
 mod bias;
-mod course;
+mod trajectory;
 mod factor;
 mod inverse;
 mod kinematics;
@@ -45,9 +45,9 @@ mod spatial;
 mod sync;
 #[cfg(test)]
 mod tests;
-mod whole;
+mod locked_inertia;
 
-pub(crate) use course::Station;
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;
 pub(crate) use motion::{Drive, LinkForce, Motion};
+pub(crate) use trajectory::LinkSample;

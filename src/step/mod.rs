@@ -14,7 +14,7 @@ mod narrow_phase;
 mod islands;
 mod solver;
 mod quarantine;
-mod continuous;
+mod ccd;
 mod advance;
 mod events;
 
@@ -36,13 +36,13 @@ use crate::model::state_hash::WorldSets;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use broad_phase::NeighborLimits;
-use narrow_phase::{NarrowPhaseScratch, Surroundings};
+use narrow_phase::{NarrowPhaseContext, NarrowPhaseScratch};
 use notes::StepNotes;
-use quarantine::{Conditions, Quarantine, WayBack, World};
+use quarantine::{Checkpoint, Quarantine, StepConditions, World};
 use solver::SolverScratch;
 use trace::StageTrace;
 pub use trace::StepStage;
-use user_changes::{Digest, Resync, Resynced};
+use user_changes::{Resync, Resynced, UserChanges};
 
 /// A world, taken apart.
 pub(crate) struct StepParts<'a> {
@@ -69,7 +69,7 @@ pub(crate) struct StepScratch {
     threads: Threads,
     solver: SolverScratch,
     quarantine: Quarantine,
-    continuous: continuous::ContinuousScratch,
+    ccd: ccd::CcdScratch,
     advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
     trace: StageTrace,
@@ -123,11 +123,11 @@ fn simulate(
 ) -> HeldPanic {
     let conditions = parts.conditions();
     let world = parts.world(joints, multibodies);
-    let way_back = quarantine::is_at_risk(&world, conditions).then(|| WayBack::new(&world));
+    let checkpoint = quarantine::is_at_risk(&world, conditions).then(|| Checkpoint::new(&world));
     while !solve(tasks, parts, joints, multibodies, scratch) {
         let StepScratch { quarantine, notes, .. } = scratch;
         let world = parts.world(joints, multibodies);
-        quarantine.take_out(world, way_back.as_ref(), conditions, notes);
+        quarantine.take_out(world, checkpoint.as_ref(), conditions, notes);
     }
     if parts.params.dt <= 0.0 {
         parts.islands.forget_motion();
@@ -188,7 +188,7 @@ pub(crate) fn detect_collisions(
         let (structure, tree) = parts.structure();
         let events = &mut scratch.notes.events;
         let multibodies = MultibodyEdits::default();
-        Digest { structure, tree, joints, multibodies, params, events }.run_removals();
+        UserChanges { structure, tree, joints, multibodies, params, events }.run_removals();
     }
     let mut panic = HeldPanic::default();
     let threads = scratch.threads.clone();
@@ -215,7 +215,7 @@ fn take_in_user_changes(
     let params = parts.params;
     let (structure, tree) = parts.structure();
     let events = &mut scratch.notes.events;
-    Digest { structure, tree, joints, multibodies, params, events }.run();
+    UserChanges { structure, tree, joints, multibodies, params, events }.run();
     parts.counters.stages.user_changes.pause();
 }
 
@@ -234,7 +234,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
 
     parts.counters.cd.narrow_phase_time.resume();
     let NarrowPhase { contacts, intersections, lanes, .. } = &mut *parts.narrow_phase;
-    let around = Surroundings {
+    let around = NarrowPhaseContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         islands: parts.islands,
@@ -253,7 +253,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
-    continuous::watch(parts.bodies, &notes.pressed, parts.params);
+    ccd::watch(parts.bodies, &notes.deeply_penetrating, parts.params);
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -262,7 +262,7 @@ fn find_approaches(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let params = parts.params;
     let (mut structure, trees) = parts.structure();
-    continuous::find_approaches(&mut structure, trees, params, &mut scratch.notes.approaches);
+    ccd::find_approaches(&mut structure, trees, params, &mut scratch.notes.approaches);
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -274,7 +274,7 @@ fn move_bodies(
     scratch: &mut StepScratch,
 ) {
     parts.counters.stages.solver_time.resume();
-    let scene = solver::Scene {
+    let scene = solver::SolverContext {
         gravity: parts.gravity,
         params: parts.params,
         simd: scratch.simd,
@@ -285,7 +285,7 @@ fn move_bodies(
         multibodies,
         islands: parts.islands,
         fast: &mut scratch.notes.fast,
-        courses: &mut scratch.notes.courses,
+        trajectories: &mut scratch.notes.trajectories,
         broken: &mut scratch.notes.broken,
         lost: &mut scratch.notes.lost,
     };
@@ -305,10 +305,10 @@ fn follow_bodies(
     let mut panic = HeldPanic::default();
     panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
-    let StepNotes { fast, courses, events, sleepy, .. } = &mut scratch.notes;
-    let (stops, told) = (&mut scratch.continuous, (events, &mut parts.counters.ccd));
+    let StepNotes { fast, trajectories, events, sleepy, .. } = &mut scratch.notes;
+    let (stops, told) = (&mut scratch.ccd, (events, &mut parts.counters.ccd));
     let moved = (&mut *parts.bodies, &mut *parts.islands);
-    continuous::stop(moved, multibodies, (fast, courses), parts.params.dt, stops, told);
+    ccd::stop(moved, multibodies, (fast, trajectories), parts.params.dt, stops, told);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -325,9 +325,9 @@ fn find_impacts(
     multibodies: &MultibodyJointSet,
     scratch: &mut StepScratch,
 ) {
-    let StepScratch { notes, continuous, .. } = scratch;
-    let StepNotes { fast, courses, approaches, .. } = notes;
-    let around = continuous::Surroundings {
+    let StepScratch { notes, ccd, .. } = scratch;
+    let StepNotes { fast, trajectories, approaches, .. } = notes;
+    let around = ccd::CcdContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         multibodies,
@@ -337,10 +337,10 @@ fn find_impacts(
         params: parts.params,
         hooks: parts.hooks,
         fast: &[],
-        courses,
+        trajectories,
     };
-    continuous::add_approached(around, approaches, fast);
-    continuous::find_impacts(tasks, continuous::Surroundings { fast, ..around }, continuous);
+    ccd::add_approached(around, approaches, fast);
+    ccd::find_impacts(tasks, ccd::CcdContext { fast, ..around }, ccd);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
@@ -395,8 +395,8 @@ impl<'a> StepParts<'a> {
     }
 
     /// What bodies move in.
-    fn conditions(&self) -> Conditions<'a> {
-        Conditions { gravity: self.gravity, params: self.params }
+    fn conditions(&self) -> StepConditions<'a> {
+        StepConditions { gravity: self.gravity, params: self.params }
     }
 
     /// All that a step changes.

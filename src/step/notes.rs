@@ -5,7 +5,7 @@ use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::collider::ColliderHandle;
 use crate::model::contact::PairId;
 use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
-use crate::model::multibody::Course;
+use crate::model::multibody::LinkTrajectory;
 use crate::model::params::IntegrationParameters;
 
 /// How a contact pair changed in the narrow phase.
@@ -45,7 +45,7 @@ impl FastMotion {
     pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
         let little = if is_solid { FAST * body.thickness } else { params.prediction_distance() };
-        params.max_ccd_substeps > 0 && bound > if body.pressed { 0.0 } else { little }
+        params.max_ccd_substeps > 0 && bound > if body.deeply_penetrating { 0.0 } else { little }
     }
 
     /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is
@@ -68,7 +68,7 @@ pub(crate) struct Approach {
 
 /// A body that came out of the solver with numbers with which nobody can calculate.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Lost {
+pub(crate) struct Diverged {
     pub body: RigidBodyHandle,
     /// The velocity that was found.
     pub velocity: RigidBodyVelocity,
@@ -84,7 +84,7 @@ pub(crate) struct StepNotes {
     /// The same for pairs with a sensor.
     pub intersections: Vec<(PairId, PairChange)>,
     /// Bodies that were found deep in something that is not dynamic, in any order.
-    pub pressed: Vec<RigidBodyHandle>,
+    pub deeply_penetrating: Vec<RigidBodyHandle>,
     /// What began and stopped touching, as it was found; see [`Self::order_events`].
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
@@ -92,13 +92,13 @@ pub(crate) struct StepNotes {
     /// Dynamic bodies near the ways of kinematic ones, in the order of their handles.
     pub approaches: Vec<Approach>,
     /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
-    pub courses: Vec<Course>,
+    pub trajectories: Vec<LinkTrajectory>,
     /// In the order of the awake bodies: has each been still for long enough to sleep? Empty until all of them have moved.
     pub sleepy: Vec<bool>,
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
-    pub lost: Vec<Lost>,
+    pub lost: Vec<Diverged>,
     /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step, bodies.
     pub quarantined: Vec<QuarantineEvent>,
 }
@@ -114,12 +114,12 @@ impl StepNotes {
     /// The step begins again, in a world that knows already what began and stopped touching and what broke.
     pub fn clear_attempt(&mut self) {
         self.contacts.clear();
-        self.pressed.clear();
+        self.deeply_penetrating.clear();
         self.intersections.clear();
         self.fast.clear();
         self.approaches.clear();
         self.sleepy.clear();
-        self.courses.clear();
+        self.trajectories.clear();
         self.lost.clear();
         self.quarantined.clear();
     }

@@ -5,7 +5,7 @@
 //! item is worked on once, by itself, and results go to a place that depends on the item alone.
 
 #[cfg(feature = "parallel")]
-mod crew;
+mod team;
 mod gather;
 mod threads;
 
@@ -13,9 +13,9 @@ use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
 use core::ops::Range;
 #[cfg(feature = "parallel")]
-use crew::Crew;
-#[cfg(feature = "parallel")]
 use std::sync::Arc;
+#[cfg(feature = "parallel")]
+use team::WorkerTeam;
 
 pub use gather::Gather;
 pub use threads::{Threads, ThreadsError};
@@ -29,7 +29,7 @@ const PIECES_PER_THREAD: usize = 4;
 pub struct Tasks<'a> {
     /// None for a single thread.
     #[cfg(feature = "parallel")]
-    crew: Option<(&'a Crew, &'a dyn Fn(usize))>,
+    team: Option<(&'a WorkerTeam, &'a dyn Fn(usize))>,
     /// Neither sent to nor shared with another thread.
     unshared: PhantomData<(&'a (), *const ())>,
 }
@@ -38,14 +38,14 @@ impl Tasks<'_> {
     /// The calling thread alone.
     pub const SERIAL: Self = Self {
         #[cfg(feature = "parallel")]
-        crew: None,
+        team: None,
         unshared: PhantomData,
     };
 
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        let hire = |crew: Arc<Crew>, number| rayon::spawn(move || crew.help(number));
+        let hire = |team: Arc<WorkerTeam>, number| rayon::spawn(move || team.help(number));
         Self::open_with(rayon::current_num_threads(), hire, work)
     }
 
@@ -53,17 +53,17 @@ impl Tasks<'_> {
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
-        hire: impl Fn(Arc<Crew>, usize),
+        hire: impl Fn(Arc<WorkerTeam>, usize),
         work: impl FnOnce(Tasks<'_>) -> R,
     ) -> R {
         if count <= 1 {
             return work(Tasks::SERIAL);
         }
-        let crew = Arc::new(Crew::new(count));
+        let team = Arc::new(WorkerTeam::new(count));
         // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
-        let hire = |number| hire(Arc::clone(&crew), number);
-        let _owner = crew.own();
-        work(Tasks { crew: Some((&crew, &hire)), unshared: PhantomData })
+        let hire = |number| hire(Arc::clone(&team), number);
+        let _owner = team.own();
+        work(Tasks { team: Some((&team, &hire)), unshared: PhantomData })
     }
 
     /// Calls `work` with the calling thread alone: there are others with the feature `parallel`.
@@ -75,7 +75,7 @@ impl Tasks<'_> {
     /// Is there but one thread?
     pub fn are_alone(&self) -> bool {
         #[cfg(feature = "parallel")]
-        return self.crew.is_none();
+        return self.team.is_none();
         #[cfg(not(feature = "parallel"))]
         true
     }
@@ -90,11 +90,11 @@ impl Tasks<'_> {
             return;
         }
         #[cfg(feature = "parallel")]
-        if let Some((crew, hire)) = self.crew.filter(|_| count > grain) {
-            let pieces = crew.threads() * PIECES_PER_THREAD;
+        if let Some((team, hire)) = self.team.filter(|_| count > grain) {
+            let pieces = team.threads() * PIECES_PER_THREAD;
             let piece = count.div_ceil(pieces).next_multiple_of(grain.max(1));
             // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not hold one.
-            return unsafe { crew.run(count, piece, &work, hire) };
+            return unsafe { team.run(count, piece, &work, hire) };
         }
         let _ = grain; // of no use to one thread
         work(0..count);

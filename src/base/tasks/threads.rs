@@ -2,7 +2,7 @@
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
-use super::crew::{Crew, MAX_THREADS};
+use super::team::{MAX_THREADS, WorkerTeam};
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Threads {
     #[cfg(feature = "parallel")]
-    crew: Option<Helpers>,
+    team: Option<Helpers>,
 }
 
 /// Who helps the calling thread.
@@ -56,12 +56,12 @@ impl Threads {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let count = if count == 0 { cores() } else { count }.min(MAX_THREADS);
         if count == 1 {
-            return Ok(Self { crew: Some(Helpers::Nobody) });
+            return Ok(Self { team: Some(Helpers::Nobody) });
         }
-        let helpers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
-        let pool = helpers.thread_name(|index| format!("physics {}", index + 1)).build();
+        let workers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
+        let pool = workers.thread_name(|index| format!("physics {}", index + 1)).build();
         let pool = pool.map_err(|error| ThreadsError { count, reason: error.to_string() })?;
-        Ok(Self { crew: Some(Helpers::Of(Arc::new(pool), count)) })
+        Ok(Self { team: Some(Helpers::Of(Arc::new(pool), count)) })
     }
 
     /// The calling thread: there are others with the feature `parallel`.
@@ -78,16 +78,16 @@ impl Threads {
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
         let count = pool.current_num_threads();
-        Self { crew: Some(Helpers::Of(pool, count)) }
+        Self { team: Some(Helpers::Of(pool, count)) }
     }
 
     /// Calls `work` with these threads.
     pub(crate) fn open<R>(&self, work: impl FnOnce(Tasks<'_>) -> R) -> R {
         #[cfg(feature = "parallel")]
-        match &self.crew {
+        match &self.team {
             Some(Helpers::Nobody) => return work(Tasks::SERIAL),
             Some(Helpers::Of(pool, count)) => {
-                let hire = |crew: Arc<Crew>, number| pool.spawn(move || crew.help(number));
+                let hire = |team: Arc<WorkerTeam>, number| pool.spawn(move || team.help(number));
                 return Tasks::open_with(*count, hire, work);
             }
             None => {}

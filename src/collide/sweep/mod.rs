@@ -36,7 +36,7 @@ mod body;
 mod motion;
 mod touch;
 
-pub(crate) use motion::{Leg, Sweep, turned};
+pub(crate) use motion::{Segment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
@@ -213,8 +213,8 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
     if angle == 0.0 {
         let together = way == 0.0 || own.stop == other.stop;
         let straight = own.straight().zip(other.straight()).filter(|_| together);
-        let line = straight.and_then(|(own, leg)| {
-            let way = start.rotation.inverse() * ((leg.shift - own.shift) * other.stop);
+        let line = straight.and_then(|(own, segment)| {
+            let way = start.rotation.inverse() * ((segment.shift - own.shift) * other.stop);
             Line::new(center, way, reach_about(shape, other.local_center), region)
         });
         return line.map_or(Near::Inside(region), Near::Along);
@@ -248,11 +248,11 @@ fn other_of<'a>(
 /// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
 /// than an eighth of that.
 fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
-    let (leg, other_leg) = own.straight().zip(other.straight())?;
-    let speed = (other_leg.shift - leg.shift).length();
-    let away = (other_leg.center - leg.center).length() + speed;
+    let (segment, other_leg) = own.straight().zip(other.straight())?;
+    let speed = (other_leg.shift - segment.shift).length();
+    let away = (other_leg.center - segment.center).length() + speed;
     let is_whole = own.stop >= 1.0 && other.stop >= 1.0;
-    is_whole.then(|| leg.angle() * (leg.angle() * away + 2.0 * speed) / 8.0)
+    is_whole.then(|| segment.angle() * (segment.angle() * away + 2.0 * speed) / 8.0)
 }
 
 /// When the first part is stopped by the second.
@@ -356,7 +356,7 @@ fn advance(
 ) -> Meeting {
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
-    let jumps = goal.jumps_max + sweeps[0].legs().len() + sweeps[1].legs().len();
+    let jumps = goal.jumps_max + sweeps[0].segments().len() + sweeps[1].segments().len();
     let (mut share, mut last_normal, tolerance) = (goal.from, Vector::ZERO, goal.tolerance);
     for _ in 0..jumps {
         let poses = sweeps.map(|sweep| sweep.at(share));
@@ -383,7 +383,7 @@ fn advance(
             // It has left what it was near to, and is to be stopped early again.
             goal.tolerance = tolerance;
         }
-        let closing = nearing + turning(sweeps.map(|sweep| sweep.leg(share).angle()), reaches);
+        let closing = nearing + turning(sweeps.map(|sweep| sweep.segment(share).angle()), reaches);
         // Not so far that they would touch: closest points of what touches are not always found.
         let next = share + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(share).min(sweeps[1].next_change(share));
@@ -405,11 +405,11 @@ fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real
         let turning = turning([leg1.angle(), leg2.angle()], reaches);
         return (leg1.shift - leg2.shift).length() + turning;
     }
-    let fastest = |speed: fn(&Leg) -> Real| {
-        sweeps.map(|sweep| sweep.legs().iter().map(speed).fold(0.0, Real::max))
+    let fastest = |speed: fn(&Segment) -> Real| {
+        sweeps.map(|sweep| sweep.segments().iter().map(speed).fold(0.0, Real::max))
     };
-    let shifts = fastest(|leg| leg.shift.length());
-    shifts[0] + shifts[1] + turning(fastest(Leg::angle), reaches)
+    let shifts = fastest(|segment| segment.shift.length());
+    shifts[0] + shifts[1] + turning(fastest(Segment::angle), reaches)
 }
 
 /// How fast turns can bring bodies together that reach so far. What does not turn may reach to infinity.

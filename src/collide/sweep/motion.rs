@@ -16,7 +16,7 @@ const LITTLE_TURN: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Leg {
+pub(crate) struct Segment {
     /// The shares of the step between which it lasts.
     pub from: Real,
     pub until: Real,
@@ -28,7 +28,7 @@ pub(crate) struct Leg {
     pub turn: AngVector,
 }
 
-impl Leg {
+impl Segment {
     /// All the step at the origin.
     pub const AT_REST: Self = Self {
         from: 0.0,
@@ -54,15 +54,15 @@ impl Leg {
 
 /// The legs of a motion, in the order of time, from the beginning of the step to its end.
 #[derive(Copy, Clone, Debug)]
-enum Way<'a> {
-    Straight(Leg),
-    Bent(&'a [Leg]),
+enum Trajectory<'a> {
+    Straight(Segment),
+    Bent(&'a [Segment]),
 }
 
 /// The motion of a shape through a step, as far as `stop`.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Sweep<'a> {
-    way: Way<'a>,
+    trajectory: Trajectory<'a>,
     /// How the shape is turned against what moves, and the centre of rotation in the shape's frame.
     rotation: Rotation,
     pub(super) local_center: Vector,
@@ -74,16 +74,27 @@ impl<'a> Sweep<'a> {
     /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the centre of rotation at
     /// `center`.
     pub fn new(start: Pose, center: Vector, shift: Vector, turn: AngVector) -> Self {
-        let leg = Leg { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, turn };
+        let segment =
+            Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, turn };
         let local_center = start.inverse_transform_point(center);
-        Self { way: Way::Straight(leg), rotation: Rotation::IDENTITY, local_center, stop: 1.0 }
+        Self {
+            trajectory: Trajectory::Straight(segment),
+            rotation: Rotation::IDENTITY,
+            local_center,
+            stop: 1.0,
+        }
     }
 
     /// The motion of a shape that stands at `place` in the frame of what moves by these legs, of which there is at least one.
     /// `local_center` is the centre of rotation in that frame.
-    pub fn along(legs: &'a [Leg], place: &Pose, local_center: Vector) -> Self {
+    pub fn along(segments: &'a [Segment], place: &Pose, local_center: Vector) -> Self {
         let local_center = place.inverse_transform_point(local_center);
-        Self { way: Way::Bent(legs), rotation: place.rotation, local_center, stop: 1.0 }
+        Self {
+            trajectory: Trajectory::Bent(segments),
+            rotation: place.rotation,
+            local_center,
+            stop: 1.0,
+        }
     }
 
     /// The same motion, as far as `stop`.
@@ -98,36 +109,36 @@ impl<'a> Sweep<'a> {
     }
 
     /// The legs, in the order of time.
-    pub fn legs(&self) -> &[Leg] {
-        match &self.way {
-            Way::Straight(leg) => slice::from_ref(leg),
-            Way::Bent(legs) => legs,
+    pub fn segments(&self) -> &[Segment] {
+        match &self.trajectory {
+            Trajectory::Straight(segment) => slice::from_ref(segment),
+            Trajectory::Bent(segments) => segments,
         }
     }
 
     /// The only leg, if there is one only.
-    pub(super) fn straight(&self) -> Option<&Leg> {
-        match &self.way {
-            Way::Straight(leg) => Some(leg),
-            Way::Bent(_) => None,
+    pub(super) fn straight(&self) -> Option<&Segment> {
+        match &self.trajectory {
+            Trajectory::Straight(segment) => Some(segment),
+            Trajectory::Bent(_) => None,
         }
     }
 
     /// The leg that begins or is under way after a share of the step.
-    pub fn leg(&self, share: Real) -> &Leg {
-        let legs = self.legs();
-        let over = legs.partition_point(|leg| leg.until <= share);
-        &legs[over.min(legs.len() - 1)]
+    pub fn segment(&self, share: Real) -> &Segment {
+        let segments = self.segments();
+        let over = segments.partition_point(|segment| segment.until <= share);
+        &segments[over.min(segments.len() - 1)]
     }
 
     /// How fast the centre moves (length units per step) after a share of the step.
     pub(super) fn velocity(&self, share: Real) -> Vector {
-        if share < self.stop { self.leg(share).shift } else { Vector::ZERO }
+        if share < self.stop { self.segment(share).shift } else { Vector::ZERO }
     }
 
     /// When it changes its velocity next: infinity if it does not any more.
     pub(super) fn next_change(&self, share: Real) -> Real {
-        let end = self.leg(share).until;
+        let end = self.segment(share).until;
         let next = if share < self.stop { end.min(self.stop) } else { Real::INFINITY };
         if next < 1.0 { next } else { Real::INFINITY }
     }
@@ -135,9 +146,10 @@ impl<'a> Sweep<'a> {
     /// The pose after a share of the motion.
     pub fn at(&self, share: Real) -> Pose {
         let share = share.min(self.stop);
-        let leg = self.leg(share);
-        let rotation = turned(leg.rotation, leg.turn * (share - leg.from)) * self.rotation;
-        Pose::from_parts(leg.center_at(share) - rotation * self.local_center, rotation)
+        let segment = self.segment(share);
+        let rotation =
+            turned(segment.rotation, segment.turn * (share - segment.from)) * self.rotation;
+        Pose::from_parts(segment.center_at(share) - rotation * self.local_center, rotation)
     }
 
     /// The same motion of something that stands at `place` in the frame of what moves.
@@ -153,15 +165,16 @@ impl<'a> Sweep<'a> {
 
     /// How far the centre goes, and by what angle (rad) the shape turns.
     pub(super) fn travel(&self) -> [Real; 2] {
-        let lasts = |leg: &Leg| leg.until - leg.from;
-        let way = self.legs().iter().map(|leg| leg.shift.length() * lasts(leg)).sum();
-        let angle = self.legs().iter().map(|leg| leg.angle() * lasts(leg)).sum();
-        [way, angle]
+        let lasts = |segment: &Segment| segment.until - segment.from;
+        let trajectory =
+            self.segments().iter().map(|segment| segment.shift.length() * lasts(segment)).sum();
+        let angle = self.segments().iter().map(|segment| segment.angle() * lasts(segment)).sum();
+        [trajectory, angle]
     }
 
     /// Where the centre is when the step begins.
     pub(super) fn center(&self) -> Vector {
-        self.legs()[0].center
+        self.segments()[0].center
     }
 
     /// A box around everything that a shape's core passes: a floor that the shape lies on is outside.
@@ -176,20 +189,25 @@ impl<'a> Sweep<'a> {
 
     /// A box around everything that a shape passes, or a part of it with a box `box_at` a pose.
     fn region_of(&self, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
-        let regions = self.legs().iter().filter(|leg| leg.from <= self.stop);
-        let regions = regions.map(|leg| self.region_of_leg(leg, shape, box_at));
+        let regions = self.segments().iter().filter(|segment| segment.from <= self.stop);
+        let regions = regions.map(|segment| self.region_of_leg(segment, shape, box_at));
         regions.reduce(|all, region| all.merged(&region)).unwrap_or_else(Aabb::new_invalid)
     }
 
-    fn region_of_leg(&self, leg: &Leg, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
-        let end = leg.until.min(self.stop);
-        let angle = leg.angle() * (leg.until - leg.from);
+    fn region_of_leg(
+        &self,
+        segment: &Segment,
+        shape: &dyn Shape,
+        box_at: &dyn Fn(&Pose) -> Aabb,
+    ) -> Aabb {
+        let end = segment.until.min(self.stop);
+        let angle = segment.angle() * (segment.until - segment.from);
         if angle * angle < LITTLE_TURN {
-            let boxes = [leg.from, end].map(|share| box_at(&self.at(share)));
+            let boxes = [segment.from, end].map(|share| box_at(&self.at(share)));
             return boxes[0].merged(&boxes[1]);
         }
-        let end = leg.center_at(end);
-        let path = Aabb::new(leg.center.min(end), leg.center.max(end));
+        let end = segment.center_at(end);
+        let path = Aabb::new(segment.center.min(end), segment.center.max(end));
         path.loosened(reach_about(shape, self.local_center))
     }
 }

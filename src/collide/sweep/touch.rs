@@ -93,7 +93,7 @@ fn window(
     tolerance: Real,
     until: Real,
 ) -> Option<[Real; 2]> {
-    let (Some(leg), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
+    let (Some(segment), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
         return Some([0.0, until]);
     };
     let reach = reach_about(part1.shape, sweep1.local_center) + tolerance;
@@ -101,9 +101,10 @@ fn window(
         return Some([0.0, until]);
     }
     let other = part2.shape.compute_aabb(&sweep2.at(0.0));
-    let probe = SlabProbe::new(leg.center, leg.shift, Vector::splat(reach));
+    let probe = SlabProbe::new(segment.center, segment.shift, Vector::splat(reach));
     let [enter, leave] = probe.span(&other);
-    let turned = if leg.shift == Vector::ZERO { FULL_TURN / leg.angle() } else { Real::INFINITY };
+    let turned =
+        if segment.shift == Vector::ZERO { FULL_TURN / segment.angle() } else { Real::INFINITY };
     let until = until.min(leave).min(turned);
     (enter <= until).then_some([enter.max(0.0), until])
 }

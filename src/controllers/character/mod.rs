@@ -7,7 +7,7 @@
 //! 1. **Recover** ([`recover`]). Where the shape is closer to something than the offset, because that moved, push it out by
 //!    the smallest translation that does.
 //! 2. **Look** ([`obstacles`], [`touch`], [`planes`]). Every contact manifold near the shape is a plane that the shape must stay
-//!    in front of. [`weld`] leaves out planes that another one makes needless: that is what keeps flush tiles and the
+//!    in front of. `plane_pruning.rs` leaves out planes that another one makes needless: that is what keeps flush tiles and the
 //!    triangles of a mesh from being felt.
 //! 3. **Solve** ([`solve`]). Turn the wish along the floor, take away what goes into walls, and project it onto the polyhedron
 //!    of all planes ([`polyhedron`], exactly).
@@ -23,7 +23,6 @@
 //! K. Fauerby, "Improved Collision detection and Response" (2003), whose sliding loop this is, with contacts in place of
 //! ellipsoids.
 
-mod gait;
 mod hooks;
 mod impulses;
 mod length;
@@ -31,15 +30,16 @@ mod mover;
 mod moves;
 mod movement;
 mod obstacles;
+mod plane_pruning;
 mod planes;
 mod polyhedron;
 mod recover;
+mod resolved;
 mod settings;
 mod solve;
 mod stairs;
 mod sweep;
 mod touch;
-mod weld;
 
 pub use hooks::{CharacterContacts, CharacterHooks};
 pub use length::CharacterLength;

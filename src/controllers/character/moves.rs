@@ -1,10 +1,10 @@
 //! The controller's questions, as users ask them.
 
-use super::gait::Gait;
 use super::hooks::{Advisor, CharacterHooks};
 use super::movement::{CharacterCollision, EffectiveCharacterMovement};
 use super::mover::Mover;
 use super::obstacles::Obstacles;
+use super::resolved::ResolvedSettings;
 use super::settings::KinematicCharacterController;
 use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Vector};
@@ -41,7 +41,7 @@ impl KinematicCharacterController {
             return EffectiveCharacterMovement::default();
         };
         let obstacles = Obstacles::new(*queries, character_shape, None);
-        Mover::new(trip.gait, obstacles, trip.start, &mut events).run(desired_translation)
+        Mover::new(trip.settings, obstacles, trip.start, &mut events).run(desired_translation)
     }
 
     /// [`Self::move_shape`] for a character that is subject to the world's hooks.
@@ -118,7 +118,7 @@ impl KinematicCharacterController {
         };
         let advisor = Advisor::new(hooks, queries.colliders);
         let obstacles = Obstacles::new(*queries, character_shape, Some(advisor));
-        let mut mover = Mover::new(trip.gait, obstacles, trip.start, &mut events);
+        let mut mover = Mover::new(trip.settings, obstacles, trip.start, &mut events);
         let movement = mover.run(desired_translation);
         if let Some(advisor) = mover.obstacles.advisor {
             advisor.finish();
@@ -127,31 +127,31 @@ impl KinematicCharacterController {
     }
 
     /// Checks everything; `None`, with a warning, if there can be no move.
-    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, wish: Vector) -> Option<Trip> {
+    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, desired: Vector) -> Option<Trip> {
         if !(dt > 0.0 && dt.is_finite()) {
             log::warn!(
                 "the time step {dt} of a character is not a positive number: the character does not move"
             );
             return None;
         }
-        let Some(start) = checked_pose(*pose).filter(|_| is_point(wish)) else {
+        let Some(start) = checked_pose(*pose).filter(|_| is_point(desired)) else {
             log::warn!(
-                "the pose {pose:?} or the translation {wish:?} of a character is not finite: the character does not move"
+                "the pose {pose:?} or the translation {desired:?} of a character is not finite: the character does not move"
             );
             return None;
         };
-        let gait = Gait::of(self, shape, &start);
-        if gait.is_none() {
+        let settings = ResolvedSettings::of(self, shape, &start);
+        if settings.is_none() {
             log::warn!(
                 "the settings {self:?} or the size of a character are invalid: the character does not move"
             );
         }
-        Some(Trip { gait: gait?, start })
+        Some(Trip { settings: settings?, start })
     }
 }
 
 /// What a move begins with.
 struct Trip {
-    gait: Gait,
+    settings: ResolvedSettings,
     start: Pose,
 }

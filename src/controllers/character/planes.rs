@@ -1,7 +1,7 @@
 //! A plane that the character must stay in front of, and what it is for somebody who walks.
 
-use super::gait::Gait;
 use super::polyhedron::HalfSpace;
+use super::resolved::ResolvedSettings;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 use arrayvec::ArrayVec;
@@ -42,8 +42,8 @@ pub(super) struct Plane {
 
 impl Plane {
     /// What a plane with such a normal is, before anybody looks for steps.
-    pub fn kind_of(rise: Real, gait: &Gait) -> Kind {
-        if rise >= gait.climb_cos {
+    pub fn kind_of(rise: Real, settings: &ResolvedSettings) -> Kind {
+        if rise >= settings.climb_cos {
             Kind::Floor
         } else if rise < -LEAN {
             Kind::Ceiling
@@ -58,49 +58,49 @@ impl Plane {
     }
 
     /// Does it hold up whoever stands on it, against gravity?
-    pub fn holds(&self, gait: &Gait) -> bool {
+    pub fn holds(&self, settings: &ResolvedSettings) -> bool {
         match self.kind {
             Kind::Floor => true,
             Kind::Step => self.rise > LEAN,
-            Kind::Wall => self.rise > LEAN && self.rise >= gait.slide_cos,
+            Kind::Wall => self.rise > LEAN && self.rise >= settings.slide_cos,
             Kind::Ceiling => false,
         }
     }
 
     /// Does gravity make whoever stands on it slide?
-    pub fn is_slippery(&self, gait: &Gait) -> bool {
-        self.kind != Kind::Step && self.rise < gait.slide_cos
+    pub fn is_slippery(&self, settings: &ResolvedSettings) -> bool {
+        self.kind != Kind::Step && self.rise < settings.slide_cos
     }
 
     /// How far the character may still come closer, as a translation along the normal: 0, or less. Gaps about as wide as the
     /// offset leave exactly nothing.
-    pub fn slack(&self, gait: &Gait) -> Real {
-        let slack = gait.offset - self.gap;
-        if slack > -gait.tolerance { 0.0 } else { slack }
+    pub fn slack(&self, settings: &ResolvedSettings) -> Real {
+        let slack = settings.offset - self.gap;
+        if slack > -settings.tolerance { 0.0 } else { slack }
     }
 
     /// By how much the character is too close; 0 if it is not.
-    pub fn excess(&self, gait: &Gait) -> Real {
-        let excess = gait.offset - self.gap;
-        if excess > gait.tolerance { excess } else { 0.0 }
+    pub fn excess(&self, settings: &ResolvedSettings) -> Real {
+        let excess = settings.offset - self.gap;
+        if excess > settings.tolerance { excess } else { 0.0 }
     }
 
     /// Where the character may go.
-    pub fn half_space(&self, gait: &Gait) -> HalfSpace {
-        HalfSpace { normal: self.normal, at_least: self.slack(gait) }
+    pub fn half_space(&self, settings: &ResolvedSettings) -> HalfSpace {
+        HalfSpace { normal: self.normal, at_least: self.slack(settings) }
     }
 
     /// Where the character may go if the plane were upright; `None` for a level one.
-    pub fn upright_half_space(&self, gait: &Gait) -> Option<HalfSpace> {
-        let (_, across) = gait.split(self.normal);
+    pub fn upright_half_space(&self, settings: &ResolvedSettings) -> Option<HalfSpace> {
+        let (_, across) = settings.split(self.normal);
         let length = across.length();
         (length > LEAN)
-            .then(|| HalfSpace { normal: across / length, at_least: self.slack(gait) / length })
+            .then(|| HalfSpace { normal: across / length, at_least: self.slack(settings) / length })
     }
 
     /// The height of its lowest contact point, as a coordinate along the up direction.
-    pub fn lowest(&self, gait: &Gait) -> Real {
-        self.points.iter().map(|point| point.dot(gait.up)).fold(Real::INFINITY, Real::min)
+    pub fn lowest(&self, settings: &ResolvedSettings) -> Real {
+        self.points.iter().map(|point| point.dot(settings.up)).fold(Real::INFINITY, Real::min)
     }
 
     /// Do all of its contact points lie behind another plane?

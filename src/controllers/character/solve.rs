@@ -1,8 +1,8 @@
 //! Which way a wish leads, given the planes around the character.
 
-use super::gait::Gait;
 use super::planes::{Kind, LEAN, Plane};
 use super::polyhedron::{HalfSpace, nearest};
+use super::resolved::ResolvedSettings;
 use super::settings::CharacterSlopeSpeed;
 use crate::dim::math::{Real, Vector};
 use smallvec::SmallVec;
@@ -11,7 +11,7 @@ type HalfSpaces = SmallVec<[HalfSpace; 12]>;
 
 /// A translation, and what it is.
 #[derive(Copy, Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct SolvedMove {
     pub translation: Vector,
     /// Does it lead down a slope that does not hold?
     pub slides: bool,
@@ -24,12 +24,12 @@ struct Lift<'a> {
     height: Real,
 }
 
-impl Gait {
+impl ResolvedSettings {
     /// Turns a wish into a translation that no plane forbids.
     ///
     /// `sticks`: the character stands on the ground and does not want to leave it, so it follows floors downwards, too.
-    pub fn way(&self, wish: Vector, planes: &[Plane], sticks: bool) -> Way {
-        let (fall, ahead) = self.split(wish);
+    pub fn way(&self, desired: Vector, planes: &[Plane], sticks: bool) -> SolvedMove {
+        let (fall, ahead) = self.split(desired);
         let uprights: HalfSpaces = planes
             .iter()
             .filter(|plane| plane.is_upright())
@@ -49,7 +49,7 @@ impl Gait {
         let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > LEAN && !p.holds(self);
         let is_down = fall < 0.0 && solved.dot(self.up) < -self.nothing();
         let slides = slides || (is_down && planes.iter().any(is_steep));
-        Way { translation: solved, slides }
+        SolvedMove { translation: solved, slides }
     }
 
     /// The nearest translation that is allowed, or, for who does not slide, as much of it as is allowed.

@@ -7,9 +7,9 @@
 //! character when it stands, so the two never contradict each other; a search for the time of impact alone would sometimes see a
 //! floor in the way of who walks on it.
 
-use super::gait::Gait;
 use super::obstacles::Obstacles;
 use super::planes::Plane;
+use super::resolved::ResolvedSettings;
 use crate::dim::math::{Pose, Real, Vector};
 
 /// Who goes along a plane at less than this sine goes past it.
@@ -34,7 +34,7 @@ struct Sweep<'a> {
     way: Vector,
     length: Real,
     within: Real,
-    gait: &'a Gait,
+    settings: &'a ResolvedSettings,
 }
 
 impl Sweep<'_> {
@@ -64,19 +64,26 @@ impl Obstacles<'_> {
     ///
     /// The sweep looks for what comes `within` less than the offset, and is taken back: what the character goes along at
     /// the offset itself is then no hit, however it is rounded.
-    pub fn sweep(&mut self, pose: &Pose, way: Vector, within: Real, gait: &Gait) -> Swept {
+    pub fn sweep(
+        &mut self,
+        pose: &Pose,
+        way: Vector,
+        within: Real,
+        settings: &ResolvedSettings,
+    ) -> Swept {
         let length = way.length();
         let free = Swept { fraction: 1.0, hit: None };
         if length == 0.0 {
             return free;
         }
-        let sweep = Sweep { pose, way, length, within, gait };
-        let piece = (2.0 * gait.half_thickness).max(4.0 * gait.offset).max(length / PIECES_MAX);
+        let sweep = Sweep { pose, way, length, within, settings };
+        let piece =
+            (2.0 * settings.half_thickness).max(4.0 * settings.offset).max(length / PIECES_MAX);
         let mut time: Real = 0.0;
         loop {
             let end = (time + piece / length).min(1.0);
             if let Some((time, plane)) = self.first_plane(&sweep, time, end) {
-                let back = (gait.offset - within) / sweep.approach(&plane);
+                let back = (settings.offset - within) / sweep.approach(&plane);
                 return Swept { fraction: (time - back).max(0.0), hit: Some(plane) };
             }
             time = end;
@@ -92,11 +99,11 @@ impl Obstacles<'_> {
     /// a plane ends the way, contacts are looked for from so near that only what is really there shows up.
     fn first_plane(&mut self, sweep: &Sweep<'_>, time: Real, end: Real) -> Option<(Real, Plane)> {
         let (mut time, mut planes) = (time, Vec::new());
-        let (near, tolerance) = (sweep.gait.reach(), sweep.gait.tolerance);
+        let (near, tolerance) = (sweep.settings.reach(), sweep.settings.tolerance);
         let mut reach = sweep.within + (end - time) * sweep.length + tolerance;
         let mut first = None;
         for _ in 0..LOOKS_MAX {
-            self.near(&sweep.pose_at(time), reach, sweep.gait, &mut planes);
+            self.near(&sweep.pose_at(time), reach, sweep.settings, &mut planes);
             let horizon = time + (reach - sweep.within) / sweep.length;
             first = sweep.first_of(&planes, time).filter(|&(then, _)| then < horizon.min(end));
             let then = first.as_ref().map_or(horizon, |&(then, _)| then);

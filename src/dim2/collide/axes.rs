@@ -57,7 +57,7 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        let sieve = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
         sieve.near(&block, Simd::baseline(), &mut axes);
         flat.normal().map(|_| axes.best(0, half, hint))
     };
@@ -75,7 +75,7 @@ pub fn best_axis(
 }
 
 /// A box, and how near is near.
-pub struct Sieve {
+pub struct TriangleCulling {
     half: Vector,
     reach: Real,
     /// The axes of the segments' frame and its origin, as seen from the middle of the box.
@@ -83,7 +83,7 @@ pub struct Sieve {
     origin: Vector,
 }
 
-impl Sieve {
+impl TriangleCulling {
     /// For segments in a frame that stands at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
@@ -101,7 +101,7 @@ impl Sieve {
 }
 
 struct Pass<'a> {
-    sieve: &'a Sieve,
+    sieve: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -149,7 +149,7 @@ impl Pass<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use super::{FlatAxes, FlatBlock, TriangleCulling, set_flat_lane};
     use crate::base::random::Random;
     use crate::base::wide::{LANES, Simd};
     use crate::dim::math::{Pose, Real, Vector};
@@ -182,7 +182,8 @@ mod tests {
                 set_flat_lane(&mut block, lane, segment);
             }
             let reach = 0.05;
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let sieve =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
             let near = sieve.near(&block, Simd::detect(), &mut wide);
             assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));

@@ -48,6 +48,6 @@ mod tests;
 
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use prepare::{Surroundings, prepare};
+pub(crate) use prepare::{PrepareContext, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
 pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};

@@ -33,7 +33,7 @@ pub(super) struct Pair<W> {
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]
-pub(crate) struct Surroundings<'a> {
+pub(crate) struct PrepareContext<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
 }
@@ -49,7 +49,7 @@ pub(crate) unsafe fn prepare<W: Wide>(
     input: &ContactInput,
     block: &mut ContactBlock,
     _coulomb: Option<&mut CoulombBlock>,
-    Surroundings { poses, states }: Surroundings<'_>,
+    PrepareContext { poses, states }: PrepareContext<'_>,
     prediction: Real,
 ) {
     let (pair, points) = read_geometry::<W>(input, block, poses);
@@ -77,7 +77,7 @@ fn read_geometry<W: Wide>(
         scaled(gather_poses::<W>(poses, &input.bodies[0]), &input.mass_factors[0]),
         scaled(gather_poses::<W>(poses, &input.bodies[1]), &input.mass_factors[1]),
     ];
-    let motion = MotionSince::new(&input.placement, &input.is_world, &poses);
+    let motion = MotionSince::new(&input.anchor_frame, &input.is_world, &poses);
     let (n, c) = (motion.normal, motion.offset());
     let frame = Frame::about(n);
 
@@ -86,12 +86,12 @@ fn read_geometry<W: Wide>(
         Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
     let mut points = [absent; MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let placed = WideVector::load(&input.levers[k]);
-        let (lever, moved) = motion.at(placed);
+        let placed = WideVector::load(&input.arms[k]);
+        let (arm, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (motion.origin + lever).store(&mut block.places[k]);
+        (motion.origin + arm).store(&mut block.places[k]);
         points[k] = Point {
-            local: frame.local(WideVector::select(motion.is_held, placed, lever)),
+            local: frame.local(WideVector::select(motion.is_frozen, placed, arm)),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),

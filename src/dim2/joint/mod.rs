@@ -6,16 +6,16 @@
 
 mod angle;
 mod frame;
-mod gauge;
+mod angle_tracker;
 mod inertia;
 mod point;
 
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use angle_tracker::AngleTracker;
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, frame_between, from_components,
     linear_to_world, locked_rotations,
 };
-pub(crate) use gauge::AngleGauge;
 #[cfg(test)]
 pub(crate) use inertia::unit_inertia;
 pub(crate) use inertia::{JointedInertias, inertia_about, is_round};

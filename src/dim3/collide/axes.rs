@@ -70,7 +70,7 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        let sieve = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
         sieve.near(&block, Simd::baseline(), &mut axes);
         axes.best(0, half, hint)
     };
@@ -88,7 +88,7 @@ pub fn best_axis(
 }
 
 /// A box, and how near is near.
-pub struct Sieve {
+pub struct TriangleCulling {
     half: Vector,
     reach: Real,
     /// The axes of the triangles' frame and its origin, as seen from the middle of the box.
@@ -96,7 +96,7 @@ pub struct Sieve {
     origin: Vector,
 }
 
-impl Sieve {
+impl TriangleCulling {
     /// For triangles in a frame that stands at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
@@ -114,7 +114,7 @@ impl Sieve {
 }
 
 struct Pass<'a> {
-    sieve: &'a Sieve,
+    sieve: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -278,7 +278,7 @@ impl<W: Wide> Product<W> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use super::{FlatAxes, FlatBlock, TriangleCulling, set_flat_lane};
     use crate::base::random::Random;
     use crate::base::wide::{LANES, Simd};
     use crate::dim::math::{Pose, Real, Vector};
@@ -317,7 +317,8 @@ mod tests {
                 set_flat_lane(&mut block, lane, triangle);
             }
             let reach = 0.05;
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let sieve =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
             let near = sieve.near(&block, Simd::detect(), &mut wide);
             assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
@@ -353,7 +354,8 @@ mod tests {
             let needle = Triangle::new(a, b, a + (b - a) * between.clamp(0.0, 1.0));
             let mut block = FlatBlock::default();
             set_flat_lane(&mut block, 0, &needle);
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
+            let sieve =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
             let found = sieve.near(&block, Simd::detect(), &mut FlatAxes::default());
             let cuboid = parry::shape::Cuboid::new(half);
             let segment = parry::shape::Segment::new(a, b);

@@ -73,7 +73,7 @@ pub(crate) struct FrictionRow {
     pub tangent_mass: [Lane; 3],
     pub twist_mass: Lane,
     /// Mean distance of the points from the friction centre: the lever of twist friction.
-    pub lever: Lane,
+    pub radius: Lane,
     /// `K_13` and `K_23`: what a twist does to the velocities along the two tangents.
     pub twist_coupling: [Lane; 2],
     /// Wanted relative velocity along the two tangents.
@@ -93,7 +93,7 @@ impl ContactBlock {
             coefficient: zero,
             tangent_mass: [zero; 3],
             twist_mass: zero,
-            lever: zero,
+            radius: zero,
             twist_coupling: [zero; 2],
             surface_velocity: [zero; 2],
             impulse: [zero; 3],

@@ -47,7 +47,7 @@ impl CoulombBlock {
 
     /// Keeps the impulses with which the points start the next step; those that are not finite are none.
     #[inline(always)]
-    pub fn keep<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
+    pub fn store_impulses<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
         let zero = W::zero();
         for (rows, kept) in self.0.iter().zip(impulses) {
             let (x, y) = (W::load(&rows.impulse[0]), W::load(&rows.impulse[1]));

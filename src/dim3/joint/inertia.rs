@@ -36,7 +36,7 @@ pub(crate) struct JointedInertias {
     now: [WideSymmetric<Lane>; 2],
     /// One where a body turns so much that its inertia must turn with it, otherwise zero. That does not depend on
     /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
-    tumbles: [Lane; 2],
+    is_gyroscopic: [Lane; 2],
     /// Is there any?
     has_tumbling: bool,
 }
@@ -46,23 +46,29 @@ impl JointedInertias {
     pub const NONE: Self = Self {
         start: [ZERO_INERTIA; 2],
         now: [ZERO_INERTIA; 2],
-        tumbles: [Lane::ZERO; 2],
+        is_gyroscopic: [Lane::ZERO; 2],
         has_tumbling: false,
     };
 
     /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
-    pub fn set_lane(&mut self, side: usize, lane: usize, value: &AngularInertia, tumbles: bool) {
+    pub fn set_lane(
+        &mut self,
+        side: usize,
+        lane: usize,
+        value: &AngularInertia,
+        is_gyroscopic: bool,
+    ) {
         set_symmetric_lane(&mut self.start[side], lane, value);
         set_symmetric_lane(&mut self.now[side], lane, value);
-        if tumbles {
-            self.tumbles[side].0[lane] = 1.0;
+        if is_gyroscopic {
+            self.is_gyroscopic[side].0[lane] = 1.0;
             self.has_tumbling = true;
         }
     }
 
     /// Does the inertia of a body of this lane turn with it?
     pub fn tumble(&self, lane: usize) -> bool {
-        self.tumbles.iter().any(|tumbles| tumbles.0[lane] != 0.0)
+        self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }
 
     /// That of one lane's first or second body as it stands now.
@@ -89,8 +95,8 @@ impl JointedInertias {
             return;
         }
         for side in 0..2 {
-            let tumbles = W::zero().lt(W::load(&self.tumbles[side]));
-            let rotation = displacements[side].rotation_where(tumbles);
+            let is_gyroscopic = W::zero().lt(W::load(&self.is_gyroscopic[side]));
+            let rotation = displacements[side].rotation_where(is_gyroscopic);
             let turned = turned_inertia(load_symmetric::<W>(&self.start[side]), rotation);
             store_symmetric(turned, &mut self.now[side]);
         }

@@ -68,7 +68,7 @@ pub struct RigidBody {
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
     /// Is it so deep in something fixed that a little more would bring its middle in? Its path is searched then, however short.
-    pub(crate) pressed: bool,
+    pub(crate) deeply_penetrating: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Is there anything in [`Self::push`]?
     pub(super) pushed: bool,
@@ -117,7 +117,7 @@ clone_in_place!(RigidBody {
     enabled,
     ccd_enabled,
     ccd_active,
-    pressed,
+    deeply_penetrating,
     gyroscopic_forces_enabled,
     pushed,
     colliders,
@@ -195,7 +195,7 @@ impl RigidBody {
             enabled: true,
             ccd_enabled: false,
             ccd_active: false,
-            pressed: false,
+            deeply_penetrating: false,
             gyroscopic_forces_enabled: true,
             pushed: false,
             mprops: RigidBodyMassProps::default(),

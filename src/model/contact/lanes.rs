@@ -10,10 +10,10 @@
 //!
 //! The alternative, all pairs told in each step, was a seventh of the step of a large pyramid.
 
+use super::anchor_frame::AnchorFrame;
 use super::input::ContactInput;
 use super::manifold::{ContactManifold, ContactManifoldData};
 use super::pair::ContactPair;
-use super::placement::Placement;
 use super::report::ContactReport;
 use super::store::PairId;
 use crate::base::wide::{LANES, prefetch};
@@ -24,7 +24,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// In a lane that is empty.
-const NOBODY: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
+const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
 
 /// A block's worth of manifolds.
 #[derive(Clone, Debug)]
@@ -40,21 +40,21 @@ pub(crate) struct LaneBlock {
 
 impl LaneBlock {
     const EMPTY: Self = Self {
-        members: [NOBODY; LANES],
+        members: [NO_MANIFOLD; LANES],
         slots: [[NONE; LANES]; 2],
         counts: [0; LANES],
         input: ContactInput::EMPTY,
     };
 
     /// Has a lane stand for a manifold, or for none. Returns whether it did not do so before.
-    pub fn seat(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
-        let manifold = manifold.unwrap_or(NOBODY);
+    pub fn set_lane_slot(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
+        let manifold = manifold.unwrap_or(NO_MANIFOLD);
         core::mem::replace(&mut self.members[lane], manifold) != manifold
     }
 
     /// Has a lane stand for no manifold.
     pub fn clear(&mut self, lane: usize) {
-        if self.seat(lane, None) {
+        if self.set_lane_slot(lane, None) {
             [self.slots[0][lane], self.slots[1][lane]] = [NONE; 2];
             self.counts[lane] = 0;
             self.input.clear(lane);
@@ -63,7 +63,7 @@ impl LaneBlock {
 
     /// Do all lanes stand for nobody?
     pub fn is_empty(&self) -> bool {
-        self.members == [NOBODY; LANES]
+        self.members == [NO_MANIFOLD; LANES]
     }
 
     /// Number of points in all lanes.
@@ -82,8 +82,9 @@ impl LaneBlock {
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
         self.counts[lane] = data.points.len() as u8;
-        let held = if pair.placement.may_hold { Placement::held_turn(data.friction) } else { 0.0 };
-        input.placement.set_lane(lane, &pair.placement, data.placed_normal, held);
+        let held =
+            if pair.anchor_frame.may_freeze { AnchorFrame::held_turn(data.friction) } else { 0.0 };
+        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, held);
         input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
         input.friction.0[lane] = data.friction;
@@ -96,7 +97,7 @@ impl LaneBlock {
                 input.leave_out(k, lane);
                 continue;
             };
-            input.levers[k].set_lane(lane, point.lever);
+            input.arms[k].set_lane(lane, point.arm);
             input.placed_separations[k].0[lane] = point.placed_dist;
             input.present[k].0[lane] = 1.0;
             input.impulses[k].0[lane] = point.warmstart_impulse;
@@ -106,7 +107,7 @@ impl LaneBlock {
 }
 
 /// Writes what is told of a manifold to it.
-fn tell(report: &ContactReport, data: &mut ContactManifoldData) {
+fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     if !report.is_sound() {
         return data.forget_impulses();
     }
@@ -122,7 +123,7 @@ fn tell(report: &ContactReport, data: &mut ContactManifoldData) {
 }
 
 /// By colour, the overflow last: a number of blocks.
-pub(crate) type Rooms = [usize; COLORS as usize + 1];
+pub(crate) type LaneCapacity = [usize; COLORS as usize + 1];
 
 /// All lanes; see the [module](self).
 #[derive(Debug)]
@@ -135,7 +136,7 @@ pub(crate) struct ContactLanes {
     /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
     starts: Vec<u32>,
     /// How many blocks there are for each colour, though some be empty.
-    pub rooms: Rooms,
+    pub capacity: LaneCapacity,
     /// How often lanes were stored.
     turn: u32,
     /// By pair: the turn of which it was told last. Pairs beyond the end, that are younger, have nothing to be told.
@@ -151,7 +152,7 @@ impl Default for ContactLanes {
             reports: Vec::new(),
             are_rough: false,
             starts: Vec::new(),
-            rooms: [0; _],
+            capacity: [0; _],
             turn: 0,
             told: Vec::new(),
             telling: Mutex::default(),
@@ -167,11 +168,11 @@ impl Clone for ContactLanes {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { blocks, reports, are_rough, starts, rooms, turn, told, telling: _ } = source;
+        let Self { blocks, reports, are_rough, starts, capacity, turn, told, telling: _ } = source;
         self.blocks.clone_from(blocks);
         self.reports.clone_from(reports);
         self.starts.clone_from(starts);
-        (self.are_rough, self.rooms, self.turn) = (*are_rough, *rooms, *turn);
+        (self.are_rough, self.capacity, self.turn) = (*are_rough, *capacity, *turn);
         self.told.clear();
         self.told.extend(told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire))));
     }
@@ -224,18 +225,18 @@ impl ContactLanes {
         self.told.resize_with(ids, AtomicU32::default);
     }
 
-    /// Has `tell` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
-    pub fn settle(&self, id: PairId, tell: impl FnOnce()) {
+    /// Has `write_back` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
+    pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
         if !self.is_told(id) {
             let _telling = self.telling.lock().unwrap_or_else(PoisonError::into_inner);
             if !self.is_told(id) {
-                tell();
+                write_back();
             }
         }
     }
 
     /// Tells a pair what became of it, unless it knows.
-    pub fn tell(&self, id: PairId, pair: &mut ContactPair) {
+    pub fn write_back(&self, id: PairId, pair: &mut ContactPair) {
         if self.is_told(id) {
             return;
         }
@@ -261,7 +262,7 @@ impl ContactLanes {
     /// Tells the manifold that a lane stands for what became of it.
     pub fn tell_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
         let data = &mut manifold.data;
-        tell(&self.reports[block][lane], data);
+        write_back(&self.reports[block][lane], data);
         if self.are_rough {
             let input = &self.blocks[block].input;
             for (k, point) in data.points.iter_mut().enumerate() {

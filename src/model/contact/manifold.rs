@@ -34,7 +34,7 @@ pub struct Contact {
     pub local_p2: Vector,
     /// From the first body's centre of mass to the point midway between the two surfaces, in world
     /// space, as the pair was [placed](super::Placement).
-    pub(crate) lever: Vector,
+    pub(crate) arm: Vector,
     /// [`Self::dist`] as the pair was placed.
     pub(crate) placed_dist: Real,
     /// Distance of the two points along the normal; negative when the colliders overlap.
@@ -66,7 +66,7 @@ impl Contact {
         Self {
             local_p1,
             local_p2,
-            lever: Vector::ZERO,
+            arm: Vector::ZERO,
             placed_dist: dist,
             dist,
             point: Vector::ZERO,
@@ -80,7 +80,7 @@ impl Contact {
 
     /// Returns whether all numbers can be computed with.
     fn is_sound(&self) -> bool {
-        let vectors = [self.local_p1, self.local_p2, self.lever, self.point];
+        let vectors = [self.local_p1, self.local_p2, self.arm, self.point];
         let numbers = [self.placed_dist, self.dist, self.impulse, self.warmstart_impulse];
         vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().chain(&self.warmstart_tangent_impulse).all(|it| it.is_finite())

@@ -99,7 +99,7 @@ impl NarrowPhase {
         self.lanes.settle(id, || {
             // SAFETY: the lanes let one thread write at a time, and only if nobody has looked at the pair since the lanes
             // were stored.
-            unsafe { self.contacts.write(id, |pair| self.lanes.tell(id, pair)) }
+            unsafe { self.contacts.write(id, |pair| self.lanes.write_back(id, pair)) }
         });
         &self.contacts[id]
     }
@@ -113,13 +113,13 @@ impl NarrowPhase {
 
     /// Tells a contact pair what became of it in the last step.
     pub(crate) fn settle(&mut self, id: PairId) {
-        self.lanes.tell(id, &mut self.contacts[id]);
+        self.lanes.write_back(id, &mut self.contacts[id]);
     }
 
     /// Tells all contact pairs.
     pub(crate) fn settle_all(&mut self, tasks: Tasks<'_>) {
         if self.lanes.are_ahead() {
-            self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.tell(id, pair));
+            self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.write_back(id, pair));
             self.lanes.fall_back();
         }
     }

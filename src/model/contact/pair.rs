@@ -1,10 +1,10 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
+use super::anchor_frame::AnchorFrame;
 use super::lanes::ContactLanes;
 use super::manifold::ContactManifold;
-use super::nearby::Nearby;
-use super::placement::Placement;
 use super::store::Pair;
+use super::triangle_cache::TriangleCache;
 use crate::base::in_place::clone_in_place;
 use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
@@ -34,10 +34,10 @@ pub struct ContactPair {
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
     /// How the bodies stood when the contact points were put into the world.
-    pub(crate) placement: Placement,
+    pub(crate) anchor_frame: AnchorFrame,
     /// What of a mesh is around the other collider, while neither shape changes. Nothing but time depends on it.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    pub(crate) nearby: Option<Box<Nearby>>,
+    pub(crate) triangle_cache: Option<Box<TriangleCache>>,
 }
 
 clone_in_place!(ContactPair {
@@ -48,8 +48,8 @@ clone_in_place!(ContactPair {
     start_event_emitted,
     attached,
     pose12,
-    placement,
-    nearby
+    anchor_frame,
+    triangle_cache
 });
 
 impl Default for ContactPair {
@@ -69,8 +69,8 @@ impl ContactPair {
             start_event_emitted: false,
             attached: false,
             pose12: Pose::IDENTITY,
-            placement: Placement::NOWHERE,
-            nearby: None,
+            anchor_frame: AnchorFrame::NOWHERE,
+            triangle_cache: None,
         }
     }
 
@@ -87,7 +87,7 @@ impl ContactPair {
     /// Returns whether all numbers can be computed with.
     pub(crate) fn is_sound(&self) -> bool {
         self.pose12.is_finite()
-            && self.placement.is_sound()
+            && self.anchor_frame.is_sound()
             && self.manifolds.iter().all(ContactManifold::is_sound)
     }
 
@@ -166,9 +166,9 @@ impl Pair for ContactPair {
 
     #[inline]
     fn prefetch(&self, what_is_there: bool) {
-        match self.nearby.as_deref() {
-            Some(nearby) if what_is_there => nearby.prefetch(),
-            Some(nearby) => prefetch(nearby),
+        match self.triangle_cache.as_deref() {
+            Some(triangle_cache) if what_is_there => triangle_cache.prefetch(),
+            Some(triangle_cache) => prefetch(triangle_cache),
             None => {}
         }
     }

@@ -57,7 +57,7 @@ pub struct IslandManager {
     /// By body slot: how far the body moved in the last step.
     pub(crate) motion: Vec<BodyMotion>,
     /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
-    pub(crate) strained: bool,
+    pub(crate) ill_conditioned: bool,
     pub(crate) stamp: WorldStamp,
 }
 
@@ -71,7 +71,7 @@ clone_in_place!(IslandManager {
     groups,
     step,
     motion,
-    strained,
+    ill_conditioned,
     stamp
 });
 

@@ -36,10 +36,10 @@ impl MotorModel {
         let inverse = |value: Real| if value == 0.0 { 0.0 } else { 1.0 / value };
         let resistance = dt * stiffness + damping;
         let rate = stiffness * inverse(resistance);
-        let yields = inverse(dt * resistance);
+        let compliance = inverse(dt * resistance);
         match self {
-            Self::AccelerationBased => (rate, yields, 0.0),
-            Self::ForceBased => (rate, 0.0, yields),
+            Self::AccelerationBased => (rate, compliance, 0.0),
+            Self::ForceBased => (rate, 0.0, compliance),
         }
     }
 }

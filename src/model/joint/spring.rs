@@ -50,7 +50,7 @@ impl SpringCoefficients {
     /// How much the spring yields in a step of `dt` seconds, in units of the inverse of the mass that it moves:
     /// `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
     pub fn cfm_coeff(&self, dt: Real) -> Real {
-        self.in_steps_of(dt).yields()
+        self.in_steps_of(dt).compliance()
     }
 
     /// What is left of a constraint's mass by that: `1 / (1 + cfm_coeff)`.

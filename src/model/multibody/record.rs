@@ -66,7 +66,7 @@ pub struct Multibody {
     pub(crate) lists: DofLists,
     pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
-    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/flight.rs`.
+    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
     pub(crate) flight_error: Real,
     /// The energy that impulses left beyond what they should (J), which is bounded as well.
     pub(crate) impulse_error: Real,

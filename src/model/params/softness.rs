@@ -109,7 +109,7 @@ impl Softness {
 
     /// The yield `σ` from which [`Self::new`] made this.
     #[inline]
-    pub(crate) fn yields(&self) -> Real {
+    pub(crate) fn compliance(&self) -> Real {
         self.impulse_scale / self.mass_scale
     }
 

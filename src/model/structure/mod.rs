@@ -288,7 +288,7 @@ impl Structure<'_> {
                 // A pair that stays awake never hears of this body's last motion.
                 self.narrow_phase.contacts.invalidate(id);
                 // Nor is it worth the memory to keep what is around a sleeper.
-                self.narrow_phase.contacts[id].nearby = None;
+                self.narrow_phase.contacts[id].triangle_cache = None;
                 self.rest_contact(id);
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
@@ -401,7 +401,7 @@ impl Structure<'_> {
             self.narrow_phase.contacts.wake(id);
             self.narrow_phase.contacts.invalidate(id);
             // The shape may be another one.
-            self.narrow_phase.contacts[id].nearby = None;
+            self.narrow_phase.contacts[id].triangle_cache = None;
             if bodies.iter().any(|&body| self.is_awake(body)) {
                 self.wake_kinematic_of(bodies);
             }

@@ -40,7 +40,7 @@ impl BroadPhaseBvh {
 
 /// Where a collider is that its body has carried, if it is not in its box.
 #[derive(Copy, Clone, Debug)]
-pub(crate) enum Carried {
+pub(crate) enum MovedProxy {
     /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
     /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
@@ -53,17 +53,17 @@ pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,
     params: &IntegrationParameters,
-) -> Option<Carried> {
+) -> Option<MovedProxy> {
     if !collider.is_enabled() {
-        return collider.proxy.tree.map(|_| Carried::IsElsewhere);
+        return collider.proxy.tree.map(|_| MovedProxy::IsElsewhere);
     }
     let kind = kind_of(Some(body));
     let tight = shape_box(collider.shape(), &collider.pose);
     let margin = margin_of(collider, Some(body), params);
     let needed = margin.needed(&tight).filter(|_| collider.proxy.tree == Some(kind));
-    let Some(needed) = needed else { return Some(Carried::IsElsewhere) };
+    let Some(needed) = needed else { return Some(MovedProxy::IsElsewhere) };
     let is_new = collider.proxy.fit(kind, &needed, &margin);
-    is_new.then_some(Carried::Leaves(kind, collider.proxy.fat_aabb))
+    is_new.then_some(MovedProxy::Leaves(kind, collider.proxy.fat_aabb))
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {

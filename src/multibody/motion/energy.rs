@@ -1,13 +1,13 @@
 //! The kinetic energy of a multibody, and how surplus is removed.
 //!
-//! Free motion conserves the energy in any frame that moves evenly (`flight.rs`). Impulses of contacts with bodies at rest,
+//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with bodies at rest,
 //! of limits and of dry friction do not increase it. Numerically both may. Surplus of free motion is removed from the change
 //! of shape first, so that linear and angular momentum stay. Surplus of contacts is removed from all velocities alike: scaled
 //! velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, turn};
-use super::flight::ERROR_MAX;
+use super::free::ERROR_MAX;
 use super::{Drive, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
@@ -64,7 +64,7 @@ impl Motion {
         let turns_far = |v: &SpatialVector| {
             ang_length_squared(angular(v)) * dt * dt > CONTACT_TURN_MAX * CONTACT_TURN_MAX
         };
-        self.is_wild || self.link_velocities().iter().any(turns_far)
+        self.has_diverged || self.link_velocities().iter().any(turns_far)
     }
 
     /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
@@ -114,9 +114,9 @@ impl Motion {
         }
         if (kept > SMALL_SURPLUS || !touches) && self.root_dofs() > 0 {
             self.keep_momentum(self.kinematics.links[0].center);
-            let surplus = self.kinetic_energy() - energy_max;
+            let energy_gain = self.kinetic_energy() - energy_max;
             let own = self.flight_energy();
-            self.limit_flight(own.map(|own| (own - surplus).max(0.0)));
+            self.limit_flight(own.map(|own| (own - energy_gain).max(0.0)));
         }
         let left = energy_max.max(0.0) / self.kinetic_energy();
         if left < 1.0 - ROUNDING {
@@ -156,10 +156,13 @@ impl Motion {
         if of_whole < most {
             self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
         } else {
-            let whole = self.copy_of_rates();
+            let locked_inertia = self.copy_of_rates();
             self.slow_to(frame);
-            self.blend(&whole, if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 });
-            self.return_buffer(whole);
+            self.blend(
+                &locked_inertia,
+                if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 },
+            );
+            self.return_buffer(locked_inertia);
         }
         self.obey(&own);
         self.return_buffer(own);
@@ -199,7 +202,7 @@ impl Motion {
     fn slow_to_whole(&mut self) {
         let momentum = self.root_momentum();
         self.rates.fill(0.0);
-        add_all(&mut self.rates, self.whole.rates_at(&momentum), 1.0);
+        add_all(&mut self.rates, self.locked_inertia.rates_at(&momentum), 1.0);
     }
 
     /// Leaves the whole going evenly.

@@ -29,16 +29,16 @@
 //!
 //! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff ones hold.
 //!
-//! Free motion, what happens when it cannot be followed, and its energy account: `flight.rs`. Momentum: `balance.rs`.
+//! Free motion, what happens when it cannot be followed, and its energy account: `free.rs`. Momentum: `centroidal.rs`.
 
-mod balance;
+mod centroidal;
 mod energy;
-mod flight;
+mod free;
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
+use super::locked_inertia::LockedInertia;
 use super::spatial::{ZERO, add_scaled, turn};
-use super::whole::Whole;
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
@@ -78,7 +78,7 @@ impl Drive {
 pub struct Motion {
     pub kinematics: Kinematics,
     factor: Factor,
-    whole: Whole,
+    locked_inertia: LockedInertia,
     /// The velocities.
     pub rates: Vec<Real>,
     pub forces: Vec<LinkForce>,
@@ -91,10 +91,10 @@ pub struct Motion {
     ease: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
-    /// The momentum of all links about the root's centre of mass, but for [`Self::outside`].
+    /// The momentum of all links about the root's centre of mass, but for [`Self::external_impulse`].
     momentum: SpatialVector,
     /// The impulses from outside since then, likewise.
-    outside: SpatialVector,
+    external_impulse: SpatialVector,
     velocities: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
@@ -115,7 +115,7 @@ pub struct Motion {
     /// Number of pieces of this substep's flight.
     pieces: usize,
     /// Is a piece of this substep's flight too fast to be followed?
-    pub is_wild: bool,
+    pub has_diverged: bool,
 }
 
 impl Motion {
@@ -157,7 +157,7 @@ impl Motion {
     /// Puts the links where the coordinates say.
     fn place(&mut self, multibody: &Multibody) {
         self.kinematics.update(multibody);
-        self.whole.update(&self.kinematics);
+        self.locked_inertia.update(&self.kinematics);
     }
 
     /// Number of degrees of freedom of the root.
@@ -204,7 +204,7 @@ impl Motion {
         self.momentum = self.root_momentum();
         add_all(&mut self.rates, pushed, 0.5);
         self.begin_flight(h, &mut change);
-        if self.is_wild {
+        if self.has_diverged {
             change.fill(0.0);
             self.limit_whip(h);
         }

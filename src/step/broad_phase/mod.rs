@@ -12,7 +12,7 @@
 //! of their number. A platform under thousands of crates owns none of these pairs, nor does a sensor that thousands of bodies of its size
 //! or smaller ones visit, so neither misses one.
 
-mod borne;
+mod owned_pairs;
 mod search;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! The neighbours of one collider.
 
-use super::borne::{Borne, HandlePair};
+use super::owned_pairs::{HandlePair, OwnedPairs};
 use super::{COLLIDERS_PER_TASK, KnownPairs, TURNS_AHEAD};
 use crate::base::marks::Marks;
 use crate::base::pool::Pool;
@@ -19,7 +19,7 @@ pub(super) struct Finds {
     /// Colliders that would own more pairs than they may: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],
     /// The pairs that one collider would own, by [`Kind`].
-    borne: [Borne; Kind::ALL.len()],
+    owned: [OwnedPairs; Kind::ALL.len()],
     /// Who has a pair with it already.
     known: Marks,
 }
@@ -118,7 +118,7 @@ impl<K: KnownPairs> Search<'_, K> {
     /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
     fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
         for kind in Kind::ALL {
-            found.borne[kind.index()].clear(self.most.of_kind(kind));
+            found.owned[kind.index()].clear(self.most.of_kind(kind));
         }
         found.known.clear();
         let partners = self.known.partners(seeker.slot);
@@ -141,18 +141,18 @@ impl<K: KnownPairs> Search<'_, K> {
 
     /// Adds the pairs of a kind that a collider owns, as many as there are places for.
     fn take_nearest(&self, slot: u32, kind: Kind, found: &mut Finds) {
-        let borne = &mut found.borne[kind.index()];
-        if borne.len() == 0 {
+        let owned = &mut found.owned[kind.index()];
+        if owned.len() == 0 {
             return;
         }
         let mut places = self.most.of_kind(kind);
-        if self.partners(slot, kind.is_sensed).len() + borne.len() > places {
+        if self.partners(slot, kind.is_sensed).len() + owned.len() > places {
             places -= self.count_borne(slot, kind).min(places);
         }
-        if borne.len() > places {
+        if owned.len() > places {
             found.refused[usize::from(kind.is_sensed)].push(slot);
         }
-        found.pairs.extend(borne.nearest(places));
+        found.pairs.extend(owned.nearest(places));
     }
 
     /// The slots of the colliders that have pairs with one: as solids, or because of a sensor.
@@ -170,9 +170,9 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         let kind = self.kind_of(slot, other_slot);
-        let borne = &mut found.borne[kind.index()];
-        let remoteness = slot.abs_diff(other_slot);
-        if bears && is_movable && borne.leaves_out(remoteness) {
+        let owned = &mut found.owned[kind.index()];
+        let slot_distance = slot.abs_diff(other_slot);
+        if bears && is_movable && owned.leaves_out(slot_distance) {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
@@ -185,7 +185,7 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         if is_movable && bears {
-            borne.push(remoteness, pair);
+            owned.push(slot_distance, pair);
         } else if is_movable && self.is_full(other_slot) {
             found.late.push(other_slot);
         } else {
@@ -211,9 +211,9 @@ impl<K: KnownPairs> Search<'_, K> {
             let other = self.colliders.at_slot(other);
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
-        let borne = |&other: &u32| {
+        let owned = |&other: &u32| {
             self.tree.bears(slot, other) && self.kind_of(slot, other) == kind && is_movable(other)
         };
-        self.partners(slot, kind.is_sensed).iter().copied().filter(borne).count()
+        self.partners(slot, kind.is_sensed).iter().copied().filter(owned).count()
     }
 }

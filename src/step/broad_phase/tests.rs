@@ -258,9 +258,9 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
     assert_eq!(boxes.crowded.solids, 100 - 1 - MOST);
     for (k, &cube) in cubes.iter().enumerate() {
         assert!(found.contains(&(ground, cube)), "the ground is not counted");
-        let borne = found.iter().filter(|&&(low, high)| high == cube && low != ground);
-        assert!(borne.clone().count() == k.min(MOST), "cube {k}: {found:?}");
-        assert!(borne.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
+        let owned = found.iter().filter(|&&(low, high)| high == cube && low != ground);
+        assert!(owned.clone().count() == k.min(MOST), "cube {k}: {found:?}");
+        assert!(owned.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
     }
     assert_eq!(boxes.find(), [], "nothing new");
     assert_eq!(boxes.crowded.solids, 100 - 1 - MOST, "but they looked");

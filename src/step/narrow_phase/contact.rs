@@ -1,9 +1,9 @@
 //! Pairs of solid colliders: where do the two touch?
 
+use super::anchors::Place;
 use super::faults;
-use super::place::Place;
-use super::seams::{self, SeamScratch, obstacle_side};
-use super::update::{Outcome, Surroundings, Update, Worker};
+use super::ghost_contacts::{self, SeamScratch, non_dynamic_side};
+use super::update::{NarrowPhaseContext, Outcome, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
@@ -51,19 +51,19 @@ impl Update for ContactPair {
         if !view.boxes_overlap() {
             return Outcome::APART;
         }
-        view.around.lanes.tell(id, self);
+        view.around.lanes.write_back(id, self);
         self.renew(view, [&[], &[]], worker)
     }
 
-    fn look_again(
+    fn filter_ghost_contacts(
         tasks: Tasks<'_>,
-        around: Surroundings<'_>,
+        around: NarrowPhaseContext<'_>,
         store: &mut PairStore<Self>,
-        computed: seams::Computed<'_>,
+        computed: ghost_contacts::Computed<'_>,
         scratch: &mut SeamScratch,
         workers: &Pool<Worker>,
     ) {
-        seams::look_again(tasks, around, store, computed, scratch, workers);
+        ghost_contacts::filter_ghost_contacts(tasks, around, store, computed, scratch, workers);
     }
 }
 
@@ -76,7 +76,7 @@ impl ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let Computed { gap, left } = self.compute(view, neighbors, worker);
-        worker.pressed.extend(self.pressed_body(view));
+        worker.deeply_penetrating.extend(self.penetrating_body(view));
         let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
         let slack = if view.has_hooks(hooks) {
             DUE
@@ -90,12 +90,12 @@ impl ContactPair {
             slack,
             reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
             is_renewed: true,
-            obstacle: obstacle_side(view).filter(|_| self.is_touching()),
+            obstacle: non_dynamic_side(view).filter(|_| self.is_touching()),
         }
     }
 
     /// The body that is deep in the other one, if that is not dynamic.
-    fn pressed_body(&self, view: &PairView<'_>) -> Option<RigidBodyHandle> {
+    fn penetrating_body(&self, view: &PairView<'_>) -> Option<RigidBodyHandle> {
         let solved = self.manifolds.iter().filter(|manifold| manifold.is_solved());
         let depth = -solved.map(ContactManifold::deepest_dist).fold(Real::INFINITY, Real::min);
         // Nearly all pairs end here.
@@ -154,22 +154,22 @@ impl ContactPair {
     fn keep_placed(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
         let place = Place::of(view);
         let friction = self.least_friction();
-        let (held, creeps) = (self.placement.may_hold, place.creeps());
-        let left = place.left(&self.placement, friction);
-        if creeps == held && left > 0.0 {
+        let (held, near_rest) = (self.anchor_frame.may_freeze, place.near_rest());
+        let left = place.left(&self.anchor_frame, friction);
+        if near_rest == held && left > 0.0 {
             return (left, false);
         }
-        view.around.lanes.tell(id, self);
-        if creeps {
-            self.placement = place.placement();
+        view.around.lanes.write_back(id, self);
+        if near_rest {
+            self.anchor_frame = place.anchor_frame();
             for manifold in &mut self.manifolds {
                 place.put(manifold);
             }
         } else {
             // Should they creep again later, they must not be held where they were long ago.
-            self.placement.may_hold = false;
+            self.anchor_frame.may_freeze = false;
         }
-        (place.left(&self.placement, friction), true)
+        (place.left(&self.anchor_frame, friction), true)
     }
 
     fn least_friction(&self) -> Real {
@@ -198,13 +198,13 @@ impl ContactPair {
             shapes: view.colliders.map(Collider::shape),
             motion: view.motion(),
             prediction: reach,
-            flush: view.around.params.allowed_linear_error(),
+            step_height_tolerance: view.around.params.allowed_linear_error(),
             neighbors,
             simd: view.around.simd,
         };
         self.pose12 = view.pose12;
         let distance = if let Some(flags) = flags {
-            self.placement = place.placement();
+            self.anchor_frame = place.anchor_frame();
             let circumstances = Circumstances { view, place: &place, flags };
             if self.is_plain(view, neighbors) {
                 self.renew_manifold(&pair, circumstances, worker)
@@ -216,7 +216,7 @@ impl ContactPair {
             reach
         };
         let gap = (distance - reach).max(0.0);
-        Computed { gap, left: place.left(&self.placement, self.least_friction()) }
+        Computed { gap, left: place.left(&self.anchor_frame, self.least_friction()) }
     }
 
     /// Is there no more than one manifold now and before, of shapes that are their own only parts, and of which no hook will hear that
@@ -257,7 +257,7 @@ impl ContactPair {
     ) -> Real {
         let Worker { scratch, fresh, faults, culled, .. } = worker;
         let (old, colliders) = (&self.manifolds, [self.collider1, self.collider2]);
-        let distance = compute_manifolds(pair, old, Some(&mut self.nearby), scratch, fresh);
+        let distance = compute_manifolds(pair, old, Some(&mut self.triangle_cache), scratch, fresh);
         culled.extend(scratch.is_culled().then_some(colliders));
         inherit_impulses(fresh, old);
         for manifold in fresh.iter_mut() {

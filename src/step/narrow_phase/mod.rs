@@ -12,11 +12,11 @@
 
 mod contact;
 mod faults;
-mod place;
+mod anchors;
 mod recycle;
-mod seams;
+mod ghost_contacts;
 mod sensor;
 mod update;
 mod view;
 
-pub(crate) use update::{NarrowPhaseScratch, Surroundings, update};
+pub(crate) use update::{NarrowPhaseContext, NarrowPhaseScratch, update};

@@ -1,7 +1,7 @@
 //! Which pairs are due, and what becomes of them.
 
 use super::faults;
-use super::seams::{Computed, SeamScratch};
+use super::ghost_contacts::{Computed, SeamScratch};
 use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
@@ -35,7 +35,7 @@ const SLOTS_AHEAD: usize = 32;
 
 /// What the narrow phase reads.
 #[derive(Copy, Clone)]
-pub(crate) struct Surroundings<'a> {
+pub(crate) struct NarrowPhaseContext<'a> {
     pub bodies: &'a RigidBodySet,
     pub colliders: &'a ColliderSet,
     pub islands: &'a IslandManager,
@@ -57,7 +57,7 @@ pub(crate) struct NarrowPhaseScratch {
     gather_changes: Gather<Change>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
-    seams: SeamScratch,
+    ghost_contacts: SeamScratch,
     culled: Culled,
 }
 
@@ -97,7 +97,7 @@ pub(super) struct Worker {
     /// Pairs with impossible numbers.
     pub faults: Vec<([ColliderHandle; 2], QuarantineCause)>,
     /// Bodies that are deep in something.
-    pub pressed: Vec<RigidBodyHandle>,
+    pub deeply_penetrating: Vec<RigidBodyHandle>,
     /// Pairs that touch in so many places that only some were taken.
     pub culled: Vec<[ColliderHandle; 2]>,
 }
@@ -128,7 +128,7 @@ impl Outcome {
 /// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that only some were taken.
 pub(crate) fn update(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    around: NarrowPhaseContext<'_>,
     (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
@@ -139,7 +139,9 @@ pub(crate) fn update(
     });
     let looked = catch_unwind(look);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
-    scratch.workers.for_each(|worker| notes.pressed.append(&mut worker.pressed));
+    scratch
+        .workers
+        .for_each(|worker| notes.deeply_penetrating.append(&mut worker.deeply_penetrating));
     scratch.culled.gather(&mut scratch.workers);
     if let Err(panic) = looked {
         // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
@@ -162,9 +164,9 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
     ) -> Outcome;
 
     /// Goes over the pairs that were computed once all of them are known.
-    fn look_again(
+    fn filter_ghost_contacts(
         _tasks: Tasks<'_>,
-        _around: Surroundings<'_>,
+        _around: NarrowPhaseContext<'_>,
         _store: &mut PairStore<Self>,
         _computed: Computed<'_>,
         _scratch: &mut SeamScratch,
@@ -175,7 +177,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
 
 fn update_store<P: Update>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    around: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
@@ -187,16 +189,23 @@ fn update_store<P: Update>(
         changes,
         gather_changes,
         workers,
-        seams,
+        ghost_contacts,
         ..
     } = scratch;
     list_due(tasks, around, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
     look_at_all(tasks, around, store, due, outcomes, workers);
-    P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
+    P::filter_ghost_contacts(
+        tasks,
+        around,
+        store,
+        Computed { due, outcomes },
+        ghost_contacts,
+        workers,
+    );
     changes.clear();
-    take_in(tasks, store, (due, outcomes), gather_changes, changes);
+    apply(tasks, store, (due, outcomes), gather_changes, changes);
     // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
@@ -206,7 +215,7 @@ fn update_store<P: Update>(
 /// Lists the awake pairs whose slack is used up.
 fn list_due<P: Pair>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    around: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     gather: &mut Gather<PairId>,
     due: &mut Vec<PairId>,
@@ -224,7 +233,7 @@ fn list_due<P: Pair>(
 /// Looks at each due pair by itself.
 fn look_at_all<P: Update>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    around: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     due: &[PairId],
     outcomes: &mut [Outcome],
@@ -250,7 +259,7 @@ fn look_at_all<P: Update>(
 }
 
 /// Has the store know of all pairs what was found, and lists those that changed.
-fn take_in<P: Pair>(
+fn apply<P: Pair>(
     tasks: Tasks<'_>,
     store: &mut PairStore<P>,
     (due, outcomes): (&[PairId], &[Outcome]),
@@ -259,7 +268,7 @@ fn take_in<P: Pair>(
 ) {
     let StoreParts { states, slots, .. } = store.split();
     let states = DisjointMut::new(states);
-    let take_in = |range: Range<usize>, found: &mut Vec<Change>| {
+    let apply = |range: Range<usize>, found: &mut Vec<Change>| {
         for index in range {
             let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
             if later.is_some() {
@@ -271,7 +280,7 @@ fn take_in<P: Pair>(
             found.extend(outcome.change.map(|change| (slots.of(id), id, change)));
         }
     };
-    gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), take_in, changes);
+    gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), apply, changes);
     let found = || due.iter().copied().zip(outcomes);
     found().for_each(|(id, outcome)| store.set_reporting(id, outcome.reports_force));
     store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
@@ -280,7 +289,7 @@ fn take_in<P: Pair>(
 /// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
 /// them took as long as a third of the computation.
 struct Ahead<'a, P> {
-    around: Surroundings<'a>,
+    around: NarrowPhaseContext<'a>,
     states: &'a [PairState],
     due: &'a [PairId],
     pairs: DisjointMut<'a, Option<P>>,
@@ -315,7 +324,7 @@ impl<P: Update> Ahead<'_, P> {
 }
 
 fn look_at<P: Update>(
-    around: Surroundings<'_>,
+    around: NarrowPhaseContext<'_>,
     (id, pair): (PairId, &mut P),
     last: Outcome,
     worker: &mut Worker,

@@ -1,7 +1,7 @@
 //! A pair of colliders with all that is around it.
 
 use super::recycle::recycle_distance;
-use super::update::Surroundings;
+use super::update::NarrowPhaseContext;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBody;
 use crate::model::collider::{ActiveEvents, ActiveHooks, Collider, ColliderHandle, ShapeForm};
@@ -11,7 +11,7 @@ use parry::bounding_volume::BoundingVolume;
 
 /// The two colliders of a pair and their bodies.
 pub(super) struct PairView<'a> {
-    pub around: Surroundings<'a>,
+    pub around: NarrowPhaseContext<'a>,
     pub colliders: [&'a Collider; 2],
     pub bodies: [Option<&'a RigidBody>; 2],
     /// Pose of the second collider in the frame of the first.
@@ -19,7 +19,7 @@ pub(super) struct PairView<'a> {
 }
 
 impl<'a> PairView<'a> {
-    pub fn of(around: Surroundings<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
+    pub fn of(around: NarrowPhaseContext<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
         let collider1 = around.colliders.get(handles[0])?;
         let collider2 = around.colliders.get(handles[1])?;
         let body = |collider: &Collider| around.bodies.get(collider.parent()?);

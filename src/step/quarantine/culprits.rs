@@ -11,7 +11,7 @@
 //! Each round costs a step. After [`ROUNDS`] of them all that are lost are taken, and after twice as many everything that
 //! is awake: then nothing moves any more, and the step cannot fail.
 
-use super::{Conditions, World};
+use super::{StepConditions, World};
 use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{
@@ -19,7 +19,7 @@ use crate::model::body::{
 };
 use crate::model::check::checked_pose;
 use crate::model::joint::JointMotor;
-use crate::step::notes::Lost;
+use crate::step::notes::Diverged;
 
 /// So often the most strained ones are taken one by one.
 const ROUNDS: usize = 4;
@@ -30,8 +30,8 @@ type Culprit = (RigidBodyHandle, QuarantineCause);
 /// A failed step.
 pub(super) struct Culprits<'a> {
     pub world: &'a World<'a>,
-    pub conditions: Conditions<'a>,
-    pub lost: &'a [Lost],
+    pub conditions: StepConditions<'a>,
+    pub lost: &'a [Diverged],
 }
 
 impl Culprits<'_> {
@@ -41,7 +41,7 @@ impl Culprits<'_> {
         if failures >= 2 * ROUNDS {
             let awake = self.world.islands.awake.iter();
             let at_rest = RigidBodyVelocity::zero();
-            let all = awake.map(|&body| Lost { body, velocity: at_rest, is_link: false });
+            let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
             return all.for_each(|lost| self.take(&lost, taken));
         }
         for lost in self.lost {
@@ -66,11 +66,11 @@ impl Culprits<'_> {
         }
     }
 
-    fn body(&self, lost: &Lost) -> Option<&RigidBody> {
+    fn body(&self, lost: &Diverged) -> Option<&RigidBody> {
         self.world.bodies.get(lost.body)
     }
 
-    fn take(&self, lost: &Lost, taken: &mut Vec<Culprit>) {
+    fn take(&self, lost: &Diverged, taken: &mut Vec<Culprit>) {
         let cause = match lost.is_link {
             true => QuarantineCause::Multibody(lost.velocity),
             false => QuarantineCause::Constraints(lost.velocity),
@@ -101,7 +101,7 @@ impl Culprits<'_> {
 
     /// What would lose a body all alone.
     fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
-        let Conditions { gravity, params } = self.conditions;
+        let StepConditions { gravity, params } = self.conditions;
         if checked_pose(body.pose).is_none() {
             return Some(QuarantineCause::Position(body.pose));
         }
@@ -132,7 +132,7 @@ impl Culprits<'_> {
     }
 
     /// The most strained of each island.
-    fn most_strained(&self) -> Vec<&Lost> {
+    fn most_strained(&self) -> Vec<&Diverged> {
         let ranked = self.lost.iter().filter_map(|lost| {
             let body = self.body(lost)?;
             Some((body.link.island, self.strain_of(lost), lost))
@@ -145,7 +145,7 @@ impl Culprits<'_> {
     }
 
     /// The strain of a body, or of the most strained link of a multibody.
-    fn strain_of(&self, lost: &Lost) -> Real {
+    fn strain_of(&self, lost: &Diverged) -> Real {
         let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
         let strains = core::iter::once(&lost.body).chain(links).filter_map(|&handle| {
             Some(self.strain_of_body(handle, self.world.bodies.get(handle)?))

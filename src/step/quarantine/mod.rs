@@ -13,10 +13,10 @@
 //!
 //! **The way back.** By the time when the solver has failed, pairs, islands and colours have followed the step. They are not
 //! unwound one by one: that would need a journal of everything that the structure does. Instead a step is begun with a
-//! [copy of the world](WayBack) when it might fail: after a step that left a body faster than [`CALM`] or farther than
+//! [copy of the world](Checkpoint) when it might fail: after a step that left a body faster than [`CALM`] or farther than
 //! [`FAR`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
 //! [gently](GENTLE); and when the step is [long](LONG). That is rare, and a step that nobody is at risk in pays for a comparison per number of the solver's
-//! states (`src/step/solver/bodies/survey.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
+//! states (`src/step/solver/bodies/divergence.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
 //! what grows there grows over several steps, and is seen.
 //!
 //! Should a step fail all the same that nobody foresaw (a motor that was never calm, held until now), it is taken again
@@ -24,9 +24,9 @@
 //! and sleepers woken, with the culprits still there: what touched them may be visited in another order than without them.
 
 mod culprits;
-mod way_back;
+mod checkpoint;
 
-pub(crate) use way_back::WayBack;
+pub(crate) use checkpoint::Checkpoint;
 
 use crate::base::hash::FastHashMap;
 use crate::base::measure::{CALM, FAR};
@@ -63,7 +63,7 @@ pub(crate) struct World<'a> {
 
 /// What bodies move in.
 #[derive(Copy, Clone)]
-pub(crate) struct Conditions<'a> {
+pub(crate) struct StepConditions<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
 }
@@ -90,8 +90,8 @@ impl Quarantine {
     pub fn take_out(
         &mut self,
         mut world: World<'_>,
-        way_back: Option<&WayBack>,
-        conditions: Conditions<'_>,
+        checkpoint: Option<&Checkpoint>,
+        conditions: StepConditions<'_>,
         notes: &mut StepNotes,
     ) {
         let culprits = Culprits { world: &world, conditions, lost: &notes.lost };
@@ -100,9 +100,9 @@ impl Quarantine {
         // Not in the order in which they were found: a user who disables the same bodies need not know it.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
-        match way_back {
-            Some(way_back) => {
-                way_back.restore(&mut world);
+        match checkpoint {
+            Some(checkpoint) => {
+                checkpoint.restore(&mut world);
                 notes.clear();
             }
             None => {
@@ -157,7 +157,7 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
 }
 
 /// Might the step that is about to begin fail?
-pub(crate) fn is_at_risk(world: &World<'_>, conditions: Conditions<'_>) -> bool {
+pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
     let World { islands, bodies, colliders, joints, .. } = world;
     let is_strained = |&handle: &RigidBodyHandle| {
         bodies.get(handle).is_some_and(|body| !conditions.treat_gently(body))
@@ -166,7 +166,7 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: Conditions<'_>) -> bool 
         colliders.get(handle).is_some_and(|collider| !mass_is_calm(&collider.mass_props))
     };
     conditions.params.dt > 0.0
-        && (islands.strained
+        && (islands.ill_conditioned
             || conditions.params.dt > LONG
             || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
             || bodies.modified().iter().any(is_strained)
@@ -177,7 +177,7 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: Conditions<'_>) -> bool 
             }))
 }
 
-impl Conditions<'_> {
+impl StepConditions<'_> {
     /// Is everything moderate that the user may have given to a body, and the body near?
     fn treat_gently(self, body: &RigidBody) -> bool {
         let Self { gravity, params } = self;

@@ -1,12 +1,12 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
-use super::impacts::{Around, Impacts};
-use super::keep::keep;
+use super::impacts::{ImpactContext, Impacts};
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use super::overflow::OverflowOrder;
 use super::recovery::{Recovery, deep_overlap};
+use super::store_impulses::store_impulses;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
@@ -15,8 +15,8 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{
-    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, NarrowPhase, PairStore,
-    Rooms, reserve_blocks,
+    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, LaneCapacity, NarrowPhase,
+    PairStore, reserve_blocks,
 };
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
@@ -90,8 +90,8 @@ impl SolverContacts {
         let LoadKind { is_only_group, per_point } = kind;
         let are_all = is_only_group && multibodies.move_nobody();
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
-        let rooms = is_only_group.then_some(&mut lanes.rooms);
-        self.lay_out((graph, contacts, rooms), (bodies, are_all), multibodies);
+        let capacity = is_only_group.then_some(&mut lanes.capacity);
+        self.lay_out((graph, contacts, capacity), (bodies, are_all), multibodies);
         // What stands elsewhere than before learns from its manifold, which must have been told by then. So must those be whose
         // impulses are about to change before they act.
         let lanes = &narrow_phase.lanes;
@@ -119,10 +119,10 @@ impl SolverContacts {
     /// Says which manifold stands in which lane: all of the graph, or those of the bodies that are solved.
     fn lay_out(
         &mut self,
-        (graph, contacts, mut rooms): (
+        (graph, contacts, mut capacity): (
             &ConstraintGraph,
             &PairStore<ContactPair>,
-            Option<&mut Rooms>,
+            Option<&mut LaneCapacity>,
         ),
         (bodies, are_all): (&SolverBodies, bool),
         multibodies: &mut SolverMultibodies,
@@ -149,8 +149,8 @@ impl SolverContacts {
                 self.layout.add(color, members);
                 self.starts.push(first as u32);
             }
-            if let Some(rooms) = &mut rooms {
-                self.layout.keep_room(first, &mut rooms[color as usize]);
+            if let Some(capacity) = &mut capacity {
+                self.layout.keep_room(first, &mut capacity[color as usize]);
             }
         }
         if !are_all {
@@ -299,14 +299,19 @@ impl SolverContacts {
     }
 
     /// Lets the contacts bounce that hit something in this substep.
-    pub fn let_bounce(&mut self, bodies: &mut SolverBodies, around: Around<'_>, pass: &ImpactPass) {
+    pub fn let_bounce(
+        &mut self,
+        bodies: &mut SolverBodies,
+        around: ImpactContext<'_>,
+        pass: &ImpactPass,
+    ) {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         self.impacts.run(blocks, bodies, around, pass);
     }
 
     /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
     pub fn store(&mut self, narrow_phase: &mut NarrowPhase, simd: Simd, tasks: Tasks<'_>) {
-        self.impacts.recall(&mut self.blocks);
+        self.impacts.restore(&mut self.blocks);
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -316,7 +321,7 @@ impl SolverContacts {
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
         for color in self.layout.colors().iter().take_while(|color| self.must_tell(color)) {
-            self.tell(color.clone(), narrow_phase, tasks);
+            self.write_back(color.clone(), narrow_phase, tasks);
         }
         if self.are_on_loan {
             self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
@@ -329,7 +334,7 @@ impl SolverContacts {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
 
-    fn tell(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
+    fn write_back(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
         let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             for index in color.start + range.start..color.start + range.end {
@@ -368,7 +373,7 @@ fn fill(
     }
     let contacts = &narrow_phase.contacts;
     for (lane, &at) in chunk.iter().enumerate() {
-        if block.seat(lane, Some(at)) || contacts.is_renewed(at.pair) {
+        if block.set_lane_slot(lane, Some(at)) || contacts.is_renewed(at.pair) {
             block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
         }
     }
@@ -391,7 +396,7 @@ fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
     for (side, index) in [index1, index2].into_iter().enumerate() {
         input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
     }
-    input.placement.set_creeps(lane, creeps1 && creeps2);
+    input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
 }
 
 /// Has all lanes start with the share of their impulses with which their bodies do.
@@ -468,7 +473,7 @@ impl Kernel for Prepare<'_> {
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let surroundings = contact::Surroundings { poses, states: &states };
+                let surroundings = contact::PrepareContext { poses, states: &states };
                 contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));
@@ -479,7 +484,7 @@ impl Kernel for Prepare<'_> {
     }
 }
 
-/// See [`keep`].
+/// See [`store_impulses`].
 struct Keep<'a> {
     range: Range<usize>,
     layout: &'a Layout<ManifoldRef>,
@@ -499,7 +504,7 @@ impl Kernel for Keep<'_> {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &mut self.lanes.get_mut(index).input;
                 let reports = self.reports.get_mut(index);
-                keep::<W>(block, coulomb.as_deref(), input, reports);
+                store_impulses::<W>(block, coulomb.as_deref(), input, reports);
             }
         }
     }

@@ -10,7 +10,7 @@
 //!
 //! Joints that light bodies hold heavy ones by need them for another reason: under a load `M g` that pulls at the lever
 //! `r` a link of mass `m` and inertia `I` swings like a string, with `ω² = M g r / (I + m r²)`, and from a substep in which
-//! it turns by too much the solver does not find back (`joints/taut.rs`). So `(h ω)²` is kept below [`SWING`]: a chain
+//! it turns by too much the solver does not find back (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING`]: a chain
 //! under 1000 times the mass of a link gets twice the usual substeps at 30 steps a second, and no more than these at 60.
 //!
 //! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm
@@ -51,7 +51,7 @@ pub(super) struct Group {
 
 /// What an island needs.
 #[derive(Copy, Clone, Debug)]
-struct Need {
+struct IslandRequirement {
     /// Masses of the lightest and the heaviest of the bodies that touch another.
     masses: [Real; 2],
     /// The same for bodies that joints hold.
@@ -62,7 +62,7 @@ struct Need {
     extra: usize,
 }
 
-impl Need {
+impl IslandRequirement {
     const NOTHING: Self = {
         let none = [Real::INFINITY, 0.0];
         Self { masses: none, joined: none, agility: 0.0, extra: 0 }
@@ -74,11 +74,11 @@ impl Need {
     }
 
     /// Includes a body that a joint holds at this distance from its centre of mass.
-    fn include_joined(&mut self, body: &RigidBody, lever: Real) {
+    fn include_joined(&mut self, body: &RigidBody, arm: Real) {
         let Some(mass) = mass(body) else { return };
         include(&mut self.joined, mass);
         if let Some(inertia) = inertia_about(&body.mprops.inv_inertia) {
-            self.agility = self.agility.max(lever / (inertia + mass * lever * lever));
+            self.agility = self.agility.max(arm / (inertia + mass * arm * arm));
         }
     }
 
@@ -120,14 +120,14 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
 
 /// What contacts need to know of a body, side by side with that of others: they are met in any order.
 #[derive(Copy, Clone, Debug)]
-struct Fact {
+struct BodyRequirement {
     island: u32,
     mass: Option<Real>,
     /// Additional substeps that the body requests.
     extra: usize,
 }
 
-impl Fact {
+impl BodyRequirement {
     const NONE: Self = Self { island: NONE, mass: None, extra: 0 };
 
     fn of(body: &RigidBody) -> Self {
@@ -144,16 +144,16 @@ pub(super) struct Groups {
     order: Vec<RigidBodyHandle>,
     groups: Vec<Group>,
     /// By island.
-    needs: Vec<Need>,
+    requirements: Vec<IslandRequirement>,
     /// Of the dynamic bodies, in the order in which they are awake.
-    facts: Vec<Fact>,
+    body_requirements: Vec<BodyRequirement>,
     /// The same by body slot. Filled only while needs are found.
-    by_slot: Vec<Fact>,
+    by_slot: Vec<BodyRequirement>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
-    strained: bool,
-    gather: Gather<Fact>,
+    ill_conditioned: bool,
+    gather: Gather<BodyRequirement>,
 }
 
 impl Groups {
@@ -168,11 +168,11 @@ impl Groups {
 
     /// Are there masses in one island that might lead out of the range of numbers?
     pub fn are_strained(&self) -> bool {
-        self.strained
+        self.ill_conditioned
     }
 
     /// How many bodies stand before the groups.
-    pub fn spectators(&self) -> usize {
+    pub fn ungrouped(&self) -> usize {
         self.groups.first().map_or(0, |group| group.members.start)
     }
 
@@ -187,7 +187,7 @@ impl Groups {
     ) {
         self.order.clear();
         self.groups.clear();
-        self.strained = false;
+        self.ill_conditioned = false;
         self.read_bodies(islands, bodies, tasks);
         if self.are_all_alike() {
             self.order.extend_from_slice(&islands.awake);
@@ -200,9 +200,10 @@ impl Groups {
         self.order.extend_from_slice(islands.awake.kinematic());
         for &substeps in &self.counts {
             let start = self.order.len();
-            let all = islands.awake.dynamic().iter().zip(&self.facts);
-            let members =
-                all.filter(|(_, fact)| self.substeps.get(fact.island as usize) == Some(&substeps));
+            let all = islands.awake.dynamic().iter().zip(&self.body_requirements);
+            let members = all.filter(|(_, body_requirement)| {
+                self.substeps.get(body_requirement.island as usize) == Some(&substeps)
+            });
             self.order.extend(members.map(|(handle, _)| handle));
             self.groups.push(Group { members: start..self.order.len(), substeps });
         }
@@ -211,22 +212,24 @@ impl Groups {
     /// Reads each dynamic body once.
     fn read_bodies(&mut self, islands: &IslandManager, bodies: &RigidBodySet, tasks: Tasks<'_>) {
         let awake = islands.awake.dynamic();
-        let read = |range: Range<usize>, facts: &mut Vec<Fact>| {
+        let read = |range: Range<usize>, body_requirements: &mut Vec<BodyRequirement>| {
             let all = awake[range].iter();
-            facts.extend(all.map(|&handle| bodies.get(handle).map_or(Fact::NONE, Fact::of)));
+            body_requirements.extend(all.map(|&handle| {
+                bodies.get(handle).map_or(BodyRequirement::NONE, BodyRequirement::of)
+            }));
         };
-        self.facts.clear();
-        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.facts);
+        self.body_requirements.clear();
+        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.body_requirements);
     }
 
     /// Returns whether no body requests more substeps, and no body is much heavier than another.
     fn are_all_alike(&self) -> bool {
-        let mut need = Need::NOTHING;
-        for fact in &self.facts {
-            need.extra = need.extra.max(fact.extra);
-            fact.mass.into_iter().for_each(|mass| need.include(mass));
+        let mut requirement = IslandRequirement::NOTHING;
+        for body_requirement in &self.body_requirements {
+            requirement.extra = requirement.extra.max(body_requirement.extra);
+            body_requirement.mass.into_iter().for_each(|mass| requirement.include(mass));
         }
-        need.extra == 0 && need.is_even()
+        requirement.extra == 0 && requirement.is_even()
     }
 
     /// Finds what each island needs from the bodies that touch each other.
@@ -236,29 +239,32 @@ impl Groups {
         slot_count: usize,
         narrow_phase: &NarrowPhase,
     ) {
-        self.needs.clear();
-        self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
+        self.requirements.clear();
+        self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);
         // Longer, if need be: what rests costs nothing.
-        self.by_slot.resize(slot_count.max(self.by_slot.len()), Fact::NONE);
+        self.by_slot.resize(slot_count.max(self.by_slot.len()), BodyRequirement::NONE);
         let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
-        for (slot, fact) in slots.clone().zip(&self.facts) {
-            if let Some(need) = self.needs.get_mut(fact.island as usize) {
-                need.extra = need.extra.max(fact.extra);
+        for (slot, body_requirement) in slots.clone().zip(&self.body_requirements) {
+            if let Some(requirement) = self.requirements.get_mut(body_requirement.island as usize) {
+                requirement.extra = requirement.extra.max(body_requirement.extra);
             }
-            self.by_slot[slot] = *fact;
+            self.by_slot[slot] = *body_requirement;
         }
-        let none = Fact::NONE;
+        let none = BodyRequirement::NONE;
         let at = |slot: u32| self.by_slot.get(slot as usize).unwrap_or(&none);
         for (_, manifolds) in islands.graph.in_solving_order() {
             for manifold in manifolds {
                 let [one, other] = narrow_phase.contacts.bodies(manifold.pair).map(at);
                 if one.island != NONE && other.island != NONE {
-                    let need = &mut self.needs[one.island as usize];
-                    [one, other].iter().filter_map(|fact| fact.mass).for_each(|m| need.include(m));
+                    let requirement = &mut self.requirements[one.island as usize];
+                    [one, other]
+                        .iter()
+                        .filter_map(|body_requirement| body_requirement.mass)
+                        .for_each(|m| requirement.include(m));
                 }
             }
         }
-        slots.for_each(|slot| self.by_slot[slot] = Fact::NONE);
+        slots.for_each(|slot| self.by_slot[slot] = BodyRequirement::NONE);
     }
 
     /// Finds what each island needs from the bodies that joints hold at a point.
@@ -278,9 +284,9 @@ impl Groups {
             let ends = [(joint.body1(), data.local_frame1), (joint.body2(), data.local_frame2)];
             for (handle, frame) in ends {
                 let Some(body) = bodies.get(handle) else { continue };
-                if let Some(need) = self.needs.get_mut(body.link.island as usize) {
-                    let lever = frame.translation - body.mprops.local_mprops.local_com;
-                    need.include_joined(body, lever.length());
+                if let Some(requirement) = self.requirements.get_mut(body.link.island as usize) {
+                    let arm = frame.translation - body.mprops.local_mprops.local_com;
+                    requirement.include_joined(body, arm.length());
                 }
             }
         }
@@ -295,13 +301,13 @@ impl Groups {
     ) {
         self.substeps.clear();
         self.counts.clear();
-        for (id, need) in self.needs.iter().enumerate() {
+        for (id, requirement) in self.requirements.iter().enumerate() {
             let island = islands.island(id as u32);
-            let usual = params.num_solver_iterations + need.extra;
+            let usual = params.num_solver_iterations + requirement.extra;
             let h = params.dt / usual as Real;
-            self.substeps.push(usual * need.factor(island.bodies.len(), gravity, h));
+            self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h));
             if !island.bodies.is_empty() && !island.sleeping {
-                self.strained |= need.is_strained();
+                self.ill_conditioned |= requirement.is_strained();
                 self.counts.extend(self.substeps.last());
             }
         }

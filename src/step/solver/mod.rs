@@ -22,7 +22,7 @@ mod groups;
 mod impacts;
 mod island_sums;
 mod joints;
-mod keep;
+mod store_impulses;
 mod layout;
 mod multibodies;
 mod overflow;
@@ -39,17 +39,17 @@ use crate::model::counters::SolverCounters;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{Course, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::{
     ContactPass, FrictionModel, ImpactPass, IntegrationParameters, JointPass,
 };
-use crate::step::notes::{FastMotion, Lost};
+use crate::step::notes::{Diverged, FastMotion};
 use bodies::SolverBodies;
 use contacts::{LoadKind, SolverContacts};
 use groups::Groups;
-use impacts::Around;
-use joints::{SolverJoints, Sources};
-use multibodies::{SolverMultibodies, Surroundings};
+use impacts::ImpactContext;
+use joints::{JointSources, SolverJoints};
+use multibodies::{MultibodyContext, SolverMultibodies};
 use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
@@ -71,7 +71,7 @@ struct Constraints {
 }
 
 /// What the solver reads and writes.
-pub(crate) struct Scene<'a> {
+pub(crate) struct SolverContext<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
     /// The instructions that kernels run on.
@@ -85,24 +85,28 @@ pub(crate) struct Scene<'a> {
     /// Gets the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
     /// Gets the ways of fast multibodies.
-    pub courses: &'a mut Vec<Course>,
+    pub trajectories: &'a mut Vec<LinkTrajectory>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
     /// Gets the bodies that cannot be stored.
-    pub lost: &'a mut Vec<Lost>,
+    pub lost: &'a mut Vec<Diverged>,
 }
 
 /// Solves one step for all awake bodies.
 ///
 /// If there are bodies that cannot be stored, nothing is.
-pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
+pub(crate) fn solve(
+    scene: SolverContext<'_>,
+    scratch: &mut SolverScratch,
+    counters: &mut SolverCounters,
+) {
+    let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
     let (set, trees, lost) = (scene.joints, scene.multibodies, scene.lost);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
     let constraints = for_each_group(constraints, groups);
-    constraints.iter_mut().for_each(|of_group| of_group.multibodies.claim(trees, bodies));
+    constraints.iter_mut().for_each(|of_group| of_group.multibodies.register_links(trees, bodies));
     states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
     let is_only_group = groups.iter().len() == 1;
@@ -116,19 +120,19 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies, .. } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        let from = Sources { islands, world: bodies, bodies: states, multibodies };
+        let from = JointSources { islands, world: bodies, bodies: states, multibodies };
         joints.load(set, from, &pass, tasks);
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let kind = LoadKind { is_only_group, per_point };
         contacts.load(&islands.graph, narrow_phase, (states, kind), multibodies, tasks);
-        let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
+        let around = MultibodyContext { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
         let place = (&*narrow_phase, &*bodies);
         let order = &groups.order()[group.members.clone()];
-        let conditions = Conditions { gravity, params, place, order, simd, tasks };
-        solve_group(group.substeps, &conditions, states, constraints, counters);
+        let context = GroupContext { gravity, params, place, order, simd, tasks };
+        solve_group(group.substeps, &context, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
         constraints.joints.finish(states, simd, tasks);
@@ -146,12 +150,12 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
             narrow_phase.contacts.forget_renewed();
         }
         let world = World { narrow_phase, set, trees, islands, bodies };
-        let Scene { fast, courses, broken, .. } = scene;
-        let mut notes = Notes { fast, courses, broken };
+        let SolverContext { fast, trajectories, broken, .. } = scene;
+        let mut notes = Notes { fast, trajectories, broken };
         store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
-        islands.strained = !calm || states.any_far || groups.are_strained();
+        islands.ill_conditioned = !calm || states.any_far || groups.are_strained();
     } else {
         for of_group in constraints {
             of_group.multibodies.give_back(trees);
@@ -183,7 +187,7 @@ struct World<'a> {
 /// What is noted for later stages while everything is stored.
 struct Notes<'a> {
     fast: &'a mut Vec<FastMotion>,
-    courses: &'a mut Vec<Course>,
+    trajectories: &'a mut Vec<LinkTrajectory>,
     broken: &'a mut Vec<JointBreakEvent>,
 }
 
@@ -191,7 +195,7 @@ struct Notes<'a> {
 fn store_constraints(
     constraints: &mut [Constraints],
     world: World<'_>,
-    Notes { fast, courses, broken }: &mut Notes<'_>,
+    Notes { fast, trajectories, broken }: &mut Notes<'_>,
     params: &IntegrationParameters,
     (counters, simd, tasks): (&mut SolverCounters, Simd, Tasks<'_>),
 ) {
@@ -201,7 +205,7 @@ fn store_constraints(
         contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        let ways = (&mut **fast, &mut **courses);
+        let ways = (&mut **fast, &mut **trajectories);
         counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, ways);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
@@ -209,7 +213,7 @@ fn store_constraints(
 }
 
 /// What is the same for all bodies that are solved.
-struct Conditions<'a> {
+struct GroupContext<'a> {
     gravity: Vector,
     params: &'a IntegrationParameters,
     /// Where contacts and bodies are.
@@ -223,13 +227,13 @@ struct Conditions<'a> {
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    conditions: &Conditions<'_>,
+    context: &GroupContext<'_>,
     states: &mut SolverBodies,
     constraints: &mut Constraints,
     counters: &mut SolverCounters,
 ) {
     let Constraints { joints, contacts, multibodies, recovery } = constraints;
-    let &Conditions { gravity, params, place, order, simd, tasks } = conditions;
+    let &GroupContext { gravity, params, place, order, simd, tasks } = context;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
     let early_pass = ContactPass { is_last_visit: false, ..pass };
@@ -259,11 +263,11 @@ fn solve_group(
             multibodies.follow_loops(place.1, states);
         }
         multibodies.integrate_velocities(h, params, tasks);
-        joints.tighten(states, &joint_pass);
+        joints.select_method(states, &joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);
-        let around = Around { joints, joint_pass: &joint_pass, links, simd, tasks };
+        let around = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
         contacts.let_bounce(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);

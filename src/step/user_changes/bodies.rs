@@ -1,11 +1,11 @@
 //! Bodies that are new or were edited.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::{RestPose, RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::{ColliderEnabled, ColliderHandle};
 use crate::model::island::NONE;
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Gives a body that is new, or changed its type, or was enabled or disabled, its place in the
     /// lists.
     pub(super) fn reclassify(&mut self, handle: RigidBodyHandle) {

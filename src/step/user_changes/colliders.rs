@@ -1,6 +1,6 @@
 //! Colliders that are new or were edited.
 
-use super::Digest;
+use super::UserChanges;
 use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
 use crate::model::collider::{ColliderChanges, ColliderHandle, Widths, may_interact};
@@ -26,7 +26,7 @@ impl Measured {
     }
 }
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Follows a collider's changes.
     pub(super) fn take_in_collider(
         &mut self,

@@ -1,11 +1,11 @@
 //! Joints that are new or were edited, or whose bodies were.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::RigidBodyHandle;
 use crate::model::event::CollisionEventFlags;
 use crate::model::joint::{ImpulseJointHandle, JointLink};
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Forgets the joints that were removed.
     pub(super) fn take_in_removed_joints(&mut self) {
         for (handle, wake_up) in self.joints.removed() {

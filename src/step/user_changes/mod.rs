@@ -30,7 +30,7 @@ use crate::model::tree::BroadPhaseBvh;
 use colliders::Measured;
 
 /// All that an edit can affect.
-pub(crate) struct Digest<'a> {
+pub(crate) struct UserChanges<'a> {
     pub structure: Structure<'a>,
     pub tree: &'a mut BroadPhaseBvh,
     pub joints: &'a ImpulseJointSet,
@@ -39,7 +39,7 @@ pub(crate) struct Digest<'a> {
     pub events: &'a mut Vec<CollisionEvent>,
 }
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Takes in all edits.
     pub fn run(mut self) {
         self.take_in_replacements();

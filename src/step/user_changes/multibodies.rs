@@ -1,9 +1,9 @@
 //! Multibodies that are new, or were edited or taken apart.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::multibody::MultibodyEdits;
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Lets the bodies of each multibody move and sleep as one.
     pub(super) fn take_in_multibodies(&mut self) {
         let MultibodyEdits { cut, groups } = core::mem::take(&mut self.multibodies);

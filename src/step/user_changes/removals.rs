@@ -1,10 +1,10 @@
 //! Bodies and colliders that are gone.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::{AttachedColliders, RigidBodyHandle};
 use crate::model::event::CollisionEventFlags;
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// All colliders that are attached to a body, by their own account.
     pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> AttachedColliders {
         let colliders = self.structure.colliders.iter();

@@ -1,7 +1,7 @@
 //! From bodies to the places that the solver knows them by: once per step, on several threads.
 
 use super::motion::motion_of;
-use super::{CREEPS, SolverBodies, WORLD};
+use super::{NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::FAR;
 use crate::base::tasks::Tasks;
@@ -10,7 +10,7 @@ use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_square
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
-use crate::model::contact::Placement;
+use crate::model::contact::AnchorFrame;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::groups::Groups;
@@ -30,9 +30,9 @@ impl SolverBodies {
     ) {
         self.make_room(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let around = Around { multibodies, gravity, params };
-        let spectators = 0..groups.spectators();
-        self.any_far = self.load_members((order, spectators), bodies, &around, params.dt, tasks);
+        let around = LoadContext { multibodies, gravity, params };
+        let ungrouped = 0..groups.ungrouped();
+        self.any_far = self.load_members((order, ungrouped), bodies, &around, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
             let members = (order, group.members.clone());
@@ -77,7 +77,7 @@ impl SolverBodies {
         &mut self,
         (order, members): (&[RigidBodyHandle], Range<usize>),
         bodies: &mut RigidBodySet,
-        around: &Around<'_>,
+        around: &LoadContext<'_>,
         h: Real,
         tasks: Tasks<'_>,
     ) -> bool {
@@ -108,7 +108,7 @@ impl SolverBodies {
 }
 
 /// What bodies are loaded from.
-struct Around<'a> {
+struct LoadContext<'a> {
     multibodies: &'a SolverMultibodies,
     gravity: Vector,
     params: &'a IntegrationParameters,
@@ -134,7 +134,7 @@ impl Place<'_> {
     }
 
     /// A body that is solved with the substep `h`.
-    fn fill(self, body: &mut RigidBody, around: &Around<'_>, h: Real) {
+    fn fill(self, body: &mut RigidBody, around: &LoadContext<'_>, h: Real) {
         if body.body_type == RigidBodyType::KinematicPositionBased {
             let velocity = body.velocity_to_next_position(around.params.inv_dt());
             (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
@@ -209,9 +209,9 @@ impl Places<'_> {
         // SAFETY: the caller's promise.
         unsafe {
             let bears_weight = self.motions.get(index).bears_weight();
-            let creeps =
-                bears_weight && Placement::creeps(ang_length_squared(body.angvel), flags == 0);
-            let flags = if creeps { flags | CREEPS } else { flags };
+            let near_rest =
+                bears_weight && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+            let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;
         }

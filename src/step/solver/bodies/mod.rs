@@ -3,7 +3,7 @@
 mod load;
 mod motion;
 mod store;
-mod survey;
+mod divergence;
 
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
@@ -32,7 +32,7 @@ pub(super) struct SolverBodies {
     /// Velocities at the end of the last substep, before forces acted in this one, if somebody asked for them.
     pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
-    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`CREEPS`]. The world's for
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`NEAR_REST`]. The world's for
     /// bodies that are not awake.
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
@@ -50,19 +50,19 @@ pub(super) struct SolverBodies {
     pub any_far: bool,
 }
 
-const WORLD: u32 = BodyPose::WORLD_INDEX | CREEPS;
+const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
 /// On indices: is this a body of a pile that [creeps](Placement), or what a pile stands on?
-const CREEPS: u32 = READ_ONLY >> 1;
+const NEAR_REST: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
     /// From now on this group is solved; the others stand still.
     pub fn enter(&mut self, group: &Group, groups: &Groups) {
-        let spectators = 1..1 + groups.spectators();
-        for index in spectators.clone() {
+        let ungrouped = 1..1 + groups.ungrouped();
+        for index in ungrouped.clone() {
             let (v, w) = self.states[index].velocity();
             self.states[index] = BodyState::new(v, w);
         }
-        self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
+        self.moving = [ungrouped, 1 + group.members.start..1 + group.members.end];
     }
 
     /// The bodies that may move.
@@ -115,7 +115,7 @@ impl SolverBodies {
     pub fn find(&self, slot: u32) -> (u32, bool) {
         // There is no body in the slot `NONE`.
         let index = self.indices.get(slot as usize).copied().unwrap_or(WORLD);
-        (index & !CREEPS, index & CREEPS != 0)
+        (index & !NEAR_REST, index & NEAR_REST != 0)
     }
 
     /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
@@ -142,10 +142,12 @@ impl SolverBodies {
         (simd, tasks): (Simd, Tasks<'_>),
     ) -> usize {
         self.last.resize(if keep_last { self.states.len() } else { 0 }, BodyState::AT_REST);
-        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        let (warm_start_coefficient, speed_max) =
+            (params.warmstart_coefficient, params.max_linear_velocity());
         let limited = AtomicUsize::new(0);
         self.for_all_moving(tasks, |bodies| {
-            let slowed = simd.run(Accelerate { bodies, h, warmth, speed_max, is_first });
+            let slowed =
+                simd.run(Accelerate { bodies, h, warm_start_coefficient, speed_max, is_first });
             limited.fetch_add(slowed, Ordering::Relaxed);
         });
         limited.into_inner()

@@ -55,7 +55,7 @@ pub(super) struct Accelerate<'a> {
     pub bodies: Movers<'a>,
     pub h: Real,
     /// The share of the impulses that it starts with.
-    pub warmth: Real,
+    pub warm_start_coefficient: Real,
     pub speed_max: Real,
     /// The states hold the impulses of the last step already, which must not be damped with the velocity.
     pub is_first: bool,
@@ -67,12 +67,12 @@ impl Kernel for Accelerate<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> usize {
-        let (warmth, mut limited) = (W::splat(self.warmth), 0);
+        let (warm_start_coefficient, mut limited) = (W::splat(self.warm_start_coefficient), 0);
         for Movers { states, before, last, motions } in self.bodies.chunks() {
             let (old, _) = load_states::<W>(before);
             let (velocity, displacement) = load_states::<W>(states);
-            let linear = (velocity.linear - old.linear) * warmth;
-            let angular = (velocity.angular - old.angular) * warmth;
+            let linear = (velocity.linear - old.linear) * warm_start_coefficient;
+            let angular = (velocity.angular - old.angular) * warm_start_coefficient;
             let start = if self.is_first { old } else { velocity };
             if !last.is_empty() {
                 store_states(last, (start, displacement));
@@ -106,7 +106,7 @@ impl Kernel for Advance<'_> {
             let (mut velocity, moved) = load_states::<W>(states);
             let linear = moved.linear + velocity.linear * h;
             let angular = turned_further(moved.angular, velocity.angular * h);
-            if motions.iter().any(FreeMotion::tumbles) {
+            if motions.iter().any(FreeMotion::is_gyroscopic) {
                 let (mut old, displacement) = load_states::<W>(before);
                 tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
                 store_states(before, (old, displacement));

@@ -77,7 +77,8 @@ pub(super) fn outcome(
     let (linvel, angvel) = state.velocity();
     let (shift, turn) = state.displacement();
     let rotation = motion.rotation();
-    let rotation = if motion.tumbles() { rotation.normalize() } else { turned(rotation, turn) };
+    let rotation =
+        if motion.is_gyroscopic() { rotation.normalize() } else { turned(rotation, turn) };
     let center = body.mprops.world_com;
     let local_center = body.mprops.local_mprops.local_com;
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);

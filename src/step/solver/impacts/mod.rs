@@ -12,7 +12,7 @@
 //! 3. This makes others approach. Those are the next round's `S`.
 //!
 //! What is hit at the same moment is thrown back together, so a box that lands flat rises flat; what is hit by what was
-//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`Grant`): the
+//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`IterationBudget`): the
 //! rest of the approach is stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
 //!
 //! ## Energy
@@ -77,7 +77,7 @@
 
 mod points;
 mod rows;
-mod struck;
+mod active;
 mod touched;
 
 use super::bodies::SolverBodies;
@@ -94,13 +94,13 @@ use crate::dim::state::{BodyState, READ_ONLY};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
+#[cfg(test)]
+pub(super) use active::ActiveBlock;
+use active::{Round, Struck, Turn};
+pub(super) use active::{SETTLED, SWEEPS};
 use core::ops::Range;
 pub(super) use points::NormalRows;
 pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, ImpactMark, NOTICED};
-#[cfg(test)]
-pub(super) use struck::StruckBlock;
-use struck::{Round, Struck, Turn};
-pub(super) use struck::{SETTLED, SWEEPS};
 use touched::Touched;
 
 /// Visits of all contacts that hit, per substep, in an island with a contact of restitution 1.
@@ -124,7 +124,7 @@ pub(super) struct Impacts {
     marks: Vec<ImpactMark>,
     colors: Vec<Range<usize>>,
     /// What a round is about, often little of all that could be hit.
-    struck: Struck,
+    active: Struck,
     touched: Touched,
     memory: Memory,
 }
@@ -132,21 +132,21 @@ pub(super) struct Impacts {
 /// What is known of islands.
 #[derive(Default)]
 struct Memory {
-    accounts: Vec<Account>,
+    energy_budgets: Vec<EnergyBudget>,
     /// Nothing until something hits in this step.
-    grants: Vec<Grant>,
-    /// Of those that are struck: what the contacts and joints add to [`Account::stopped`] and [`Account::surplus`] in this round.
+    iteration_budgets: Vec<IterationBudget>,
+    /// Of those that are struck: what the contacts and joints add to [`EnergyBudget::dissipated`] and [`EnergyBudget::energy_gain`] in this round.
     sums: IslandSums<2>,
 }
 
 /// How many visits an island is worth: how many of its contacts bounce, and the largest restitution among them.
 #[derive(Copy, Clone, Default)]
-struct Grant {
+struct IterationBudget {
     contacts: usize,
     restitution: Real,
 }
 
-impl Grant {
+impl IterationBudget {
     fn visits(&self) -> usize {
         let smallness = SMALL_ISLAND as Real / self.contacts as Real;
         let worth = self.restitution.max(smallness).min(1.0);
@@ -156,22 +156,22 @@ impl Grant {
 
 /// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
 #[derive(Copy, Clone, Default)]
-struct Account {
+struct EnergyBudget {
     /// Visits that are left in this substep.
     visits: usize,
-    is_struck: bool,
+    is_active: bool,
     is_moving: bool,
-    /// Sums over the contacts, see [`struck::StruckBlock`].
-    stopped: Real,
-    surplus: Real,
+    /// Sums over the contacts, see [`active::ActiveBlock`].
+    dissipated: Real,
+    energy_gain: Real,
 }
 
-impl Account {
+impl EnergyBudget {
     /// How much of a round an island goes: no further than where its energy is what it was.
     fn share(&self) -> Real {
-        let share = self.stopped / (self.stopped - self.surplus);
-        match self.surplus > 0.0 {
-            true if self.stopped < 0.0 => share.max(0.0),
+        let share = self.dissipated / (self.dissipated - self.energy_gain);
+        match self.energy_gain > 0.0 {
+            true if self.dissipated < 0.0 => share.max(0.0),
             true => 0.0,
             false => 1.0,
         }
@@ -179,7 +179,7 @@ impl Account {
 }
 
 /// What acts on bodies beside contacts.
-pub(super) struct Around<'a> {
+pub(super) struct ImpactContext<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
     /// The contacts of links, which take part, and where they know from where they are.
@@ -193,7 +193,7 @@ impl Impacts {
     pub fn load(&mut self, lanes: &ContactLanes, colors: &[Range<usize>], bodies: &SolverBodies) {
         self.blocks.clear();
         self.colors.clear();
-        self.memory.grants.clear();
+        self.memory.iteration_budgets.clear();
         for color in colors {
             let start = self.blocks.len();
             for at in color.clone().filter(|&at| lanes.blocks[at].input.restitution != Lane::ZERO) {
@@ -220,7 +220,7 @@ impl Impacts {
         &mut self,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        mut around: Around<'_>,
+        mut around: ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         if self.is_empty() && !around.links.0.bounce() {
@@ -231,21 +231,21 @@ impl Impacts {
         links.begin_impact(bodies, pass);
         links.mark_struck(*place, bodies, |_| true, pass);
         self.look(Stage::Begin, contacts, bodies, &around, pass);
-        let hits = self.marks.iter().any(|mark| mark.struck != 0);
-        let hits = hits || around.links.0.struck().next().is_some();
+        let hits = self.marks.iter().any(|mark| mark.active != 0);
+        let hits = hits || around.links.0.active().next().is_some();
         if hits {
             self.open_accounts(bodies, around.links.0);
             let held = self.begin(bodies, &around);
             while self.find_struck(contacts, around.links.0) {
                 self.solve_round(held, bodies, &mut around, pass);
                 let (links, place) = &mut around.links;
-                let accounts = &self.memory.accounts;
-                let has_visits = |island: u32| accounts[island as usize].visits > 0;
+                let energy_budgets = &self.memory.energy_budgets;
+                let has_visits = |island: u32| energy_budgets[island as usize].visits > 0;
                 links.mark_struck(*place, bodies, has_visits, pass);
                 self.look(Stage::Mark, contacts, bodies, &around, pass);
             }
         }
-        around.links.0.put_aside();
+        around.links.0.defer();
         self.look(Stage::PutAside, contacts, bodies, &around, pass);
         if hits {
             self.begin_round(bodies, around.links.0);
@@ -259,10 +259,10 @@ impl Impacts {
     }
 
     /// Takes back what the last substep has put aside.
-    pub fn recall(&mut self, contacts: &mut [ContactBlock]) {
+    pub fn restore(&mut self, contacts: &mut [ContactBlock]) {
         for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
             if mark.is_aside() {
-                impact.recall(mark, &mut contacts[impact.at]);
+                impact.restore(mark, &mut contacts[impact.at]);
             }
         }
     }
@@ -270,13 +270,17 @@ impl Impacts {
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
     /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
     fn open_accounts(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
-        let Self { blocks, struck, memory, .. } = self;
-        let Memory { accounts, grants, .. } = memory;
-        if grants.is_empty() {
-            grants.resize(bodies.island_bound().max(links.island_bound()), Grant::default());
+        let Self { blocks, active, memory, .. } = self;
+        let Memory { energy_budgets, iteration_budgets, .. } = memory;
+        if iteration_budgets.is_empty() {
+            iteration_budgets.resize(
+                bodies.island_bound().max(links.island_bound()),
+                IterationBudget::default(),
+            );
             // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
             let mut count = |island: u32, restitution: Real| {
-                if let Some(grant) = grants.get_mut(island as usize).filter(|_| restitution != 0.0)
+                if let Some(grant) =
+                    iteration_budgets.get_mut(island as usize).filter(|_| restitution != 0.0)
                 {
                     grant.contacts += 1;
                     grant.restitution = grant.restitution.max(restitution);
@@ -288,14 +292,17 @@ impl Impacts {
             }
             links.restitutions().for_each(|(island, restitution)| count(island, restitution));
         }
-        accounts.clear();
-        let account = |grant: &Grant| Account { visits: grant.visits(), ..Account::default() };
-        accounts.extend(grants.iter().map(account));
-        struck.clear();
+        energy_budgets.clear();
+        let energy_budget = |grant: &IterationBudget| EnergyBudget {
+            visits: grant.visits(),
+            ..EnergyBudget::default()
+        };
+        energy_budgets.extend(iteration_budgets.iter().map(energy_budget));
+        active.clear();
     }
 
     /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls. How many are they?
-    fn begin(&mut self, bodies: &SolverBodies, around: &Around<'_>) -> usize {
+    fn begin(&mut self, bodies: &SolverBodies, around: &ImpactContext<'_>) -> usize {
         self.touched.begin(bodies.states.len());
         self.touched.add(around.joints.held());
         let of_joints = self.touched.bodies.len();
@@ -309,25 +316,25 @@ impl Impacts {
 
     /// Finds the contacts that hit, in islands that have visits left. Is there any?
     fn find_struck(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
-        let Self { blocks, marks, colors, struck, touched, memory } = self;
-        let accounts = &mut memory.accounts;
-        for island in struck.islands.drain(..) {
-            let account = &mut accounts[island as usize];
-            (account.is_struck, account.is_moving) = (false, false);
-            (account.stopped, account.surplus) = (0.0, 0.0);
+        let Self { blocks, marks, colors, active, touched, memory } = self;
+        let energy_budgets = &mut memory.energy_budgets;
+        for island in active.islands.drain(..) {
+            let energy_budget = &mut energy_budgets[island as usize];
+            (energy_budget.is_active, energy_budget.is_moving) = (false, false);
+            (energy_budget.dissipated, energy_budget.energy_gain) = (0.0, 0.0);
         }
         memory.sums.clear();
-        struck.clear();
+        active.clear();
         touched.begin_round();
         for color in &*colors {
-            struck.add_color(color.clone(), (blocks, marks), contacts, accounts);
+            active.add_color(color.clone(), (blocks, marks), contacts, energy_budgets);
         }
-        struck.blocks.iter().for_each(|block| touched.add(block.bodies()));
-        for contact in links.struck() {
+        active.blocks.iter().for_each(|block| touched.add(block.bodies()));
+        for contact in links.active() {
             let island = contact.strike.island;
-            struck.strike(island, &mut accounts[island as usize]);
+            active.strike(island, &mut energy_budgets[island as usize]);
         }
-        !struck.islands.is_empty()
+        !active.islands.is_empty()
     }
 
     /// Parts the contacts that hit.
@@ -335,7 +342,7 @@ impl Impacts {
         &mut self,
         held: usize,
         bodies: &mut SolverBodies,
-        around: &mut Around<'_>,
+        around: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         self.begin_round(bodies, around.links.0);
@@ -343,15 +350,16 @@ impl Impacts {
         around.joints.begin_blows();
         for _ in 0..ROUND_VISITS {
             around.links.0.visit_struck(&mut bodies.states);
-            self.visit(Turn::Visit, bodies, around);
+            self.iterate(Turn::Visit, bodies, around);
             if !self.find_moving(around.links.0) {
                 break;
             }
-            let Memory { accounts, sums, .. } = &mut self.memory;
+            let Memory { energy_budgets, sums, .. } = &mut self.memory;
             let islands = &bodies.islands;
-            let account = |body: u32| accounts.get(islands[body as usize] as usize);
+            let energy_budget = |body: u32| energy_budgets.get(islands[body as usize] as usize);
             // Bodies without an island move as they did.
-            let is_moving = |body: u32| account(body).is_none_or(|account| account.is_moving);
+            let is_moving =
+                |body: u32| energy_budget(body).is_none_or(|energy_budget| energy_budget.is_moving);
             let add_work = |body: u32, work: Real| sums.push(islands[body as usize], [work; 2]);
             let changes = Changes {
                 held: &self.touched.bodies[..held],
@@ -359,49 +367,56 @@ impl Impacts {
                 states: &mut bodies.states,
                 poses: &bodies.poses,
             };
-            let Around { joints, joint_pass, simd, tasks, .. } = around;
+            let ImpactContext { joints, joint_pass, simd, tasks, .. } = around;
             joints.project(changes, is_moving, add_work, joint_pass, (*simd, *tasks));
         }
         around.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
-        self.visit(Turn::End, bodies, around);
+        self.iterate(Turn::End, bodies, around);
         let sums = &mut self.memory.sums;
-        for block in &self.struck.blocks {
+        for block in &self.active.blocks {
             for lane in block.lanes() {
-                sums.push(block.islands[lane], [block.stopped.0[lane], block.surplus.0[lane]]);
+                sums.push(
+                    block.islands[lane],
+                    [block.dissipated.0[lane], block.energy_gain.0[lane]],
+                );
             }
         }
-        for contact in around.links.0.struck() {
-            sums.push(contact.strike.island, [contact.strike.stopped, contact.strike.surplus]);
+        for contact in around.links.0.active() {
+            sums.push(
+                contact.strike.island,
+                [contact.strike.dissipated, contact.strike.energy_gain],
+            );
         }
         around.joints.share_delays(&mut self.touched.delays);
-        self.settle_round(bodies, around, pass);
+        self.commit_round(bodies, around, pass);
     }
 
     /// Lets each island go the share of the round that its energy allows.
-    fn settle_round(
+    fn commit_round(
         &mut self,
         bodies: &mut SolverBodies,
-        around: &mut Around<'_>,
+        around: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        let Memory { accounts, sums, .. } = &mut self.memory;
-        sums.for_each(|island, [stopped, surplus]| {
-            let account = &mut accounts[island as usize];
-            account.stopped += stopped;
-            account.surplus += surplus;
+        let Memory { energy_budgets, sums, .. } = &mut self.memory;
+        sums.for_each(|island, [dissipated, energy_gain]| {
+            let energy_budget = &mut energy_budgets[island as usize];
+            energy_budget.dissipated += dissipated;
+            energy_budget.energy_gain += energy_gain;
         });
-        for &island in &self.struck.islands {
-            let account = &mut accounts[island as usize];
-            if account.share() == 0.0 {
-                account.visits = 0;
+        for &island in &self.active.islands {
+            let energy_budget = &mut energy_budgets[island as usize];
+            if energy_budget.share() == 0.0 {
+                energy_budget.visits = 0;
             }
         }
-        let accounts = &self.memory.accounts;
-        let share = |island: u32| accounts.get(island as usize).map_or(1.0, Account::share);
-        self.struck.blocks.iter().for_each(|block| block.settle(&mut self.blocks, share));
+        let energy_budgets = &self.memory.energy_budgets;
+        let share =
+            |island: u32| energy_budgets.get(island as usize).map_or(1.0, EnergyBudget::share);
+        self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, share));
         let islands = &bodies.islands;
-        around.joints.settle_blows(|body| share(islands[body as usize]));
-        around.links.0.settle_round(share);
+        around.joints.commit_impact_impulses(|body| share(islands[body as usize]));
+        around.links.0.commit_round(share);
         self.accept(bodies, around, share, pass);
     }
 
@@ -409,7 +424,7 @@ impl Impacts {
     fn accept(
         &self,
         bodies: &mut SolverBodies,
-        around: &mut Around<'_>,
+        around: &mut ImpactContext<'_>,
         share: impl Fn(u32) -> Real + Copy,
         pass: &ImpactPass,
     ) {
@@ -421,38 +436,40 @@ impl Impacts {
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
     /// Is there any?
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
-        let Self { struck, memory, .. } = self;
-        let accounts = &mut memory.accounts;
-        for &island in &struck.islands {
-            let account = &mut accounts[island as usize];
-            account.visits = account.visits.saturating_sub(usize::from(account.is_struck));
-            account.is_moving = false;
+        let Self { active, memory, .. } = self;
+        let energy_budgets = &mut memory.energy_budgets;
+        for &island in &active.islands {
+            let energy_budget = &mut energy_budgets[island as usize];
+            energy_budget.visits =
+                energy_budget.visits.saturating_sub(usize::from(energy_budget.is_active));
+            energy_budget.is_moving = false;
         }
-        for block in &struck.blocks {
-            lanes(block.moving).for_each(|k| accounts[block.islands[k] as usize].is_moving = true);
+        for block in &active.blocks {
+            lanes(block.moving)
+                .for_each(|k| energy_budgets[block.islands[k] as usize].is_moving = true);
         }
-        for contact in links.struck().filter(|contact| contact.strike.moving) {
-            accounts[contact.strike.island as usize].is_moving = true;
+        for contact in links.active().filter(|contact| contact.strike.moving) {
+            energy_budgets[contact.strike.island as usize].is_moving = true;
         }
         let mut any = false;
-        for block in &mut struck.blocks {
+        for block in &mut active.blocks {
             for lane in block.lanes() {
-                let account = &mut accounts[block.islands[lane] as usize];
-                if account.is_moving {
+                let energy_budget = &mut energy_budgets[block.islands[lane] as usize];
+                if energy_budget.is_moving {
                     any = true;
                 } else {
-                    account.is_struck = false;
-                    block.let_be(lane);
+                    energy_budget.is_active = false;
+                    block.deactivate(lane);
                 }
             }
         }
-        for contact in links.struck() {
-            let account = &mut accounts[contact.strike.island as usize];
-            if account.is_moving {
+        for contact in links.active() {
+            let energy_budget = &mut energy_budgets[contact.strike.island as usize];
+            if energy_budget.is_moving {
                 any = true;
             } else {
-                account.is_struck = false;
-                contact.let_be();
+                energy_budget.is_active = false;
+                contact.deactivate();
             }
         }
         any
@@ -469,7 +486,7 @@ impl Impacts {
         stage: Stage,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        around: &Around<'_>,
+        around: &ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         let known = [&bodies.last[..], &bodies.before];
@@ -489,9 +506,9 @@ impl Impacts {
     }
 
     /// Visits the blocks of the round.
-    fn visit(&mut self, turn: Turn, bodies: &mut SolverBodies, around: &Around<'_>) {
+    fn iterate(&mut self, turn: Turn, bodies: &mut SolverBodies, around: &ImpactContext<'_>) {
         let (_, states) = bodies.shared();
-        let Self { struck: Struck { blocks, colors, .. }, touched, .. } = self;
+        let Self { active: Struck { blocks, colors, .. }, touched, .. } = self;
         let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
         let simd = around.simd;
         for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
@@ -558,7 +575,7 @@ impl Look<'_> {
             let is_of_interest = match self.stage {
                 Stage::Begin | Stage::Mark => true,
                 Stage::PutAside => mark.waits(),
-                Stage::Rub => mark.was_struck,
+                Stage::Rub => mark.was_active,
             };
             if !is_of_interest {
                 return;
@@ -568,7 +585,7 @@ impl Look<'_> {
             match self.stage {
                 Stage::Begin => {
                     if mark.is_aside() {
-                        impact.recall(mark, block);
+                        impact.restore(mark, block);
                     }
                     *mark = ImpactMark::default();
                     let rows = NormalRows::<W>::gather(states, block);
@@ -581,8 +598,8 @@ impl Look<'_> {
                     let rows = NormalRows::<W>::gather(states, block);
                     impact.mark(mark, &rows, block, pass);
                 }
-                Stage::PutAside => impact.put_aside(mark, block),
-                Stage::Rub => impact.rub::<W>(block, coulomb, states),
+                Stage::PutAside => impact.defer(mark, block),
+                Stage::Rub => impact.solve_friction::<W>(block, coulomb, states),
             }
         }
     }

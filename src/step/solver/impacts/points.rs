@@ -57,7 +57,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     /// Gauss–Seidel over the points of each lane: `solve` says for each point, at its velocity, which impulse is
     /// added there.
     #[inline(always)]
-    pub fn visit(&mut self, mut solve: impl FnMut(usize, W) -> W) {
+    pub fn iterate(&mut self, mut solve: impl FnMut(usize, W) -> W) {
         let mut velocities = self.velocities();
         let mut sum = NormalImpulse::zero();
         let mut coupling = 0;
@@ -95,7 +95,7 @@ pub fn velocities_of<W: Wide>(
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
-pub unsafe fn rub<W: Wide>(
+pub unsafe fn solve_friction<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,

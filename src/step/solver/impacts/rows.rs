@@ -1,4 +1,4 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `struck.rs`.
+//! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `active.rs`.
 
 use super::lanes;
 use super::points::{self, NormalRows};
@@ -31,16 +31,16 @@ struct ImpactRow {
     /// Impulses of the whole impact: of each round the share that it went.
     given: Lane,
     /// What is borne, and where the block is struck what is to happen in this round.
-    strike: Strike<Lane>,
+    strike: ActiveRow<Lane>,
 }
 
 /// How a point that hits is to part, in one lane or all.
 #[derive(Copy, Clone, Debug, Default)]
-pub(super) struct Strike<T> {
+pub(super) struct ActiveRow<T> {
     /// `1 / K` where it hits in this round, zero elsewhere.
     pub mass: T,
     /// How much of what forces did to its velocity in this substep is borne by what it presses against.
-    pub borne: T,
+    pub support_velocity: T,
     /// Its velocity of approach in this round (negative), and the one with which it is to part.
     pub approach: T,
     pub target: T,
@@ -48,12 +48,12 @@ pub(super) struct Strike<T> {
     pub time: T,
 }
 
-impl Strike<Lane> {
+impl ActiveRow<Lane> {
     /// That of one lane.
-    pub fn lane(&self, lane: usize) -> Strike<Real> {
-        Strike {
+    pub fn lane(&self, lane: usize) -> ActiveRow<Real> {
+        ActiveRow {
             mass: self.mass.0[lane],
-            borne: self.borne.0[lane],
+            support_velocity: self.support_velocity.0[lane],
             approach: self.approach.0[lane],
             target: self.target.0[lane],
             time: self.time.0[lane],
@@ -61,9 +61,9 @@ impl Strike<Lane> {
     }
 
     /// Sets that of one lane.
-    pub fn set_lane(&mut self, lane: usize, strike: &Strike<Real>) {
+    pub fn set_lane(&mut self, lane: usize, strike: &ActiveRow<Real>) {
         self.mass.0[lane] = strike.mass;
-        self.borne.0[lane] = strike.borne;
+        self.support_velocity.0[lane] = strike.support_velocity;
         self.approach.0[lane] = strike.approach;
         self.target.0[lane] = strike.target;
         self.time.0[lane] = strike.time;
@@ -86,9 +86,9 @@ pub(in super::super) struct ImpactBlock {
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
     /// One bit per lane: does any point hit in this round?
-    pub struck: u32,
+    pub active: u32,
     /// Has any point hit in this substep?
-    pub was_struck: bool,
+    pub was_active: bool,
     /// One bit per point and lane: does it come fast and not arrive in this substep?
     waiting: u32,
     /// And which of these are put aside.
@@ -121,7 +121,7 @@ impl ImpactBlock {
     }
 
     /// Takes back the points that were put aside in the last substep.
-    pub fn recall(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+    pub fn restore(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.aside, k)) {
                 point.separation.0[lane] = row.separation.0[lane];
@@ -132,7 +132,7 @@ impl ImpactBlock {
 
     /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes, which let
     /// nothing come nearer than to touch, they would arrive too slowly.
-    pub fn put_aside(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+    pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {
                 row.separation.0[lane] = core::mem::replace(&mut point.separation.0[lane], FAR);
@@ -157,9 +157,9 @@ impl ImpactBlock {
         let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
             let forced = free[k] - then[k];
-            let borne = (loaded[k] - free[k]).min(-forced).max(zero);
-            borne.store(&mut row.strike.borne);
-            let now = free[k] + borne;
+            let support_velocity = (loaded[k] - free[k]).min(-forced).max(zero);
+            support_velocity.store(&mut row.strike.support_velocity);
+            let now = free[k] + support_velocity;
             let at_rest = threshold.le(now.max(then[k]));
             (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
             let most = forced.abs().max(fall);
@@ -182,23 +182,23 @@ impl ImpactBlock {
         let (zero, h) = (W::zero(), W::splat(pass.substep));
         let restitution = W::load(&self.restitution);
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
-        (mark.struck, mark.waiting) = (0, 0);
+        (mark.active, mark.waiting) = (0, 0);
         for (k, row) in self.rows.iter().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.borne);
+            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
             // Points that the manifold has not got have no mass.
             let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
             let end = separations[k] + velocity * h;
             hits[k] = comes & end.lt(zero);
-            mark.struck |= W::bits(hits[k]);
+            mark.active |= W::bits(hits[k]);
             mark.waiting |= W::bits(comes & zero.le(end)) << (k * LANES);
         }
-        if mark.struck == 0 {
+        if mark.active == 0 {
             return;
         }
-        mark.was_struck = true;
+        mark.was_active = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.borne);
+            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
             let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
@@ -216,7 +216,7 @@ impl ImpactBlock {
     }
 
     /// How the points of a lane are to part.
-    pub(super) fn strikes(&self, lane: usize) -> [Strike<Real>; MAX_MANIFOLD_POINTS] {
+    pub(super) fn strikes(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
         core::array::from_fn(|k| self.rows[k].strike.lane(lane))
     }
 
@@ -232,7 +232,7 @@ impl ImpactBlock {
     /// # Safety
     /// Nobody else may touch the states of the block's bodies meanwhile.
     #[inline(always)]
-    pub unsafe fn rub<W: Wide>(
+    pub unsafe fn solve_friction<W: Wide>(
         &self,
         block: &mut ContactBlock,
         coulomb: Option<&mut CoulombBlock>,
@@ -243,6 +243,6 @@ impl ImpactBlock {
             (W::load(total) + W::load(given)).store(total);
         }
         // SAFETY: the caller's promise.
-        unsafe { points::rub::<W>(block, coulomb, states, given) };
+        unsafe { points::solve_friction::<W>(block, coulomb, states, given) };
     }
 }

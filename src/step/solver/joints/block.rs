@@ -1,7 +1,7 @@
 //! The memory of joint constraints.
 
 use crate::base::wide::{LANES, Lane};
-use crate::dim::joint::{AngleGauge, JointedInertias};
+use crate::dim::joint::{AngleTracker, JointedInertias};
 use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::{
@@ -26,7 +26,7 @@ pub(super) struct JointBlock {
     pub inv_mass: [WideVector<Lane>; 2],
     pub inertias: JointedInertias,
     /// From the centres of mass to the anchors when the step began.
-    pub levers: [WideVector<Lane>; 2],
+    pub arms: [WideVector<Lane>; 2],
     /// From the first anchor to the second when the step began.
     pub separation: WideVector<Lane>,
     /// The joint's frames when the step began, in world space.
@@ -40,8 +40,8 @@ pub(super) struct JointBlock {
     /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
     pub is_spring: Lane,
     /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
-    pub yields: Lane,
-    /// One for joints of taut components (see `taut.rs`), zero for others.
+    pub compliance: Lane,
+    /// One for joints of taut components (see `geometric_stiffness.rs`), zero for others.
     pub is_taut: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
@@ -77,14 +77,14 @@ impl JointBlock {
             bodies: [[READ_ONLY; LANES]; 2],
             inv_mass: [vector; 2],
             inertias: JointedInertias::NONE,
-            levers: [vector; 2],
+            arms: [vector; 2],
             separation: vector,
             frames: [WideRotation::IDENTITY; 2],
             locked: [zero; SPATIAL_DIM],
             swept: zero,
             bias_rate: zero,
             is_spring: zero,
-            yields: zero,
+            compliance: zero,
             is_taut: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
@@ -104,11 +104,11 @@ impl JointBlock {
     };
 
     /// Leaves the locked axes of a lane to the exact solution, with this yield unless they are springs.
-    pub fn solve_exactly(&mut self, lane: usize, yields: Real) {
+    pub fn solve_exactly(&mut self, lane: usize, compliance: Real) {
         self.swept.0[lane] = 0.0;
         self.has_exact = true;
         if self.is_spring.0[lane] == 0.0 {
-            self.yields.0[lane] = yields;
+            self.compliance.0[lane] = compliance;
         }
     }
 
@@ -144,7 +144,7 @@ impl JointBlock {
 pub(super) struct AxisRow {
     pub linear: WideVector<Lane>,
     pub coupled: [Lane; DIM],
-    pub gauge: AngleGauge,
+    pub angle_tracker: AngleTracker,
     /// Where the joint is along or about the axis, at the last visit where the bodies are.
     pub position: Lane,
     pub motor: MotorRow,
@@ -178,7 +178,7 @@ impl AxisRow {
         Self {
             linear: WideVector::ZERO,
             coupled: [zero; DIM],
-            gauge: AngleGauge::NONE,
+            angle_tracker: AngleTracker::NONE,
             position: zero,
             motor: MotorRow {
                 stiffness: zero,

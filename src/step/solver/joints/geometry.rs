@@ -16,7 +16,7 @@ pub(super) struct Geometry<W> {
     /// Axes of the first frame.
     pub axes: [WideVector<W>; DIM],
     /// From each centre of mass to the second anchor.
-    pub levers: [WideVector<W>; 2],
+    pub arms: [WideVector<W>; 2],
     /// From anchor to anchor, along the axes.
     pub separation: [W; DIM],
     /// Both frames.
@@ -31,12 +31,12 @@ impl<W: Wide> Geometry<W> {
     pub fn new(block: &JointBlock, displacements: &[WideDisplacement<W>; 2]) -> Self {
         let [d1, d2] = displacements;
         let (turn1, turn2) = (d1.rotation(), d2.rotation());
-        let old1 = WideVector::load(&block.levers[0]);
-        let old2 = WideVector::load(&block.levers[1]);
-        let (lever1, lever2) = (turn1.rotate(old1), turn2.rotate(old2));
+        let old1 = WideVector::load(&block.arms[0]);
+        let old2 = WideVector::load(&block.arms[1]);
+        let (arm1, arm2) = (turn1.rotate(old1), turn2.rotate(old2));
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
-            + ((lever2 - old2) - (lever1 - old1));
+            + ((arm2 - old2) - (arm1 - old1));
         let frame1 = turn1.times(WideRotation::load(&block.frames[0]));
         let frame2 = turn2.times(WideRotation::load(&block.frames[1]));
         let axes = axes(frame1);
@@ -46,7 +46,7 @@ impl<W: Wide> Geometry<W> {
         }
         Self {
             axes,
-            levers: [lever1 + separation, lever2],
+            arms: [arm1 + separation, arm2],
             separation: along,
             frames: [frame1, frame2],
             turn: d2.angular - d1.angular,
@@ -124,8 +124,8 @@ impl<W: Wide> Geometry<W> {
     /// The row of a translation along a direction that turns with the first body.
     #[inline(always)]
     fn row_along(&self, direction: WideVector<W>) -> Row<W> {
-        let [lever1, lever2] = self.levers;
-        Row { linear: direction, angular: [torque(lever1, direction), torque(lever2, direction)] }
+        let [arm1, arm2] = self.arms;
+        Row { linear: direction, angular: [torque(arm1, direction), torque(arm2, direction)] }
     }
 
     /// The row and the position of a free axis.
@@ -134,7 +134,7 @@ impl<W: Wide> Geometry<W> {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
         let turn = angular_to_frame(&self.axes, self.turn);
-        let (about, angle) = row.gauge.measure(self.between(), turn);
+        let (about, angle) = row.angle_tracker.measure(self.between(), turn);
         let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
         (along, distance + angle)

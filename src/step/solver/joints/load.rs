@@ -1,7 +1,7 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
-use super::direct::{Member, RowMemory};
+use super::direct::{DirectJoint, JacobianBlock};
 use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -37,7 +37,7 @@ const JOINTS_PER_TASK: usize = 64;
 
 /// What joints are loaded from.
 #[derive(Copy, Clone)]
-pub(in crate::step::solver) struct Sources<'a> {
+pub(in crate::step::solver) struct JointSources<'a> {
     pub islands: &'a IslandManager,
     pub world: &'a RigidBodySet,
     pub bodies: &'a SolverBodies,
@@ -49,7 +49,7 @@ impl SolverJoints {
     pub fn load(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: Sources<'_>,
+        from: JointSources<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
@@ -58,11 +58,11 @@ impl SolverJoints {
         self.give_seats();
         self.fill_blocks(joints, from, pass, tasks);
         self.note_exact_joints(from.bodies.states.len());
-        self.pins.load(joints, from, pass, tasks);
+        self.point_to_point.load(joints, from, pass, tasks);
     }
 
     /// Finds out which joints take part.
-    fn find_members(&mut self, from: Sources<'_>, tasks: Tasks<'_>) {
+    fn find_members(&mut self, from: JointSources<'_>, tasks: Tasks<'_>) {
         self.slots.clear();
         self.colors.clear();
         for (color, list) in from.islands.joint_graph.in_solving_order() {
@@ -75,31 +75,32 @@ impl SolverJoints {
             self.colors.push((color, list.len()));
         }
         let slots = &self.slots;
-        self.members.resize(slots.len(), Member::NOBODY);
+        self.members.resize(slots.len(), DirectJoint::NONE);
         tasks.par_fill(&mut self.members, JOINTS_PER_TASK, |index| {
-            from.member(slots[index]).unwrap_or(Member::NOBODY)
+            from.member(slots[index]).unwrap_or(DirectJoint::NONE)
         });
         let mut rest = self.members.as_slice();
         for (_, count) in &mut self.colors {
             let (members, others) = rest.split_at(*count);
-            *count = members.iter().filter(|member| member.is_somebody()).count();
+            *count = members.iter().filter(|member| member.is_valid()).count();
             rest = others;
         }
-        self.members.retain(Member::is_somebody);
+        self.members.retain(DirectJoint::is_valid);
     }
 
     /// Decides how each joint is solved, and where.
     fn give_seats(&mut self) {
         self.layout.clear();
-        self.pins.clear();
+        self.point_to_point.clear();
         let mut rest = self.members.as_slice();
         for &(color, count) in &self.colors {
             let (members, later) = rest.split_at(count);
             let is_pin =
-                |member: &&Member| member.form.is_pin && !self.direct.contains(member.slot);
-            let slots = |member: &Member| member.slot;
-            let seat = |member: &Member| Seat { slot: member.slot, driven: member.form.driven };
-            self.pins.add(color, members.iter().filter(is_pin).map(slots));
+                |member: &&DirectJoint| member.form.is_pin && !self.direct.contains(member.slot);
+            let slots = |member: &DirectJoint| member.slot;
+            let seat =
+                |member: &DirectJoint| Seat { slot: member.slot, driven: member.form.driven };
+            self.point_to_point.add(color, members.iter().filter(is_pin).map(slots));
             // Blocks that lock no rotation have half of the rows.
             let turning = members.iter().filter(|member| !member.form.locks_rotations());
             let turning = turning.filter(|member| !is_pin(member));
@@ -113,7 +114,7 @@ impl SolverJoints {
     fn fill_blocks(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: Sources<'_>,
+        from: JointSources<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
@@ -144,7 +145,7 @@ impl SolverJoints {
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     load_lane(block, rows, lane, &mut entry.joint, from, pass);
                     if direct.contains(seat.slot) {
-                        block.solve_exactly(lane, pass.softness.yields());
+                        block.solve_exactly(lane, pass.softness.compliance());
                     } else {
                         block.has_swept = true;
                     }
@@ -158,7 +159,7 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return self.memory.clear();
         }
-        self.memory.resize(self.blocks.len(), RowMemory::EMPTY);
+        self.memory.resize(self.blocks.len(), JacobianBlock::EMPTY);
         self.tautness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for (lane, seat) in self.layout.block(index).iter().enumerate() {
@@ -178,9 +179,9 @@ impl SolverJoints {
     }
 }
 
-impl Sources<'_> {
+impl JointSources<'_> {
     /// The joint in a slot, if it takes part.
-    fn member(&self, slot: u32) -> Option<Member> {
+    fn member(&self, slot: u32) -> Option<DirectJoint> {
         let Self { bodies, multibodies, .. } = self;
         let link = self.islands.joints.get(slot)?;
         let slots = link.body_slots();
@@ -189,7 +190,7 @@ impl Sources<'_> {
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
         let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
-        Some(Member::new(slot, ends, inv_masses, link.form))
+        Some(DirectJoint::new(slot, ends, inv_masses, link.form))
     }
 }
 
@@ -197,11 +198,11 @@ impl Sources<'_> {
 struct End {
     index: u32,
     center: Vector,
-    lever: Vector,
+    arm: Vector,
     frame: Rotation,
     inv_mass: Vector,
     inv_inertia: AngularInertia,
-    tumbles: bool,
+    is_gyroscopic: bool,
 }
 
 impl End {
@@ -217,17 +218,17 @@ impl End {
         Self {
             index,
             center: mprops.world_com,
-            lever: pose.rotation * (frame.translation - mprops.local_mprops.local_com),
+            arm: pose.rotation * (frame.translation - mprops.local_mprops.local_com),
             frame: pose.rotation * frame.rotation,
             inv_mass: if movable { mprops.inv_mass } else { Vector::ZERO },
             inv_inertia: if movable { mprops.inv_inertia } else { zero_inertia() },
-            tumbles: movable && tumbles(body, pass.substep),
+            is_gyroscopic: movable && is_gyroscopic(body, pass.substep),
         }
     }
 }
 
 /// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
-pub(super) fn tumbles(body: &RigidBody, substep: Real) -> bool {
+pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
     turn_squared >= TURN_MIN * TURN_MIN && mprops.turns_freely() && !is_round(&mprops.inv_inertia)
@@ -239,7 +240,7 @@ fn load_lane(
     rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
-    Sources { world, bodies, .. }: Sources<'_>,
+    JointSources { world, bodies, .. }: JointSources<'_>,
     pass: &JointPass,
 ) {
     let (body1, body2) = (joint.body1(), joint.body2());
@@ -252,12 +253,12 @@ fn load_lane(
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
         block.inv_mass[side].set_lane(lane, end.inv_mass);
-        block.inertias.set_lane(side, lane, &end.inv_inertia, end.tumbles);
-        block.levers[side].set_lane(lane, end.lever);
+        block.inertias.set_lane(side, lane, &end.inv_inertia, end.is_gyroscopic);
+        block.arms[side].set_lane(lane, end.arm);
         block.frames[side].set_lane(lane, &end.frame);
     }
     // Differences of positions first: far from the origin these have few digits.
-    let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);
+    let separation = (ends[1].center - ends[0].center) + (ends[1].arm - ends[0].arm);
     block.separation.set_lane(lane, separation);
     let share = bodies.share([ends[0].index, ends[1].index]);
     joint.scale_impulses(share);
@@ -275,10 +276,10 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
         Some(spring) => spring.in_steps_of(pass.substep),
     };
     let is_spring = joint.data.softness.is_some();
-    let yields = softness.yields().min(UNLIMITED);
+    let compliance = softness.compliance().min(UNLIMITED);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
-    block.yields.0[lane] = if is_spring { yields } else { yields.max(SWEPT_YIELD) };
+    block.compliance.0[lane] = if is_spring { compliance } else { compliance.max(SWEPT_YIELD) };
     block.swept.0[lane] = 1.0;
     block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;
@@ -342,7 +343,7 @@ fn load_rotation(
         Some(last) => nearest_turn(angle, last),
         None => joint.limits(axis).map_or(angle, |limits| limits.first_reading(angle)),
     };
-    row.gauge.set_lane(lane, axis, rotations, angle);
+    row.angle_tracker.set_lane(lane, axis, rotations, angle);
     angle
 }
 

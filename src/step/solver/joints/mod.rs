@@ -29,8 +29,8 @@
 //! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
 //! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
 //! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this
-//! would not be stable are treated otherwise: see `taut.rs`. Limits look ahead, too, with a bound on what they foresee: see
-//! `drive.rs`.
+//! would not be stable are treated otherwise: see `geometric_stiffness.rs`. Limits look ahead, too, with a bound on what they foresee: see
+//! `motors_and_limits.rs`.
 //!
 //! ## Inertias turn
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A
@@ -52,7 +52,7 @@
 //! ## Exactly or in sweeps
 //! The locked axes of connected joints are solved together (`direct/`); those of nets with too many loops, and of
 //! loose components like ragdolls, in sweeps over the colours, with some yield. The plain ones among these have
-//! passes of their own (`pins/`). Motors and limits are always swept.
+//! passes of their own (`point_to_point/`). Motors and limits are always swept.
 //!
 //! ## Order
 //! All joints are solved before all contacts, colour by colour. Whoever is solved last is obeyed best, and
@@ -61,19 +61,19 @@
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
-mod ahead;
+mod substep_end;
 mod block;
 mod direct;
-mod drive;
+mod motors_and_limits;
 mod geometry;
 mod load;
 mod passes;
-mod pins;
+mod point_to_point;
 mod rows;
 mod store;
-mod taut;
+mod geometric_stiffness;
 
-pub(super) use ahead::BEND_MAX;
+pub(super) use substep_end::BEND_MAX;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
@@ -86,11 +86,11 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Blow, Direct, Member, Question, RowMemory};
-pub(super) use load::Sources;
-use pins::Pins;
+use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, Question};
+use geometric_stiffness::{GeometricStiffness, Moving, are_thrown};
+pub(super) use load::JointSources;
+use point_to_point::Pins;
 pub(super) use store::break_if_overloaded;
-use taut::{Moving, Tautness, are_thrown};
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -103,19 +103,19 @@ pub(super) struct SolverJoints {
     layout: Layout<Seat>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
-    memory: Vec<RowMemory>,
+    memory: Vec<JacobianBlock>,
     /// By block, while a round of an impact lasts.
-    blows: Vec<Blow>,
+    blows: Vec<ImpactImpulse>,
     /// Those that only hold two points together, and are not.
-    pins: Pins,
+    point_to_point: Pins,
     /// All joints in the order of their colours, and how many of them each colour has.
-    members: Vec<Member>,
+    members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
     /// Slots of all joints that have a colour, in that order.
     slots: Vec<u32>,
     /// By block: where its rows begin; then where the last ones end.
     first_rows: Vec<usize>,
-    tautness: Tautness,
+    tautness: GeometricStiffness,
 }
 
 /// A joint in a block.
@@ -156,7 +156,7 @@ impl Changes<'_> {
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.layout.len() + self.pins.len()
+        self.layout.len() + self.point_to_point.len()
     }
 
     /// Gives the bodies the impulses with which the step starts.
@@ -166,7 +166,7 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(WarmStart { range, parts, states });
         });
-        self.pins.warm_start(states, simd, tasks);
+        self.point_to_point.warm_start(states, simd, tasks);
     }
 
     /// Lets a substep start with this share of the last one's impulses, as the bodies do.
@@ -174,18 +174,18 @@ impl SolverJoints {
         if factor != 1.0 {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
             self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
-            self.pins.scale_impulses(factor);
+            self.point_to_point.scale_impulses(factor);
         }
     }
 
     /// Begins a substep: finds out which components are taut.
-    pub fn tighten(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+    pub fn select_method(&mut self, bodies: &SolverBodies, pass: &JointPass) {
         let Self { blocks, direct, tautness, .. } = self;
         let moving = moving(bodies);
-        direct.tighten(|members| {
-            let taut = tautness.is_taut(members, blocks, moving, pass.substep);
-            note_taut(members, blocks, taut);
-            taut
+        direct.select_method(|members| {
+            let geometric_stiffness = tautness.is_taut(members, blocks, moving, pass.substep);
+            note_taut(members, blocks, geometric_stiffness);
+            geometric_stiffness
         });
     }
 
@@ -197,7 +197,7 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        self.visit::<true>(bodies, pass, simd, tasks);
+        self.iterate::<true>(bodies, pass, simd, tasks);
     }
 
     /// Solves all joints once, where the bodies are.
@@ -208,10 +208,10 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        self.visit::<false>(bodies, pass, simd, tasks);
+        self.iterate::<false>(bodies, pass, simd, tasks);
     }
 
-    fn visit<const AHEAD: bool>(
+    fn iterate<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &JointPass,
@@ -223,7 +223,7 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, pass });
         });
-        self.pins.visit::<AHEAD>(states, pass, simd, tasks);
+        self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
             self.direct.forget_matrices();
         }
@@ -261,7 +261,7 @@ impl SolverJoints {
 
     /// Makes of the changes of velocities since the start of a round the nearest ones that the joints allow which are solved
     /// exactly, where the bodies are, with the inertias that contacts know: in components with a body that is `wanted`.
-    /// For impacts: what the impulses are is kept apart until [`Self::settle_blows`], and the next step does not start with them.
+    /// For impacts: what the impulses are is kept apart until [`Self::commit_impact_impulses`], and the next step does not start with them.
     /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
@@ -285,8 +285,8 @@ impl SolverJoints {
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
             memory.take_inertias(block, changes.poses);
         }
-        let is_wanted = |members: &[Member]| {
-            members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
+        let is_wanted = |members: &[DirectJoint]| {
+            members.iter().flat_map(DirectJoint::movable).any(|(_, body)| wanted(body))
         };
         self.direct.solve(&mut self.memory, states, is_wanted, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
@@ -308,17 +308,17 @@ impl SolverJoints {
     pub fn begin_blows(&mut self) {
         self.blows.clear();
         if !self.direct.is_empty() {
-            self.blows.resize(self.blocks.len(), Blow::NONE);
+            self.blows.resize(self.blocks.len(), ImpactImpulse::NONE);
         }
     }
 
     /// Ends it: what joints gave counts as borne in this step, or as much of it as the bodies got: a `share` for the island of each
     /// body.
-    pub fn settle_blows(&mut self, share: impl Fn(u32) -> Real) {
+    pub fn commit_impact_impulses(&mut self, share: impl Fn(u32) -> Real) {
         for (index, (block, blow)) in self.blocks.iter_mut().zip(&self.blows).enumerate() {
             if block.has_exact {
                 for lane in 0..self.layout.block(index).len() {
-                    blow.settle(block, lane, share(block.movable(lane)));
+                    blow.commit(block, lane, share(block.movable(lane)));
                 }
             }
         }
@@ -370,11 +370,11 @@ fn moving(bodies: &SolverBodies) -> Moving<'_> {
 
 /// What the exact solution asks about the members of a component.
 fn answers(
-    tautness: &mut Tautness,
+    tautness: &mut GeometricStiffness,
     blocks: &mut [JointBlock],
     bodies: &SolverBodies,
     pass: &JointPass,
-) -> impl FnMut(&[Member], Question) -> bool {
+) -> impl FnMut(&[DirectJoint], Question) -> bool {
     let moving = moving(bodies);
     move |members, question| match question {
         Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
@@ -386,10 +386,10 @@ fn answers(
 }
 
 /// Notes whether the joints of a component are taut.
-fn note_taut(members: &[Member], blocks: &mut [JointBlock], taut: bool) {
+fn note_taut(members: &[DirectJoint], blocks: &mut [JointBlock], geometric_stiffness: bool) {
     for member in members {
         let lanes = &mut blocks[member.block as usize].is_taut;
-        lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
+        lanes.0[member.lane as usize] = if geometric_stiffness { 1.0 } else { 0.0 };
     }
 }
 
@@ -429,7 +429,7 @@ impl Kernel for WarmStart<'_> {
     }
 }
 
-/// See [`passes::visit`].
+/// See [`passes::iterate`].
 struct Visit<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
@@ -447,7 +447,7 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
             // read-only, and one colour is done before the next begins.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
+                passes::iterate::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
             }
         }
     }
@@ -457,7 +457,7 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
 struct WriteRows<'a, const AHEAD: bool> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
-    memory: DisjointMut<'a, RowMemory>,
+    memory: DisjointMut<'a, JacobianBlock>,
     states: DisjointMut<'a, BodyState>,
     pass: &'a JointPass,
 }
@@ -484,7 +484,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
 struct Finish<'a> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
-    memory: &'a [RowMemory],
+    memory: &'a [JacobianBlock],
     is_last: bool,
 }
 
@@ -507,8 +507,8 @@ impl Kernel for Finish<'_> {
 struct Count<'a> {
     range: Range<usize>,
     blocks: &'a [JointBlock],
-    memory: &'a [RowMemory],
-    blows: DisjointMut<'a, Blow>,
+    memory: &'a [JacobianBlock],
+    blows: DisjointMut<'a, ImpactImpulse>,
 }
 
 impl Kernel for Count<'_> {

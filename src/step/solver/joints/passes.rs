@@ -1,10 +1,10 @@
 //! The passes over a block of joints.
 
-use super::ahead::LookAhead;
 use super::block::{AxisRow, JointBlock, Wrench};
-use super::drive::{FreeAxis, solve_limits, solve_motor};
 use super::geometry::Geometry;
+use super::motors_and_limits::{FreeAxis, solve_limits, solve_motor};
 use super::rows::{Factored, Masses, Row};
+use super::substep_end::SubstepEnd;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
@@ -165,7 +165,7 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
 /// # Safety
 /// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
 #[inline(always)]
-pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
+pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -181,10 +181,10 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     }
 }
 
-/// As [`visit`], for a block whose first `N` axes alone may be locked.
+/// As [`iterate`], for a block whose first `N` axes alone may be locked.
 ///
 /// # Safety
-/// As [`visit`].
+/// As [`iterate`].
 #[inline(always)]
 unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -214,15 +214,15 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_swept {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let ahead = if AHEAD && block.looks_ahead() {
-            let ahead = LookAhead::new(block, &bodies, pass);
-            let bends = ahead.locked_bends(block, &geometry, &locked.rows, pass);
-            Some((ahead, bends))
+        let substep_end = if AHEAD && block.looks_ahead() {
+            let substep_end = SubstepEnd::new(block, &bodies, pass);
+            let bends = substep_end.locked_bends(block, &geometry, &locked.rows, pass);
+            Some((substep_end, bends))
         } else {
             None
         };
-        let (masses, locked, ahead) = (&masses, &locked, ahead.as_ref());
-        let joint = JointNow { geometry: &geometry, ahead, masses, locked, coupling };
+        let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
+        let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
         let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
@@ -274,7 +274,7 @@ pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [Wid
 struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
     /// Where the joints would be by the end of the substep, if that is asked, and by how much the locked axes would bend.
-    ahead: Option<&'a (LookAhead<W>, [W; N])>,
+    substep_end: Option<&'a (SubstepEnd<W>, [W; N])>,
     masses: &'a Masses<W>,
     locked: &'a Locked<W, N>,
     /// `K_ll`, the matrix of the locked axes.
@@ -328,11 +328,11 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
-    let mut bend = W::zero();
-    if let Some((ahead, bends)) = joint.ahead {
-        bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
+    let mut curvature = W::zero();
+    if let Some((substep_end, bends)) = joint.substep_end {
+        curvature = substep_end.curvature((block, row), joint.geometry, (&along, position), pass);
         for k in 0..N {
-            bend = bend - bends[k] * shares[k];
+            curvature = curvature - bends[k] * shares[k];
         }
     }
     if !AHEAD {
@@ -348,7 +348,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
-    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + bend + effective * driven, pass);
+    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
     for (impulse, share) in block.impulses.iter_mut().zip(shares) {
         (W::load(impulse) - share * added).store(impulse);
@@ -379,12 +379,12 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
-        let yields = yields_of::<W, AHEAD>(block);
+        let compliance = compliance_of::<W, AHEAD>(block);
         for k in 0..N {
             for m in 0..k {
                 coupling[k][m] = coupling[k][m] * swept;
             }
-            let soft = coupling[k][k] * yields * (locked[k] * swept);
+            let soft = coupling[k][k] * compliance * (locked[k] * swept);
             coupling[k][k] = (coupling[k][k] * swept + (one - swept)) + soft;
             wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
         }
@@ -435,15 +435,15 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
 
 /// How much the rows yield in a pass: in the relax pass only springs do.
 #[inline(always)]
-pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
-    let yields = W::load(&block.yields);
-    if AHEAD { yields } else { yields * W::load(&block.is_spring) }
+pub(super) fn compliance_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
+    let compliance = W::load(&block.compliance);
+    if AHEAD { compliance } else { compliance * W::load(&block.is_spring) }
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.
 #[inline(always)]
 fn add_to_totals<W: Wide>(block: &mut JointBlock, geometry: &Geometry<W>, wrench: &Wrench<W>) {
-    let moment = wrench.angular[1] - torque(geometry.levers[1], wrench.linear);
+    let moment = wrench.angular[1] - torque(geometry.arms[1], wrench.linear);
     let impulse = WideVector::load(&block.total_impulse) + wrench.linear;
     impulse.store(&mut block.total_impulse);
     let total = load_ang::<W>(&block.total_moment) + moment;

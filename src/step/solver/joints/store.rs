@@ -17,7 +17,7 @@ impl SolverJoints {
     /// Ends the step, while the bodies are still where the solver has put them.
     pub fn finish(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
         let (_, states) = bodies.shared();
-        self.pins.finish(states, simd, tasks);
+        self.point_to_point.finish(states, simd, tasks);
     }
 
     /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
@@ -29,7 +29,7 @@ impl SolverJoints {
         tasks: Tasks<'_>,
     ) {
         let overload = AtomicBool::new(false);
-        self.pins.store((islands, joints), inv_dt, &overload, tasks);
+        self.point_to_point.store((islands, joints), inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
         let shared = joints.share();
         tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {
@@ -58,7 +58,7 @@ impl SolverJoints {
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        let slots = self.pins.slots().chain(self.layout.iter().map(|seat| seat.slot));
+        let slots = self.point_to_point.slots().chain(self.layout.iter().map(|seat| seat.slot));
         for handle in slots.filter_map(|slot| Some(islands.joints.get(slot)?.handle)) {
             let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
             if let Some(event) = break_if_overloaded(handle, joint) {

@@ -23,7 +23,7 @@
 //! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
 
 use super::contacts::{LinkContact, LinkContacts, Point};
-use super::rows::{Actors, Numbers};
+use super::rows::{ConstrainedStates, JacobianPool};
 use super::{Moving, SolverMultibodies};
 use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
@@ -36,14 +36,14 @@ use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
 #[derive(Copy, Clone, Debug, Default)]
-pub struct Blow {
+pub struct ImpactImpulse {
     /// Its velocity when the last substep ended, and with the impulses of that in this one.
     last: Real,
     loaded: Real,
     /// By how much forces and what bears them have changed its velocity in this substep.
     accelerated: Real,
     /// How much of what forces did to its velocity in this substep is borne by what it presses against.
-    borne: Real,
+    support_velocity: Real,
     /// It hits where its velocity is below this.
     limit: Real,
     /// Its velocity in the substep's middle when the round began.
@@ -61,27 +61,27 @@ pub struct Blow {
     given: Real,
 }
 
-/// A contact in an impact. See `impacts/rows.rs` and `impacts/struck.rs`.
+/// A contact in an impact. See `impacts/rows.rs` and `impacts/active.rs`.
 #[derive(Copy, Clone, Debug, Default)]
-pub struct Strike {
+pub struct LinkImpact {
     /// The island of its links.
     pub island: u32,
     /// Does any point hit in this round?
-    pub struck: bool,
+    pub active: bool,
     /// Has any point hit in this substep?
-    pub was_struck: bool,
+    pub was_active: bool,
     /// Did the last visit have to change anything?
     pub moving: bool,
     /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
-    pub stopped: Real,
-    pub surplus: Real,
+    pub dissipated: Real,
+    pub energy_gain: Real,
 }
 
 /// What a multibody remembers of the beginning of a round.
 #[derive(Debug, Default)]
 pub struct BeforeBlow {
     rates: Vec<Real>,
-    outside: SpatialVector,
+    external_impulse: SpatialVector,
     /// The sum of the times (s) at which it is hit in this round, and how many they are.
     times: [Real; 2],
     /// For how long (s) it has been moved on to where it is hit, if it is.
@@ -112,8 +112,8 @@ impl SolverMultibodies {
     }
 
     /// The contacts that hit in this round.
-    pub fn struck(&mut self) -> impl Iterator<Item = &mut LinkContact> {
-        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.struck)
+    pub fn active(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.active)
     }
 
     /// The island and the restitution of each contact that bounces.
@@ -124,10 +124,10 @@ impl SolverMultibodies {
 
     /// Notes how the contacts move at the end of a substep, before forces act in the next.
     pub fn note_velocities(&mut self, velocities: &mut [BodyState]) {
-        let (numbers, contacts, actors) = self.bouncing(velocities);
+        let (jacobians, contacts, states) = self.bouncing(velocities);
         for contact in contacts.bouncing() {
             for point in &mut contact.points {
-                point.blow.last = numbers.velocity(&point.normal, &actors);
+                point.impact_impulse.last = jacobians.velocity(&point.normal, &states);
             }
         }
     }
@@ -137,11 +137,11 @@ impl SolverMultibodies {
     pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
         self.note_loaded(&mut bodies.before);
         self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
-        let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
-            contact.strike.was_struck = false;
-            for Point { normal, blow, .. } in &mut contact.points {
-                blow.begin(numbers.velocity(normal, &actors), pass);
+            contact.strike.was_active = false;
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                impact_impulse.begin(jacobians.velocity(normal, &states), pass);
             }
         }
     }
@@ -153,22 +153,23 @@ impl SolverMultibodies {
 
     /// Notes how contacts move with the impulses of the last substep.
     fn note_loaded(&mut self, loaded: &mut [BodyState]) {
-        let (numbers, contacts, actors) = self.bouncing(loaded);
-        for Point { normal, blow, .. } in
+        let (jacobians, contacts, states) = self.bouncing(loaded);
+        for Point { normal, impact_impulse, .. } in
             contacts.bouncing().flat_map(|contact| &mut contact.points)
         {
-            blow.loaded = numbers.velocity(normal, &actors);
+            impact_impulse.loaded = jacobians.velocity(normal, &states);
         }
         // What inertia does is reckoned with where the links are moved on to where they are hit.
         let before_flight = |moving: &mut Moving| {
             let before = moving.motion.rates_before_flight();
             core::mem::replace(&mut moving.motion.rates, before)
         };
-        let flying: Vec<_> = actors.multibodies.iter_mut().map(before_flight).collect();
+        let flying: Vec<_> = states.multibodies.iter_mut().map(before_flight).collect();
         for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
-            point.blow.accelerated = numbers.velocity(&point.normal, &actors) - point.blow.last;
+            point.impact_impulse.accelerated =
+                jacobians.velocity(&point.normal, &states) - point.impact_impulse.last;
         }
-        for (moving, rates) in actors.multibodies.iter_mut().zip(flying) {
+        for (moving, rates) in states.multibodies.iter_mut().zip(flying) {
             let before = core::mem::replace(&mut moving.motion.rates, rates);
             moving.motion.return_buffer(before);
         }
@@ -183,33 +184,37 @@ impl SolverMultibodies {
         takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
     ) {
-        let (numbers, contacts, mut actors) = self.bouncing(&mut bodies.states);
+        let (jacobians, contacts, mut states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
-            contact.strike.struck = false;
+            contact.strike.active = false;
             let takes_part = takes_part(contact.strike.island);
-            for Point { normal, blow, separation, .. } in &mut contact.points {
-                let velocity = numbers.velocity(normal, &actors) + blow.borne;
-                let separation = *separation + numbers.displacement(normal, &actors);
-                blow.impulse = 0.0;
-                blow.mass = 0.0;
-                let earliest = if numbers.goes_back(normal, &actors) { -pass.step } else { 0.0 };
-                if blow.find_time(velocity, separation, earliest, pass.substep) && takes_part {
-                    blow.mass = normal.mass;
-                    contact.strike.struck |= blow.mass > 0.0;
+            for Point { normal, impact_impulse, separation, .. } in &mut contact.points {
+                let velocity =
+                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                let separation = *separation + jacobians.displacement(normal, &states);
+                impact_impulse.impulse = 0.0;
+                impact_impulse.mass = 0.0;
+                let earliest = if jacobians.goes_back(normal, &states) { -pass.step } else { 0.0 };
+                if impact_impulse.find_time(velocity, separation, earliest, pass.substep)
+                    && takes_part
+                {
+                    impact_impulse.mass = normal.mass;
+                    contact.strike.active |= impact_impulse.mass > 0.0;
                     let gains = contact.restitution > 1.0;
-                    numbers.note_time(normal, (blow.time, gains), &mut actors);
+                    jacobians.note_time(normal, (impact_impulse.time, gains), &mut states);
                 }
             }
-            contact.strike.was_struck |= contact.strike.struck;
+            contact.strike.was_active |= contact.strike.active;
         }
         self.go_where_struck(place, bodies, pass.substep);
-        let (numbers, contacts, actors) = self.bouncing(&mut bodies.states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
-            for Point { normal, blow, .. } in &mut contact.points {
-                if blow.mass > 0.0 {
-                    blow.mass = normal.mass;
-                    let velocity = numbers.velocity(normal, &actors) + blow.borne;
-                    blow.aim(velocity, contact.restitution, pass);
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                if impact_impulse.mass > 0.0 {
+                    impact_impulse.mass = normal.mass;
+                    let velocity =
+                        jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                    impact_impulse.aim(velocity, contact.restitution, pass);
                 }
             }
         }
@@ -229,7 +234,7 @@ impl SolverMultibodies {
             }
         }
         for position in 0..self.contacts.contacts.len() {
-            if self.contacts.contacts[position].strike.struck {
+            if self.contacts.contacts[position].strike.active {
                 self.follow_contact(position, place, bodies);
             }
         }
@@ -237,17 +242,19 @@ impl SolverMultibodies {
 
     /// Visits the points that hit, in turn: pushes until they part as they are to.
     pub fn visit_struck(&mut self, states: &mut [BodyState]) {
-        let (numbers, contacts, mut actors) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+        let (jacobians, contacts, mut states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
             contact.strike.moving = false;
             for sweep in 0..SWEEPS {
-                for Point { normal, blow, .. } in &mut contact.points {
-                    let missing = blow.target - blow.borne - numbers.velocity(normal, &actors);
-                    let new = (blow.impulse + blow.mass * missing).max(0.0);
-                    let change = new - blow.impulse;
-                    blow.impulse = new;
-                    numbers.strike(normal, change, &mut actors);
-                    let little = -(blow.mass * blow.approach * SETTLED);
+                for Point { normal, impact_impulse, .. } in &mut contact.points {
+                    let missing = impact_impulse.target
+                        - impact_impulse.support_velocity
+                        - jacobians.velocity(normal, &states);
+                    let new = (impact_impulse.impulse + impact_impulse.mass * missing).max(0.0);
+                    let change = new - impact_impulse.impulse;
+                    impact_impulse.impulse = new;
+                    jacobians.strike(normal, change, &mut states);
+                    let little = -(impact_impulse.mass * impact_impulse.approach * SETTLED);
                     contact.strike.moving |= sweep == 0 && change.abs() > little;
                 }
             }
@@ -256,48 +263,50 @@ impl SolverMultibodies {
 
     /// Ends a round: does the accounts of its energy, and tells bodies and multibodies when they were hit.
     pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
-        let (numbers, contacts, actors) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.struck) {
+        let (jacobians, contacts, states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
             let allowed = contact.restitution.max(1.0);
-            (contact.strike.stopped, contact.strike.surplus) = (0.0, 0.0);
-            for Point { normal, blow, .. } in &mut contact.points {
-                let velocity = numbers.velocity(normal, &actors) + blow.borne;
-                contact.strike.stopped += blow.impulse * blow.approach;
-                contact.strike.surplus += blow.impulse * (velocity + allowed * blow.approach) * 0.5;
-                numbers.note_blow(normal, [blow.impulse, blow.time], delays);
+            (contact.strike.dissipated, contact.strike.energy_gain) = (0.0, 0.0);
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                let velocity =
+                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                contact.strike.dissipated += impact_impulse.impulse * impact_impulse.approach;
+                contact.strike.energy_gain +=
+                    impact_impulse.impulse * (velocity + allowed * impact_impulse.approach) * 0.5;
+                jacobians.note_blow(normal, [impact_impulse.impulse, impact_impulse.time], delays);
             }
         }
     }
 
     /// Counts the impulses of a round: the share that each island went.
-    pub fn settle_round(&mut self, share: impl Fn(u32) -> Real) {
-        for contact in self.struck() {
+    pub fn commit_round(&mut self, share: impl Fn(u32) -> Real) {
+        for contact in self.active() {
             let share = share(contact.strike.island);
-            contact
-                .points
-                .iter_mut()
-                .for_each(|point| point.blow.given += share * point.blow.impulse);
+            contact.points.iter_mut().for_each(|point| {
+                point.impact_impulse.given += share * point.impact_impulse.impulse
+            });
         }
     }
 
     /// Puts the points aside that come fast and do not arrive in this substep.
-    pub fn put_aside(&mut self) {
+    pub fn defer(&mut self) {
         for contact in self.contacts.bouncing() {
-            contact.points.iter_mut().for_each(|point| point.is_aside = point.blow.waits);
+            contact.points.iter_mut().for_each(|point| point.is_aside = point.impact_impulse.waits);
         }
     }
 
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
     pub fn rub_struck(&mut self, states: &mut [BodyState]) {
-        let (numbers, contacts, mut actors) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.was_struck) {
-            for point in contact.points.iter_mut().filter(|point| point.blow.given > 0.0) {
-                point.total += point.blow.given;
-                let most = contact.friction * point.blow.given;
+        let (jacobians, contacts, mut states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.was_active) {
+            for point in contact.points.iter_mut().filter(|point| point.impact_impulse.given > 0.0)
+            {
+                point.total += point.impact_impulse.given;
+                let most = contact.friction * point.impact_impulse.given;
                 let none = [0.0; DIM - 1];
-                let rubbed = point.friction_under(most, none, numbers, &actors);
+                let rubbed = point.friction_under(most, none, jacobians, &states);
                 for (row, impulse) in point.tangents.iter().zip(rubbed) {
-                    numbers.strike(row, impulse, &mut actors);
+                    jacobians.strike(row, impulse, &mut states);
                 }
             }
         }
@@ -306,9 +315,9 @@ impl SolverMultibodies {
     /// Remembers how the multibodies move when a round begins.
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
-            let BeforeBlow { rates, outside, .. } = &mut moving.before_blow;
+            let BeforeBlow { rates, external_impulse, .. } = &mut moving.before_blow;
             rates.clone_from(&moving.motion.rates);
-            *outside = moving.motion.outside();
+            *external_impulse = moving.motion.external_impulse();
         }
     }
 
@@ -323,9 +332,9 @@ impl SolverMultibodies {
     fn bouncing<'a>(
         &'a mut self,
         states: &'a mut [BodyState],
-    ) -> (&'a Numbers, &'a mut LinkContacts, Actors<'a>) {
-        let Self { numbers, contacts, moving, .. } = self;
-        (numbers, contacts, Actors { multibodies: moving, states })
+    ) -> (&'a JacobianPool, &'a mut LinkContacts, ConstrainedStates<'a>) {
+        let Self { jacobians, contacts, moving, .. } = self;
+        (jacobians, contacts, ConstrainedStates { multibodies: moving, states })
     }
 }
 
@@ -336,7 +345,7 @@ impl LinkContacts {
     }
 }
 
-impl Strike {
+impl LinkImpact {
     /// For a contact of this island.
     pub fn of(island: u32) -> Self {
         Self { island, ..Self::default() }
@@ -349,8 +358,8 @@ impl LinkContact {
     }
 
     /// Leaves it as it is for the rest of the round.
-    pub fn let_be(&mut self) {
-        self.points.iter_mut().for_each(|point| point.blow.mass = 0.0);
+    pub fn deactivate(&mut self) {
+        self.points.iter_mut().for_each(|point| point.impact_impulse.mass = 0.0);
     }
 }
 
@@ -361,12 +370,12 @@ impl Point {
     }
 }
 
-impl Blow {
+impl ImpactImpulse {
     /// Begins a substep in which the point moves like this without the impulses of the last one.
     fn begin(&mut self, free: Real, pass: &ImpactPass) {
         let forced = free - self.last;
-        self.borne = (self.loaded - free).min(-forced).max(0.0);
-        let now = free + self.borne;
+        self.support_velocity = (self.loaded - free).min(-forced).max(0.0);
+        let now = free + self.support_velocity;
         let is_at_rest = now.max(self.last) >= -pass.threshold;
         self.limit = if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * NOTICED;
         self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
@@ -419,13 +428,13 @@ impl Moving {
     /// Ends a round of a substep of `h` seconds.
     fn accept_impact(&mut self, h: Real, share: Real) {
         let ahead = self.before_blow.ahead.take();
-        let BeforeBlow { rates: before, outside, .. } = &self.before_blow;
+        let BeforeBlow { rates: before, external_impulse, .. } = &self.before_blow;
         if *before != self.motion.rates {
             let energy = self.motion.energy_at(before);
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * share;
             }
-            self.motion.share_outside(outside, share);
+            self.motion.share_external_impulse(external_impulse, share);
             self.note_blow_energy(energy);
         }
         if let Some(time) = ahead {

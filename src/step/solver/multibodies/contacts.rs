@@ -4,8 +4,8 @@
 //! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
 //! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
 
-use super::bounce::{Blow, Strike};
-use super::rows::{Actors, Numbers, Part, Row};
+use super::bounce::{ImpactImpulse, LinkImpact};
+use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{
     DIM, MAX_MANIFOLD_POINTS, Real, Rotation, SpatialVector, Vector, mul_inertia, tangents, torque,
@@ -13,7 +13,7 @@ use crate::dim::math::{
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::model::contact::{AnchorFrame, ContactManifold, NarrowPhase};
 use crate::model::island::NONE;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
@@ -40,7 +40,7 @@ pub struct Point {
     friction: [Real; DIM - 1],
     /// Sum of the normal impulses of the substeps.
     pub total: Real,
-    pub blow: Blow,
+    pub impact_impulse: ImpactImpulse,
     /// Is it put aside, to be hit in a later substep?
     pub is_aside: bool,
 }
@@ -55,7 +55,7 @@ pub struct LinkContact {
     pub friction: Real,
     pub restitution: Real,
     pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
-    pub strike: Strike,
+    pub strike: LinkImpact,
 }
 
 /// All contacts of links.
@@ -117,8 +117,8 @@ impl SolverMultibodies {
             for place in sides.iter().filter_map(Side::place) {
                 self.moving[place.multibody].touches = true;
             }
-            let normal = normal_of(&sides, &pair.placement, manifold);
-            let geometry = Geometry::of(&sides, &pair.placement, manifold, normal);
+            let normal = normal_of(&sides, &pair.anchor_frame, manifold);
+            let geometry = Geometry::of(&sides, &pair.anchor_frame, manifold, normal);
             let contact = self.contact(at, &sides, &geometry, manifold);
             self.contacts.contacts.push(contact);
         }
@@ -160,7 +160,7 @@ impl SolverMultibodies {
         manifold: &ContactManifold,
     ) -> LinkContact {
         let data = &manifold.data;
-        let first_number = self.numbers.len();
+        let first_number = self.jacobians.len();
         let along = tangents(geometry.normal);
         let share = self.share_of(sides);
         let points =
@@ -174,13 +174,13 @@ impl SolverMultibodies {
                     impulse: known.warmstart_impulse * share,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
                     total: 0.0,
-                    blow: Blow::default(),
+                    impact_impulse: ImpactImpulse::default(),
                     is_aside: false,
                 }
             });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
-        let strike = Strike::of(self.island_of(sides));
+        let strike = LinkImpact::of(self.island_of(sides));
         let normal = geometry.normal;
         LinkContact { at, normal, first_number, friction, restitution, points, strike }
     }
@@ -205,18 +205,19 @@ impl SolverMultibodies {
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
         let ways = [0, 1].map(|side| sides[side].way_since(world, slots[side]));
-        let separations = Geometry::of(&sides, &pair.placement, manifold, normal).points;
+        let separations = Geometry::of(&sides, &pair.anchor_frame, manifold, normal).points;
         let along = tangents(normal);
-        self.numbers.rewrite_from(first_number);
+        self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
             let places = ways.map(|way| point.position + way);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
-            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-            point.separation = separation - self.numbers.displacement(&point.normal, &actors);
+            let states =
+                ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+            point.separation = separation - self.jacobians.displacement(&point.normal, &states);
         }
-        self.numbers.append();
+        self.jacobians.append();
         self.contacts.contacts[position].points = points;
     }
 
@@ -243,10 +244,10 @@ impl SolverMultibodies {
 
     /// Adds this share of a contact's impulses to what the substep starts with.
     fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
-        let Self { numbers, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        let Self { jacobians, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for (row, impulse, _) in contacts.contacts[position].points.iter().flat_map(Point::rows) {
-            numbers.push_early(row, impulse * share, &mut actors);
+            jacobians.push_early(row, impulse * share, &mut states);
         }
     }
 
@@ -296,17 +297,18 @@ impl SolverMultibodies {
                     kinematics.add_measured_force(one.link, &wrenches[0], jacobian, sizes);
                     kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
                 };
-                let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
+                let part =
+                    self.jacobians.add_links(&mut self.moving, one.multibody, gives_way, fill);
                 [part, Part::Nothing]
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };
-        self.numbers.row(parts)
+        self.jacobians.row(parts)
     }
 
     fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
         if let Some(place) = side.place() {
-            return self.numbers.add_links(
+            return self.jacobians.add_links(
                 &mut self.moving,
                 place.multibody,
                 side.gives_way,
@@ -343,13 +345,13 @@ impl Side<'_> {
 
     /// A unit force along a direction at a point, as a wrench on the centre of mass.
     pub fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
-        let lever = self.center.map_or(Vector::ZERO, |center| point - center);
-        join(direction, torque(lever, direction))
+        let arm = self.center.map_or(Vector::ZERO, |center| point - center);
+        join(direction, torque(arm, direction))
     }
 }
 
 /// The normal of a manifold, which turns with the first side.
-fn normal_of(sides: &[Side<'_>; 2], placed: &Placement, manifold: &ContactManifold) -> Vector {
+fn normal_of(sides: &[Side<'_>; 2], placed: &AnchorFrame, manifold: &ContactManifold) -> Vector {
     sides[0].rotation * placed.rotations[0].inverse() * manifold.data.placed_normal
 }
 
@@ -357,7 +359,7 @@ impl Geometry {
     /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
     fn of(
         sides: &[Side<'_>; 2],
-        placed: &Placement,
+        placed: &AnchorFrame,
         manifold: &ContactManifold,
         normal: Vector,
     ) -> Self {
@@ -369,14 +371,14 @@ impl Geometry {
         let shift = (x2 - x1) - placed.centers;
         let origin = if sides[0].center.is_none() { x2 } else { x1 };
         let follow = |known: &crate::model::contact::Contact| {
-            let second = known.lever + offset;
-            let (turned1, turned2) = (turns[0] * known.lever, turns[1] * second);
-            let moved = shift + (turned2 - second) - (turned1 - known.lever);
-            let lever = match sides[1].center {
+            let second = known.arm + offset;
+            let (turned1, turned2) = (turns[0] * known.arm, turns[1] * second);
+            let moved = shift + (turned2 - second) - (turned1 - known.arm);
+            let arm = match sides[1].center {
                 None => turned1 + moved * 0.5,
                 Some(_) => turned2 - moved * 0.5 - offset_now,
             };
-            (origin + lever, known.placed_dist + normal.dot(moved))
+            (origin + arm, known.placed_dist + normal.dot(moved))
         };
         Self { normal, points: manifold.data.points.iter().map(follow).collect() }
     }
@@ -388,11 +390,11 @@ impl LinkContacts {
     }
 
     /// Starts the step with the last one's impulses.
-    pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn warm_start(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for point in self.points() {
-            numbers.push_early(&point.normal, point.impulse, actors);
+            jacobians.push_early(&point.normal, point.impulse, states);
             for (row, impulse) in point.tangents.iter().zip(&point.friction) {
-                numbers.push_early(row, *impulse, actors);
+                jacobians.push_early(row, *impulse, states);
             }
         }
     }
@@ -409,29 +411,30 @@ impl LinkContacts {
     /// Solves the normal rows once.
     pub fn solve(
         &mut self,
-        numbers: &Numbers,
-        actors: &mut Actors<'_>,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
         pass: &SoftPass,
         bias: bool,
     ) {
         for point in self.points() {
-            let velocity = numbers.velocity(&point.normal, actors);
-            let separation = point.shown_separation() + numbers.displacement(&point.normal, actors);
+            let velocity = jacobians.velocity(&point.normal, states);
+            let separation =
+                point.shown_separation() + jacobians.displacement(&point.normal, states);
             let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
-            numbers.push(&point.normal, new - point.impulse, actors);
+            jacobians.push(&point.normal, new - point.impulse, states);
             point.impulse = new;
         }
     }
 
     /// Solves the friction rows once, under the normal impulses as they are.
-    pub fn rub(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn solve_friction(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for contact in &mut self.contacts {
             for point in &mut contact.points {
                 let old = point.friction;
                 let most = contact.friction * point.impulse;
-                let new = point.friction_under(most, old, numbers, actors);
+                let new = point.friction_under(most, old, jacobians, states);
                 for k in 0..DIM - 1 {
-                    numbers.push(&point.tangents[k], new[k] - old[k], actors);
+                    jacobians.push(&point.tangents[k], new[k] - old[k], states);
                 }
                 point.friction = new;
             }
@@ -480,13 +483,13 @@ impl Point {
         &self,
         most: Real,
         old: [Real; DIM - 1],
-        numbers: &Numbers,
-        actors: &Actors<'_>,
+        jacobians: &JacobianPool,
+        states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
         let mut new = old;
         for k in 0..DIM - 1 {
             let row = &self.tangents[k];
-            let slip = numbers.velocity(row, actors) - self.surface[k];
+            let slip = jacobians.velocity(row, states) - self.surface[k];
             new[k] -= slip * row.mass;
         }
         let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
@@ -500,8 +503,8 @@ impl LinkContact {
         self.normal.is_finite()
             && self.points.iter().all(|point| {
                 let impulses = point.friction.iter().chain([&point.impulse, &point.total]);
-                let mut numbers = impulses.chain([&point.separation]);
-                point.position.is_finite() && numbers.all(|number| number.is_finite())
+                let mut jacobians = impulses.chain([&point.separation]);
+                point.position.is_finite() && jacobians.all(|number| number.is_finite())
             })
     }
 }

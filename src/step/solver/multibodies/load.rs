@@ -1,6 +1,6 @@
 //! From multibodies and their bodies to what the solver moves.
 
-use super::{Claim, Moving, NOT_NOW, SolverMultibodies};
+use super::{Claim, Moving, NOT_SOLVED, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -11,12 +11,12 @@ use crate::multibody::{Drive, LinkForce, usable};
 
 impl SolverMultibodies {
     /// Lays claim to the links of all multibodies that are awake and act.
-    pub fn claim(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
+    pub fn register_links(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
         for slot in self.listed.drain(..) {
             self.claims[slot as usize] = None;
         }
         self.positions.clear();
-        self.positions.resize(set.index_bound() as usize, NOT_NOW);
+        self.positions.resize(set.index_bound() as usize, NOT_SOLVED);
         for owner in 0..set.index_bound() {
             let Some(index) = set.index_at(owner) else { continue };
             let Some(multibody) = set.get_multibody(index) else { continue };
@@ -55,9 +55,13 @@ impl SolverMultibodies {
             return;
         }
         for member in members {
-            let claim = self.claim_on(member.into_raw_parts().0).filter(|claim| claim.is_moved);
-            let Some(owner) = claim.map(|claim| claim.owner) else { continue };
-            if self.positions[owner as usize] != NOT_NOW {
+            let register_links = self
+                .claim_on(member.into_raw_parts().0)
+                .filter(|register_links| register_links.is_moved);
+            let Some(owner) = register_links.map(|register_links| register_links.owner) else {
+                continue;
+            };
+            if self.positions[owner as usize] != NOT_SOLVED {
                 continue;
             }
             let Some(index) = set.index_at(owner) else { continue };

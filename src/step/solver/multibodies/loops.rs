@@ -16,7 +16,7 @@ use super::SolverMultibodies;
 use super::contacts::Side;
 use super::limits::Owner;
 use super::load::scale_impulses;
-use super::rows::{Actors, Numbers, Row};
+use super::rows::{ConstrainedStates, JacobianPool, Row};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -127,7 +127,7 @@ impl SolverMultibodies {
         world: &RigidBodySet,
         bodies: &mut SolverBodies,
     ) {
-        self.loops.first_number = self.numbers.len();
+        self.loops.first_number = self.jacobians.len();
         for position in 0..self.loops.loops.len() {
             let Loop { handle, share, .. } = self.loops.loops[position];
             let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
@@ -138,7 +138,7 @@ impl SolverMultibodies {
     /// Makes the rows of the locked axes anew, where the links and bodies are now.
     pub fn follow_loops(&mut self, world: &RigidBodySet, bodies: &mut SolverBodies) {
         self.warm_loops(bodies, -1.0);
-        self.numbers.truncate(self.loops.first_number);
+        self.jacobians.truncate(self.loops.first_number);
         for position in 0..self.loops.loops.len() {
             let old = self.loops.loops[position].locked.clone();
             self.lock(position, world, bodies, |axis| {
@@ -151,10 +151,10 @@ impl SolverMultibodies {
 
     /// Adds this share of the impulses so far to what the substep starts with.
     pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
-        let Self { numbers, loops, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        let Self { jacobians, loops, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for locked in loops.locked() {
-            numbers.push_early(&locked.row, locked.impulse * share, &mut actors);
+            jacobians.push_early(&locked.row, locked.impulse * share, &mut states);
         }
     }
 
@@ -184,8 +184,9 @@ impl SolverMultibodies {
                 (join(Vector::ZERO, turn_axis(frames.first, direction)), error)
             };
             let row = self.row_at(&sides, &frames, &wrench);
-            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-            let error = error - self.numbers.displacement(&row, &actors);
+            let states =
+                ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+            let error = error - self.jacobians.displacement(&row, &states);
             let (impulse, total) = known(axis);
             locked.push(Locked { axis, row, wrench, error, impulse, total });
         }
@@ -215,8 +216,8 @@ impl SolverMultibodies {
         let mut matrix = SquareMatrix::zeros(locked.len());
         for (i, first) in locked.iter().enumerate() {
             for (j, second) in locked.iter().enumerate() {
-                let (rows, numbers) = ((&first.row, &second.row), &self.numbers);
-                matrix[(i, j)] = numbers.coupling(rows.0, rows.1);
+                let (rows, jacobians) = ((&first.row, &second.row), &self.jacobians);
+                matrix[(i, j)] = jacobians.coupling(rows.0, rows.1);
             }
         }
         let column = |k: usize| {
@@ -337,8 +338,13 @@ impl Loops {
     }
 
     /// Solves all rows once; with `bias`, errors are undone.
-    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
-        self.loops.iter_mut().for_each(|joint| joint.solve(numbers, actors, bias));
+    pub fn solve(
+        &mut self,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+        bias: bool,
+    ) {
+        self.loops.iter_mut().for_each(|joint| joint.solve(jacobians, states, bias));
     }
 
     /// Counts the impulses of the substep into those of the step.
@@ -380,14 +386,14 @@ impl Loops {
 
 impl Loop {
     /// Solves all locked axes together, once.
-    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+    fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>, bias: bool) {
         let Softness { bias_rate, mass_scale, impulse_scale } =
             if bias { self.softness } else { Softness::RIGID };
         let mut changes = [0.0; SPATIAL_DIM];
         for (locked, column) in self.locked.iter().zip(&self.inverse) {
-            let mut wrong = numbers.velocity(&locked.row, actors);
+            let mut wrong = jacobians.velocity(&locked.row, states);
             if bias {
-                let error = locked.error + numbers.displacement(&locked.row, actors);
+                let error = locked.error + jacobians.displacement(&locked.row, states);
                 wrong += error * bias_rate;
             }
             for (change, number) in changes.iter_mut().zip(column) {
@@ -397,7 +403,7 @@ impl Loop {
         for (locked, change) in self.locked.iter_mut().zip(changes) {
             let change = change - locked.impulse * impulse_scale;
             locked.impulse += change;
-            numbers.push(&locked.row, change, actors);
+            jacobians.push(&locked.row, change, states);
         }
     }
 }

@@ -34,7 +34,7 @@ use contacts::LinkContacts;
 use gears::Gears;
 use limits::JointRows;
 use loops::Loops;
-use rows::{Actors, Numbers};
+use rows::{ConstrainedStates, JacobianPool};
 
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
@@ -89,7 +89,7 @@ struct Claim {
 }
 
 /// The position of a multibody that is not among those that are solved now.
-const NOT_NOW: usize = usize::MAX;
+const NOT_SOLVED: usize = usize::MAX;
 
 /// A link of a multibody that is solved now.
 #[derive(Copy, Clone, Debug)]
@@ -103,7 +103,7 @@ struct LinkPlace {
 #[derive(Default)]
 pub(super) struct SolverMultibodies {
     moving: Vec<Moving>,
-    /// By position in the set: the position above, or [`NOT_NOW`].
+    /// By position in the set: the position above, or [`NOT_SOLVED`].
     positions: Vec<usize>,
     /// Buffers of those that were awake before.
     spare: Vec<Moving>,
@@ -113,7 +113,7 @@ pub(super) struct SolverMultibodies {
     listed: Vec<u32>,
     /// Manifolds of links, left out of the lanes.
     left_out: Vec<ManifoldRef>,
-    numbers: Numbers,
+    jacobians: JacobianPool,
     joints: JointRows,
     gears: Gears,
     loops: Loops,
@@ -122,7 +122,7 @@ pub(super) struct SolverMultibodies {
 
 /// What constraints are made of.
 #[derive(Copy, Clone)]
-pub(super) struct Surroundings<'a> {
+pub(super) struct MultibodyContext<'a> {
     pub narrow_phase: &'a NarrowPhase,
     pub islands: &'a IslandManager,
     pub joints: &'a ImpulseJointSet,
@@ -190,7 +190,7 @@ impl SolverMultibodies {
 
     /// Is a body moved by its multibody?
     pub fn moves(&self, slot: u32) -> bool {
-        self.claim_on(slot).is_some_and(|claim| claim.is_moved)
+        self.claim_on(slot).is_some_and(|register_links| register_links.is_moved)
     }
 
     /// Takes over a manifold if one of its bodies is a link. True: it must be left out of the lanes.
@@ -214,19 +214,19 @@ impl SolverMultibodies {
     fn place(&self, slot: u32) -> Option<LinkPlace> {
         let Claim { owner, link, is_moved } = self.claim_on(slot)?;
         let multibody = self.positions.get(owner as usize).copied()?;
-        (multibody != NOT_NOW).then_some(LinkPlace { multibody, link, is_moved })
+        (multibody != NOT_SOLVED).then_some(LinkPlace { multibody, link, is_moved })
     }
 
     /// Makes the constraints.
     pub fn prepare(
         &mut self,
-        Surroundings { narrow_phase, islands, joints, world }: Surroundings<'_>,
+        MultibodyContext { narrow_phase, islands, joints, world }: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &JointPass,
     ) {
-        self.numbers.clear();
-        self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
-        self.gears.prepare(&mut self.numbers, &mut self.moving, pass.softness);
+        self.jacobians.clear();
+        self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
+        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.softness);
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
         self.lock_loops(joints, world, bodies);
@@ -234,11 +234,11 @@ impl SolverMultibodies {
 
     /// Gives everybody last step's impulses.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies) {
-        let Self { numbers, joints, gears, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        joints.warm_start(numbers, &mut actors);
-        gears.warm_start(numbers, &mut actors);
-        contacts.warm_start(numbers, &mut actors);
+        let Self { jacobians, joints, gears, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        joints.warm_start(jacobians, &mut states);
+        gears.warm_start(jacobians, &mut states);
+        contacts.warm_start(jacobians, &mut states);
         self.warm_loops(bodies, 1.0);
     }
 
@@ -249,17 +249,18 @@ impl SolverMultibodies {
         params: &IntegrationParameters,
         tasks: Tasks<'_>,
     ) {
-        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        let (warm_start_coefficient, speed_max) =
+            (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
-            moving.pushed.iter_mut().for_each(|pushed| *pushed *= warmth);
+            moving.pushed.iter_mut().for_each(|pushed| *pushed *= warm_start_coefficient);
             moving.motion.accelerate(&mut moving.multibody, h, speed_max, &moving.pushed);
             moving.measure(params.dt);
             moving.add_pushed(1.0);
-            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
+            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warm_start_coefficient);
             moving.motion.note_outside(&moving.root_pushed, 1.0);
         });
-        if warmth != 1.0 {
-            self.scale_impulses(|_| warmth);
+        if warm_start_coefficient != 1.0 {
+            self.scale_impulses(|_| warm_start_coefficient);
         }
     }
 
@@ -272,8 +273,9 @@ impl SolverMultibodies {
         tasks: Tasks<'_>,
     ) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
-        let mut actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-        self.joints.follow_balls(&mut self.numbers, &mut actors);
+        let mut states =
+            ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+        self.joints.follow_balls(&mut self.jacobians, &mut states);
     }
 
     /// Solves all constraints once, with bias.
@@ -283,7 +285,7 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.visit(bodies, pass, params, true);
+        self.iterate(bodies, pass, params, true);
         self.limit_push(&mut bodies.states, pass.push_velocity_max);
     }
 
@@ -294,10 +296,10 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.visit(bodies, pass, params, false);
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        contacts.rub(numbers, &mut actors);
+        self.iterate(bodies, pass, params, false);
+        let Self { jacobians, joints, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        contacts.solve_friction(jacobians, &mut states);
         if pass.is_last_visit {
             joints.count();
             loops.count();
@@ -354,13 +356,13 @@ impl SolverMultibodies {
     /// Adds the work of motors and other joints, and that of bodies and surfaces which push links before them, to the energy that
     /// a substep may leave.
     fn add_work(&mut self, states: &mut [BodyState]) {
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states };
+        let Self { jacobians, joints, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states };
         for (row, impulse) in joints.working_rows().chain(loops.rows()) {
-            numbers.note_work(row, impulse, &mut actors);
+            jacobians.note_work(row, impulse, &mut states);
         }
         for (row, impulse, surface) in contacts.rows() {
-            numbers.note_shove(row, impulse, surface, &mut actors);
+            jacobians.note_shove(row, impulse, surface, &mut states);
         }
     }
 
@@ -370,7 +372,7 @@ impl SolverMultibodies {
     }
 
     /// Visits all rows but those of friction.
-    fn visit(
+    fn iterate(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &ContactPass,
@@ -378,12 +380,12 @@ impl SolverMultibodies {
         bias: bool,
     ) {
         let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        loops.solve(numbers, &mut actors, bias);
-        joints.solve(numbers, &mut actors, &limit, bias);
-        gears.solve(numbers, &mut actors, bias);
-        contacts.solve(numbers, &mut actors, &contact, bias);
+        let Self { jacobians, joints, gears, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        loops.solve(jacobians, &mut states, bias);
+        joints.solve(jacobians, &mut states, &limit, bias);
+        gears.solve(jacobians, &mut states, bias);
+        contacts.solve(jacobians, &mut states, &contact, bias);
     }
 }
 
@@ -424,7 +426,7 @@ impl Moving {
         // What a flight lost may be energy that impulses gave before.
         let least = self.energy.min(motion.kinetic_energy());
         self.energy = (self.energy + change).max(least);
-        self.turns_far |= self.touches && motion.is_wild;
+        self.turns_far |= self.touches && motion.has_diverged;
     }
 }
 

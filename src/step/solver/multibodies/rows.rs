@@ -49,11 +49,15 @@ impl Row {
     }
 
     /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
-    pub fn rewrite(&mut self, numbers: &mut Numbers, make: impl FnOnce(&mut Numbers) -> Self) {
+    pub fn rewrite(
+        &mut self,
+        jacobians: &mut JacobianPool,
+        make: impl FnOnce(&mut JacobianPool) -> Self,
+    ) {
         let Some(start) = self.parts.iter().find_map(Part::start) else { return };
-        numbers.rewrite_from(start);
-        *self = make(numbers);
-        numbers.append();
+        jacobians.rewrite_from(start);
+        *self = make(jacobians);
+        jacobians.append();
     }
 }
 
@@ -69,7 +73,7 @@ impl Part {
 
 /// The numbers of all rows.
 #[derive(Debug, Default)]
-pub struct Numbers {
+pub struct JacobianPool {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
     /// Where the next ones go; beyond the last, if they are not to be written anew.
@@ -83,12 +87,12 @@ pub struct Numbers {
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Everything that rows act on.
-pub struct Actors<'a> {
+pub struct ConstrainedStates<'a> {
     pub multibodies: &'a mut [Moving],
     pub states: &'a mut [BodyState],
 }
 
-impl Numbers {
+impl JacobianPool {
     /// No rows yet.
     pub fn clear(&mut self) {
         self.truncate(0);
@@ -179,55 +183,61 @@ impl Numbers {
     }
 
     /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
-    pub fn note_work(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+    pub fn note_work(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         for part in &row.parts {
             let Part::Links { multibody, .. } = part else { continue };
-            let work = impulse * self.rate(part, actors);
-            actors.multibodies[*multibody].energy += work.max(0.0);
+            let work = impulse * self.rate(part, states);
+            states.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
     /// Adds the work on a link of what is on the other side, which an impulse keeps from getting into it, to the energy that
     /// contacts may leave: the other one, or the belt on it, moves on as fast as it does, and the link at least as fast.
-    pub fn note_shove(&self, row: &Row, impulse: Real, surface: Real, actors: &mut Actors<'_>) {
+    pub fn note_shove(
+        &self,
+        row: &Row,
+        impulse: Real,
+        surface: Real,
+        states: &mut ConstrainedStates<'_>,
+    ) {
         let [first, second] = &row.parts;
         for (link, other) in [(first, second), (second, first)] {
             let Part::Links { multibody, gives_way: true, .. } = link else { continue };
-            let work = impulse * (surface - self.rate(other, actors));
-            actors.multibodies[*multibody].energy += work.max(0.0);
+            let work = impulse * (surface - self.rate(other, states));
+            states.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
     /// `Ċ`.
-    pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
-        self.sum(row, |part| self.rate(part, actors))
+    pub fn velocity(&self, row: &Row, states: &ConstrainedStates<'_>) -> Real {
+        self.sum(row, |part| self.rate(part, states))
     }
 
     /// What a part of a row adds to `Ċ`.
-    fn rate(&self, part: &Part, actors: &Actors<'_>) -> Real {
+    fn rate(&self, part: &Part, states: &ConstrainedStates<'_>) -> Real {
         match part {
             Part::Nothing => 0.0,
             Part::Links { multibody, start, span: [first, behind], .. } => {
-                let rates = &actors.multibodies[*multibody].motion.rates;
+                let rates = &states.multibodies[*multibody].motion.rates;
                 product(&self.jacobians[start + first..start + behind], &rates[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
-                let (linvel, angvel) = actors.states[at(*index)].velocity();
+                let (linvel, angvel) = states.states[at(*index)].velocity();
                 product(jacobian, &join(linvel, angvel))
             }
         }
     }
 
     /// How far `C` has changed since the step began.
-    pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
+    pub fn displacement(&self, row: &Row, states: &ConstrainedStates<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
             Part::Links { multibody, start, span: [first, behind], .. } => {
-                let shift = &actors.multibodies[*multibody].shift;
+                let shift = &states.multibodies[*multibody].shift;
                 product(&self.jacobians[start + first..start + behind], &shift[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
-                let (shift, turn) = actors.states[at(*index)].displacement();
+                let (shift, turn) = states.states[at(*index)].displacement();
                 product(jacobian, &join(shift, turn))
             }
         })
@@ -238,8 +248,8 @@ impl Numbers {
     }
 
     /// Pushes with an impulse.
-    pub fn push(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    pub fn push(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.note_push(jacobian, response, impulse);
             moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
@@ -247,28 +257,33 @@ impl Numbers {
     }
 
     /// Pushes with an impulse that is no load for the next substep: that of a blow.
-    pub fn strike(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    pub fn strike(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
     /// Do both sides of a row go back in time to be hit?
-    pub fn goes_back(&self, row: &Row, actors: &Actors<'_>) -> bool {
+    pub fn goes_back(&self, row: &Row, states: &ConstrainedStates<'_>) -> bool {
         row.parts.iter().all(|part| match part {
-            Part::Links { multibody, .. } => actors.multibodies[*multibody].moves_as_one(),
+            Part::Links { multibody, .. } => states.multibodies[*multibody].moves_as_one(),
             Part::Nothing | Part::Body { .. } => true,
         })
     }
 
     /// Notes in the multibodies of a row when a blow comes (s), and whether it may give energy.
-    pub fn note_time(&self, row: &Row, (time, gains): (Real, bool), actors: &mut Actors<'_>) {
+    pub fn note_time(
+        &self,
+        row: &Row,
+        (time, gains): (Real, bool),
+        states: &mut ConstrainedStates<'_>,
+    ) {
         let [first, second] = &row.parts;
         for (part, other) in [(first, second), (second, first)] {
             if let Part::Links { multibody, gives_way: true, .. } = part {
                 let may_gain = gains || !matches!(other, Part::Nothing);
-                actors.multibodies[*multibody].before_blow.note(time, may_gain);
+                states.multibodies[*multibody].before_blow.note(time, may_gain);
             }
         }
     }
@@ -279,9 +294,9 @@ impl Numbers {
         for part in &row.parts {
             match part {
                 Part::Body { index, .. } if index & READ_ONLY == 0 => {
-                    let mut blow = [0.0; SPATIAL_DIM];
-                    (blow[0], blow[1]) = (impulse, impulse * time);
-                    delays[at(*index)].add_velocity(blow);
+                    let mut impact_impulse = [0.0; SPATIAL_DIM];
+                    (impact_impulse[0], impact_impulse[1]) = (impulse, impulse * time);
+                    delays[at(*index)].add_velocity(impact_impulse);
                 }
                 _ => {}
             }
@@ -289,8 +304,8 @@ impl Numbers {
     }
 
     /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.
-    pub fn push_early(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    pub fn push_early(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             moving.note_push(jacobian, response, impulse);
         });
     }
@@ -299,7 +314,7 @@ impl Numbers {
         &self,
         row: &Row,
         impulse: Real,
-        actors: &mut Actors<'_>,
+        states: &mut ConstrainedStates<'_>,
         push_links: impl Fn(&mut Moving, &[Real], &[Real]),
     ) {
         if impulse == 0.0 {
@@ -310,14 +325,14 @@ impl Numbers {
                 Part::Nothing => {}
                 Part::Links { gives_way: false, .. } => {}
                 Part::Links { multibody, start, .. } => {
-                    let moving = &mut actors.multibodies[*multibody];
+                    let moving = &mut states.multibodies[*multibody];
                     let end = start + moving.pushed.len();
                     let (jacobian, response) =
                         (&self.jacobians[*start..end], &self.responses[*start..end]);
                     push_links(moving, jacobian, response);
                 }
                 Part::Body { index, response, .. } if index & READ_ONLY == 0 => {
-                    let state = &mut actors.states[at(*index)];
+                    let state = &mut states.states[at(*index)];
                     let (linvel, angvel) = state.velocity();
                     state.set_velocity(
                         linvel + linear(response) * impulse,

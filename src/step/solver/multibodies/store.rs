@@ -1,6 +1,6 @@
 //! From what the solver moved back to multibodies and their bodies.
 
-use super::{Moving, NOT_NOW, SolverMultibodies};
+use super::{Moving, NOT_SOLVED, SolverMultibodies};
 use crate::base::measure::{CALM, FAR, is_coordinate};
 use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
@@ -10,9 +10,9 @@ use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{Course, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
-use crate::step::notes::{FastMotion, Lost};
+use crate::step::notes::{Diverged, FastMotion};
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
@@ -36,7 +36,7 @@ impl SolverMultibodies {
     ///
     /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
     /// where their joints are.
-    pub fn finish(&mut self, lost: &mut Vec<Lost>, h: Real) -> bool {
+    pub fn finish(&mut self, lost: &mut Vec<Diverged>, h: Real) -> bool {
         let mut calm = true;
         for moving in &mut self.moving {
             moving.motion.finish();
@@ -58,7 +58,7 @@ impl SolverMultibodies {
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
     }
@@ -70,16 +70,16 @@ impl SolverMultibodies {
         set: &mut MultibodyJointSet,
         (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
         params: &IntegrationParameters,
-        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
     ) -> usize {
         let mut limited = 0;
         for mut moving in self.moving.drain(..) {
             limited += usize::from(moving.motion.is_limited);
-            moving.store((islands, bodies), params, (fast, courses));
+            moving.store((islands, bodies), params, (fast, trajectories));
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
         limited
@@ -109,7 +109,7 @@ impl Moving {
         &mut self,
         (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
         params: &IntegrationParameters,
-        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
     ) {
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
         let (first, mut is_fast) = (fast.len(), false);
@@ -118,23 +118,23 @@ impl Moving {
             let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
             body.ccd_active = FastMotion::is_one(body, bound, params);
             is_fast |= body.ccd_active;
-            fast.push(FastMotion { link: Some((courses.len(), id)), ..motion });
+            fast.push(FastMotion { link: Some((trajectories.len(), id)), ..motion });
         }
         if is_fast {
-            courses.push(self.course(params.dt));
+            trajectories.push(self.trajectory(params.dt));
         } else {
             fast.truncate(first);
         }
     }
 
     /// The way that it has gone.
-    fn course(&mut self, dt: Real) -> Course {
+    fn trajectory(&mut self, dt: Real) -> LinkTrajectory {
         let mut root = [0.0; SPATIAL_DIM];
         if self.motion.root_dofs() == 0 {
             root = self.motion.link_velocities()[0].map(|rate| rate * dt);
         }
         let longest = |k: usize| self.travel.iter().map(|travel| travel[k]).fold(0.0, Real::max);
-        Course {
+        LinkTrajectory {
             index: self.index,
             start: core::mem::take(&mut self.start),
             shift: core::mem::take(&mut self.shift),
@@ -216,14 +216,14 @@ impl Moving {
 
     /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
     /// itself.
-    fn first_lost(&mut self) -> Option<Lost> {
+    fn first_lost(&mut self) -> Option<Diverged> {
         let velocities = self.motion.link_velocities();
         let velocity =
             |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
         let is_lost = |id: &usize| !velocity(*id).is_usable();
         let id = (0..velocities.len()).find(is_lost).unwrap_or(1.min(velocities.len() - 1));
         let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
-        Some(Lost { body, velocity, is_link: true })
+        Some(Diverged { body, velocity, is_link: true })
     }
 
     /// Puts the links back to where the step began.

@@ -10,10 +10,10 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::contact::{ContactInput, ContactReport, Placement};
+use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::{ImpactBlock, ImpactMark, NormalRows, StruckBlock, lanes};
-use crate::step::solver::keep::keep;
+use crate::step::solver::impacts::{ActiveBlock, ImpactBlock, ImpactMark, NormalRows, lanes};
+use crate::step::solver::store_impulses::store_impulses;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -189,15 +189,15 @@ impl Scene {
             self.input.mass_factors[side].0[lane] = 1.0;
         }
         let [x1, x2] = bodies.map(|body| body.map(|body| body.center));
-        let placement = Placement {
+        let anchor_frame = AnchorFrame {
             rotations: bodies.map(|body| body.map_or(Rotation::IDENTITY, |body| body.rotation)),
             centers: x2.unwrap_or_default() - x1.unwrap_or_default(),
-            may_hold: true,
+            may_freeze: true,
         };
-        self.input.placement.set_lane(lane, &placement, contact.normal, contact.held_turn);
-        self.input.placement.set_creeps(lane, true);
+        self.input.anchor_frame.set_lane(lane, &anchor_frame, contact.normal, contact.held_turn);
+        self.input.anchor_frame.set_near_rest(lane, true);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
-            self.input.levers[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
+            self.input.arms[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
             self.input.placed_separations[k].0[lane] = separation;
             self.input.present[k].0[lane] = 1.0;
         }
@@ -310,13 +310,13 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let around = contact::Surroundings { poses, states: &states };
+                    let around = contact::PrepareContext { poses, states: &states };
                     let coulomb = coulomb.as_mut();
                     contact::prepare::<W>(input, block, coulomb, around, prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
-                Pass::Keep => keep::<W>(block, coulomb.as_ref(), input, reports),
+                Pass::Keep => store_impulses::<W>(block, coulomb.as_ref(), input, reports),
                 Pass::Bounce => {
                     let pass = ImpactPass {
                         step: SUBSTEP,
@@ -351,14 +351,14 @@ unsafe fn bounce<W: Wide>(
         let rows = NormalRows::<W>::gather(states, block);
         impact.begin(&rows, block, known, pass);
         impact.mark(&mut mark, &rows, block, pass);
-        let mut struck = StruckBlock::EMPTY;
-        lanes(mark.struck).for_each(|lane| struck.push((0, lane), &impact, block));
-        struck.visit::<W>(states);
+        let mut active = ActiveBlock::EMPTY;
+        lanes(mark.active).for_each(|lane| active.push((0, lane), &impact, block));
+        active.iterate::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
-        struck.end::<W>(states, &DisjointMut::new(&mut delays));
-        struck.settle(core::slice::from_mut(&mut impact), |_| 1.0);
-        impact.put_aside(&mut mark, block);
-        impact.rub::<W>(block, coulomb, states);
+        active.end::<W>(states, &DisjointMut::new(&mut delays));
+        active.commit(core::slice::from_mut(&mut impact), |_| 1.0);
+        impact.defer(&mut mark, block);
+        impact.solve_friction::<W>(block, coulomb, states);
     }
 }
 

@@ -28,9 +28,9 @@
 //! the solution from the last impulses, these go from the solution to none.
 
 use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
-use super::jacobians::{Rows, couple, locked_axes, yields_of};
-use super::memory::RowMemory;
-use super::pattern::{Component, Member};
+use super::jacobians::{Rows, compliance_of, couple, locked_axes};
+use super::memory::JacobianBlock;
+use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real};
@@ -105,7 +105,7 @@ impl<const N: usize> Matrix<N> {
     /// How many rows of a joint take part. Where there is room for translations alone, all of them do: rows that are not locked
     /// stay zero, and the compiler knows the number.
     #[inline(always)]
-    fn row_count(member: &Member) -> usize {
+    fn row_count(member: &DirectJoint) -> usize {
         if N == DIM { N } else { member.form.row_count() }
     }
 
@@ -118,7 +118,7 @@ impl<const N: usize> Matrix<N> {
         &mut self,
         component: Component<'_>,
         again: bool,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
@@ -134,13 +134,13 @@ impl<const N: usize> Matrix<N> {
 
     /// Finds the changes of the impulses.
     #[inline(always)]
-    fn find_changes(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
-        if self.made_with != Some(yields) {
+    fn find_changes(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+        let compliance = component.members.iter().map(|member| compliance_of(member, memory)).sum();
+        if self.made_with != Some(compliance) {
             self.load(component, memory);
             self.assemble(component, memory);
             self.eliminate(component);
-            self.made_with = Some(yields);
+            self.made_with = Some(compliance);
         }
         self.load_rates(component, memory);
         if component.has_loops {
@@ -152,7 +152,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
         let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
         if is_done {
             self.x.fill([0.0; N]);
@@ -167,7 +167,7 @@ impl<const N: usize> Matrix<N> {
     pub unsafe fn take_back(
         &mut self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
     ) {
         for (member, x) in component.members.iter().zip(&mut self.x) {
@@ -185,7 +185,7 @@ impl<const N: usize> Matrix<N> {
     pub fn progress(
         &self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         inv_h: Real,
     ) -> Progress {
         let [before, last] = self.sizes;
@@ -206,7 +206,7 @@ impl<const N: usize> Matrix<N> {
     fn size_of_load(
         &self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         inv_h: f64,
     ) -> (f64, f64) {
         let (mut load, mut noise) = (0.0, 0.0);
@@ -225,7 +225,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
-    fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
+    fn size_of_rates(&self, component: Component<'_>, memory: &[JacobianBlock]) -> f64 {
         let mut sum = 0.0;
         for (member, own) in component.members.iter().zip(&self.own) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
@@ -244,7 +244,7 @@ impl<const N: usize> Matrix<N> {
 
     /// Reads the rows.
     #[inline(always)]
-    fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
         for (member, rows) in component.members.iter().zip(&mut self.rows) {
@@ -253,22 +253,22 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Reads the right-hand side.
-    fn load_rates(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load_rates(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.x.clear();
         for (member, own) in component.members.iter().zip(&self.own) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            let yields = yields_of(member, memory);
+            let compliance = compliance_of(member, memory);
             let mut x = [0.0; N];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
                 let impulse = f64::from(from.impulses[axis].0[lane]);
-                x[row] = -f64::from(from.rates[axis].0[lane]) - yields * own[row] * impulse;
+                x[row] = -f64::from(from.rates[axis].0[lane]) - compliance * own[row] * impulse;
             }
             self.x.push(x);
         }
     }
 
     /// Puts the right-hand side of the second turn in place of the first one's solution.
-    fn load_shares(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load_shares(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         for (at, member) in component.members.iter().enumerate() {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (row, axis) in locked_axes::<N>(member).enumerate() {
@@ -280,7 +280,7 @@ impl<const N: usize> Matrix<N> {
 
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
     #[inline(always)]
-    fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn assemble(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.diagonal.clear();
         self.below.clear();
         self.own.clear();
@@ -289,7 +289,7 @@ impl<const N: usize> Matrix<N> {
         for (at, member) in component.members.iter().enumerate() {
             let (size, mut block) = (Self::row_count(member), zero());
             couple(component.members, &self.rows, [at, at], &mut block, size);
-            let yields = yields_of(member, memory);
+            let compliance = compliance_of(member, memory);
             let (mut own, mut damping) = ([0.0; N], [0.0; N]);
             for row in 0..size {
                 own[row] = block[row][row];
@@ -298,7 +298,7 @@ impl<const N: usize> Matrix<N> {
                 } else {
                     DAMPING * own[row]
                 };
-                block[row][row] += yields * own[row] + damping[row];
+                block[row][row] += compliance * own[row] + damping[row];
             }
             self.diagonal.push(block);
             self.own.push(own);
@@ -414,7 +414,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Writes the changes of the impulses to the rows.
-    pub fn write_changes(&self, members: &[Member], memory: &mut [RowMemory]) {
+    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut [JacobianBlock]) {
         for (member, x) in members.iter().zip(&self.x) {
             let to = &mut memory[member.block as usize];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
@@ -428,7 +428,7 @@ impl<const N: usize> Matrix<N> {
 struct Solve<'a, const N: usize> {
     matrix: &'a mut Matrix<N>,
     component: Component<'a>,
-    memory: &'a [RowMemory],
+    memory: &'a [JacobianBlock],
 }
 
 impl<const N: usize> Kernel for Solve<'_, N> {

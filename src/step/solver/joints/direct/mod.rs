@@ -20,7 +20,7 @@
 //! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
 //! (`matrix.rs`).
 //!
-//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
+//! Taut components (`../geometric_stiffness.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
 //! one too; those that are thrown are solved once, where their bodies are. All rounds end when there is nothing left to do:
 //! each component by itself, whatever others need.
 //!
@@ -40,8 +40,8 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{Blow, RowMemory, count, finish, write_rows};
-pub(super) use pattern::Member;
+pub(super) use memory::{ImpactImpulse, JacobianBlock, count, finish, write_rows};
+pub(super) use pattern::DirectJoint;
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -65,12 +65,12 @@ pub(super) struct Direct {
     /// One per component; some may be left over from larger steps.
     factors: Vec<Factor>,
     /// By component.
-    courses: Vec<Course>,
+    solve_states: Vec<SolveState>,
 }
 
-/// How a component is solved in a substep: see `../taut.rs`.
+/// How a component is solved in a substep: see `../geometric_stiffness.rs`.
 #[derive(Copy, Clone, Debug, PartialEq)]
-enum Manner {
+enum Linearization {
     /// Looking ahead, along the rows where the bodies are.
     Ahead,
     /// Taut: projected from where the bodies would go freely, along the rows there.
@@ -81,22 +81,22 @@ enum Manner {
 
 /// How the solution of a component goes.
 #[derive(Copy, Clone, Debug)]
-struct Course {
-    manner: Manner,
+struct SolveState {
+    linearization: Linearization,
     /// How many rounds of this visit it has had in this way.
     rounds: usize,
     next: Next,
 }
 
-impl Course {
+impl SolveState {
     /// It is taut.
     fn hold(&mut self, is_thrown: bool) {
-        self.manner = if is_thrown { Manner::Here } else { Manner::There };
+        self.linearization = if is_thrown { Linearization::Here } else { Linearization::There };
     }
 
     /// What follows a round of a taut component.
     fn next_if_taut(&self) -> Next {
-        if self.manner == Manner::There && self.rounds < TAUT_ROUNDS {
+        if self.linearization == Linearization::There && self.rounds < TAUT_ROUNDS {
             Next::Solve
         } else {
             Next::Nothing
@@ -118,14 +118,14 @@ pub(super) enum Question {
 enum Next {
     Solve,
     /// It turned out to be taut: its impulses are taken back, and the next round begins anew.
-    TakeBack,
+    Rollback,
     Nothing,
 }
 
 impl Direct {
     /// Finds out which joints are connected, which of them are to be solved here, and in which order to eliminate
     /// these.
-    pub fn build(&mut self, members: &[Member], body_count: usize) {
+    pub fn build(&mut self, members: &[DirectJoint], body_count: usize) {
         self.pattern.build(members, body_count);
         let count = self.pattern.component_count();
         if self.factors.len() < count {
@@ -152,38 +152,39 @@ impl Direct {
     }
 
     /// Notes which components are taut from the beginning, as `find` says of the members of each.
-    pub fn tighten(&mut self, mut find: impl FnMut(&[Member]) -> bool) {
-        self.courses.clear();
+    pub fn select_method(&mut self, mut find: impl FnMut(&[DirectJoint]) -> bool) {
+        self.solve_states.clear();
         for index in 0..self.pattern.component_count() {
-            let taut = find(self.pattern.component(index).members);
-            if taut {
+            let geometric_stiffness = find(self.pattern.component(index).members);
+            if geometric_stiffness {
                 // Taut joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            let manner = if taut { Manner::There } else { Manner::Ahead };
-            self.courses.push(Course { manner, rounds: 0, next: Next::Solve });
+            let linearization =
+                if geometric_stiffness { Linearization::There } else { Linearization::Ahead };
+            self.solve_states.push(SolveState { linearization, rounds: 0, next: Next::Solve });
         }
     }
 
     /// Begins a visit.
     pub fn begin(&mut self) {
-        for course in &mut self.courses {
-            (course.rounds, course.next) = (0, Next::Solve);
+        for solve_state in &mut self.solve_states {
+            (solve_state.rounds, solve_state.next) = (0, Next::Solve);
         }
     }
 
     /// Begins to look ahead: finds out which of the taut components are thrown, as `ask` knows.
     pub fn find_thrown(
         &mut self,
-        rows: &mut [RowMemory],
-        mut ask: impl FnMut(&[Member], Question) -> bool,
+        rows: &mut [JacobianBlock],
+        mut ask: impl FnMut(&[DirectJoint], Question) -> bool,
     ) {
-        for (index, course) in self.courses.iter_mut().enumerate() {
+        for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            if course.manner == Manner::There {
-                course.hold(ask(members, Question::IsThrown));
+            if solve_state.linearization == Linearization::There {
+                solve_state.hold(ask(members, Question::IsThrown));
             }
-            note_manner(members, rows, course.manner);
+            note_manner(members, rows, solve_state.linearization);
         }
     }
 
@@ -191,7 +192,8 @@ impl Direct {
     pub fn share(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
-            let bodies = || members.iter().flat_map(Member::movable).map(|(_, body)| body as usize);
+            let bodies =
+                || members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize);
             let (mut sum, mut angular_sum) = BodyState::default().velocity();
             for body in bodies() {
                 let (linear, angular) = core::mem::take(&mut counts[body]).velocity();
@@ -205,36 +207,40 @@ impl Direct {
     /// members.
     pub fn go_on(
         &mut self,
-        rows: &mut [RowMemory],
+        rows: &mut [JacobianBlock],
         inv_h: Real,
-        mut ask: impl FnMut(&[Member], Question) -> bool,
+        mut ask: impl FnMut(&[DirectJoint], Question) -> bool,
     ) -> bool {
         let mut goes_on = false;
-        for (index, course) in self.courses.iter_mut().enumerate() {
+        for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let (component, factor) = (self.pattern.component(index), &mut self.factors[index]);
-            course.rounds += 1;
-            course.next = match course.next {
+            solve_state.rounds += 1;
+            solve_state.next = match solve_state.next {
                 Next::Nothing => Next::Nothing,
-                Next::TakeBack => {
+                Next::Rollback => {
                     factor.forget();
-                    course.rounds = 0;
-                    course.hold(ask(component.members, Question::IsThrown));
-                    note_manner(component.members, rows, course.manner);
+                    solve_state.rounds = 0;
+                    solve_state.hold(ask(component.members, Question::IsThrown));
+                    note_manner(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
-                Next::Solve if course.manner != Manner::Ahead => course.next_if_taut(),
-                Next::Solve if course.rounds == 1 => Next::Solve,
-                Next::Solve if course.rounds == 2 && ask(component.members, Question::IsTaut) => {
-                    Next::TakeBack
+                Next::Solve if solve_state.linearization != Linearization::Ahead => {
+                    solve_state.next_if_taut()
+                }
+                Next::Solve if solve_state.rounds == 1 => Next::Solve,
+                Next::Solve
+                    if solve_state.rounds == 2 && ask(component.members, Question::IsTaut) =>
+                {
+                    Next::Rollback
                 }
                 Next::Solve => match factor.progress(component, rows, inv_h) {
                     Progress::Done => Next::Nothing,
-                    Progress::Near | Progress::Far if course.rounds < ROUNDS => Next::Solve,
+                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS => Next::Solve,
                     Progress::Near => Next::Nothing,
-                    Progress::Far | Progress::Astray => Next::TakeBack,
+                    Progress::Far | Progress::Astray => Next::Rollback,
                 },
             };
-            goes_on |= course.next != Next::Nothing;
+            goes_on |= solve_state.next != Next::Nothing;
         }
         goes_on
     }
@@ -248,16 +254,16 @@ impl Direct {
     /// it does to them.
     pub fn solve(
         &mut self,
-        rows: &mut [RowMemory],
+        rows: &mut [JacobianBlock],
         states: DisjointMut<'_, BodyState>,
-        wanted: impl Fn(&[Member]) -> bool + Sync,
+        wanted: impl Fn(&[DirectJoint]) -> bool + Sync,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
-        let (pattern, courses) = (&self.pattern, &self.courses);
+        let (pattern, solve_states) = (&self.pattern, &self.solve_states);
         let is_wanted = |index: &usize| {
-            courses[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
+            solve_states[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
         };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
@@ -267,12 +273,13 @@ impl Direct {
                 // task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
-                    let course = courses[index];
-                    if course.next == Next::TakeBack {
+                    let solve_state = solve_states[index];
+                    if solve_state.next == Next::Rollback {
                         factor.take_back(component, read, &states);
                         continue;
                     }
-                    let (again, is_there) = (course.rounds > 0, course.manner == Manner::There);
+                    let (again, is_there) =
+                        (solve_state.rounds > 0, solve_state.linearization == Linearization::There);
                     if again && is_there && factor.has_converged(component, read) {
                         continue;
                     }
@@ -291,10 +298,10 @@ impl Direct {
 }
 
 /// Notes from where the rows of a component are taken.
-fn note_manner(members: &[Member], rows: &mut [RowMemory], manner: Manner) {
+fn note_manner(members: &[DirectJoint], rows: &mut [JacobianBlock], linearization: Linearization) {
     for member in members {
         let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
-        memory.are_there.0[lane] = if manner == Manner::There { 1.0 } else { 0.0 };
-        memory.look_ahead.0[lane] = if manner == Manner::Here { 0.0 } else { 1.0 };
+        memory.are_there.0[lane] = if linearization == Linearization::There { 1.0 } else { 0.0 };
+        memory.look_ahead.0[lane] = if linearization == Linearization::Here { 0.0 } else { 1.0 };
     }
 }

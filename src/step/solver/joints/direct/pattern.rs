@@ -24,7 +24,7 @@ const EVEN: Real = 32.0;
 
 /// A joint as the factorisation knows it.
 #[derive(Copy, Clone, Debug, PartialEq)]
-pub(in super::super) struct Member {
+pub(in super::super) struct DirectJoint {
     /// The joint's slot in its set: the order of members must not depend on other islands.
     pub slot: u32,
     /// Where its rows are.
@@ -37,9 +37,9 @@ pub(in super::super) struct Member {
     pub form: JointForm,
 }
 
-impl Member {
+impl DirectJoint {
     /// No joint.
-    pub const NOBODY: Self = Self {
+    pub const NONE: Self = Self {
         slot: NONE,
         block: 0,
         lane: 0,
@@ -54,7 +54,7 @@ impl Member {
     }
 
     /// Is there a joint?
-    pub fn is_somebody(&self) -> bool {
+    pub fn is_valid(&self) -> bool {
         self.slot != NONE
     }
 
@@ -68,12 +68,12 @@ impl Member {
 #[derive(Default)]
 pub(super) struct Pattern {
     /// All joints, as they were when the pattern was built.
-    given: Vec<Member>,
-    sorted: Vec<Member>,
+    given: Vec<DirectJoint>,
+    sorted: Vec<DirectJoint>,
     /// By slot: the position of a joint that is in a component, [`NONE`] of others.
     position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
-    members: Vec<Member>,
+    members: Vec<DirectJoint>,
     components: Vec<Part>,
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
@@ -90,7 +90,7 @@ struct Part {
 /// One component.
 #[derive(Copy, Clone)]
 pub(super) struct Component<'a> {
-    pub members: &'a [Member],
+    pub members: &'a [DirectJoint],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
     /// Are there two ways from one of its bodies to another, or to what cannot move?
@@ -144,7 +144,7 @@ impl Pattern {
     }
 
     /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
-    pub fn build(&mut self, given: &[Member], body_count: usize) {
+    pub fn build(&mut self, given: &[DirectJoint], body_count: usize) {
         if self.given == given {
             return;
         }
@@ -167,7 +167,7 @@ impl Pattern {
         }
     }
 
-    fn find_components(&mut self, members: &[Member]) {
+    fn find_components(&mut self, members: &[DirectJoint]) {
         for root in 0..members.len() {
             if self.search.visited[root] {
                 continue;
@@ -180,7 +180,7 @@ impl Pattern {
     }
 
     /// Adds the component that the search has just collected.
-    fn add_component(&mut self, members: &[Member]) {
+    fn add_component(&mut self, members: &[DirectJoint]) {
         let has_loops = self.search.has_loops(members);
         let is_net = has_loops && self.search.is_net(members);
         let work = if is_net { WORK_OF_NETS } else { WORK } * self.search.order.len();
@@ -212,7 +212,7 @@ impl Pattern {
     }
 
     /// Puts the joints that were collected in an order that is good for loops. No if there are too many of these.
-    fn reorder(&mut self, members: &[Member], work: usize) -> bool {
+    fn reorder(&mut self, members: &[DirectJoint], work: usize) -> bool {
         let search = &mut self.search;
         for (position, &index) in search.order.iter().enumerate() {
             search.position[index as usize] = position as u32;
@@ -231,10 +231,10 @@ impl Pattern {
 }
 
 impl Search {
-    fn start(&mut self, members: &[Member], body_count: usize) {
+    fn start(&mut self, members: &[DirectJoint], body_count: usize) {
         self.first.clear();
         self.first.resize(body_count + 1, 0);
-        for (_, body) in members.iter().flat_map(Member::movable) {
+        for (_, body) in members.iter().flat_map(DirectJoint::movable) {
             self.first[body as usize + 1] += 1;
         }
         for body in 0..body_count {
@@ -258,7 +258,7 @@ impl Search {
     }
 
     /// Adds the positions of all joints that share a body with one.
-    fn add_neighbours(&self, member: &Member, list: &mut Vec<u32>) {
+    fn add_neighbours(&self, member: &DirectJoint, list: &mut Vec<u32>) {
         for (_, body) in member.movable() {
             let others = self.joints_of(body).iter();
             list.extend(others.map(|&other| self.position[other as usize]));
@@ -271,23 +271,26 @@ impl Search {
     }
 
     /// The component that was collected.
-    fn component<'a>(&'a self, members: &'a [Member]) -> impl Iterator<Item = &'a Member> + Clone {
+    fn component<'a>(
+        &'a self,
+        members: &'a [DirectJoint],
+    ) -> impl Iterator<Item = &'a DirectJoint> + Clone {
         self.order.iter().map(|&index| &members[index as usize])
     }
 
     /// Is the component as well off in the sweeps?
-    fn is_easy(&self, members: &[Member]) -> bool {
+    fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_loose = self.component(members).all(|member| member.movable().count() == 2);
         LOOSE.contains(&self.order.len()) && is_loose && self.is_even(members)
     }
 
     /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
-    fn is_net(&self, members: &[Member]) -> bool {
+    fn is_net(&self, members: &[DirectJoint]) -> bool {
         let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
         is_wide && self.component(members).all(|member| member.form.is_pin) && self.is_even(members)
     }
 
-    fn is_even(&self, members: &[Member]) -> bool {
+    fn is_even(&self, members: &[DirectJoint]) -> bool {
         let bodies = self
             .component(members)
             .flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
@@ -299,13 +302,13 @@ impl Search {
 
     /// Has it loops? All that cannot move is one body here. A connected graph without loops
     /// has one edge less than it has nodes.
-    fn has_loops(&self, members: &[Member]) -> bool {
+    fn has_loops(&self, members: &[DirectJoint]) -> bool {
         let is_held = self.component(members).any(|member| member.movable().count() < 2);
         self.order.len() + 1 > self.body_count + usize::from(is_held)
     }
 
     /// Breadth first from a member: all that are connected to it.
-    fn collect(&mut self, root: usize, members: &[Member]) {
+    fn collect(&mut self, root: usize, members: &[DirectJoint]) {
         self.order.clear();
         self.order.push(root as u32);
         self.visited[root] = true;

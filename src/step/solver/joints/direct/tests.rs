@@ -1,8 +1,8 @@
 //! The sparse solution in its dense equations, and what is solved sparsely.
 
 use super::factor::Factor;
-use super::memory::RowMemory;
-use super::pattern::{Member, Pattern};
+use super::memory::JacobianBlock;
+use super::pattern::{DirectJoint, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::joint::unit_inertia;
@@ -27,8 +27,8 @@ impl Numbers {
 
 /// Joints of bodies whose mass and moments of inertia are 1, so that `M⁻¹ Jᵀ` is `Jᵀ`.
 struct Net {
-    members: Vec<Member>,
-    memory: Vec<RowMemory>,
+    members: Vec<DirectJoint>,
+    memory: Vec<JacobianBlock>,
     body_count: usize,
 }
 
@@ -43,7 +43,7 @@ impl Net {
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
             let form = JointForm { locked, driven: 0, is_pin: false };
-            Member { slot, block, lane, bodies, inv_masses, form }
+            DirectJoint { slot, block, lane, bodies, inv_masses, form }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
@@ -79,12 +79,12 @@ impl Net {
         errors.fold(0.0, f64::max)
     }
 
-    fn worst_error(&self, member: &Member, states: &[BodyState]) -> f64 {
+    fn worst_error(&self, member: &DirectJoint, states: &[BodyState]) -> f64 {
         let (memory, lane) = (&self.memory[member.block as usize], member.lane as usize);
         let number = |from: &Lane| f64::from(from.0[lane]);
         let mut worst: f64 = 0.0;
         for axis in (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1) {
-            let softened = number(&memory.yields) * number(&memory.changes[axis]);
+            let softened = number(&memory.compliance) * number(&memory.changes[axis]);
             let mut error = number(&memory.rates[axis]);
             for (side, body) in member.movable() {
                 let (linear, angular) = states[body as usize].velocity();
@@ -99,8 +99,8 @@ impl Net {
     }
 }
 
-fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
-    let mut memory = RowMemory::EMPTY;
+fn rows(lane: usize, numbers: &mut Numbers) -> JacobianBlock {
+    let mut memory = JacobianBlock::EMPTY;
     for side in 0..2 {
         memory.inv_mass[side].set_lane(lane, Vector::ONE);
         set_symmetric_lane(&mut memory.inv_inertia[side], lane, &unit_inertia());
@@ -149,7 +149,7 @@ fn loops_are_solved() {
 fn softened_joints_yield() {
     let mut net = Net::new(&TREE, |_| ALL);
     for (slot, memory) in net.memory.iter_mut().enumerate() {
-        memory.yields.0[slot % LANES] = 0.25;
+        memory.compliance.0[slot % LANES] = 0.25;
     }
     let found = net.solve();
     assert!(found < ROUNDING, "{found}");

@@ -1,0 +1,60 @@
+//! The new pairs of one kind that one collider would have to bear, and which of them are left out.
+
+use crate::model::collider::ColliderHandle;
+
+/// Two colliders, the one with the lower slot first.
+pub(super) type HandlePair = (ColliderHandle, ColliderHandle);
+
+/// How far away the slot of the other one is.
+pub(super) type SlotDistance = u32;
+
+/// The pairs with the nearest slots, so many as one may bear. Of thousands only these are ever kept.
+#[derive(Default)]
+pub(super) struct OwnedPairs {
+    pairs: Vec<(SlotDistance, HandlePair)>,
+    most: usize,
+    /// From which remoteness on a pair is certainly left out.
+    limit: Option<SlotDistance>,
+}
+
+impl OwnedPairs {
+    /// Starts with none.
+    pub fn clear(&mut self, most: usize) {
+        self.pairs.clear();
+        (self.most, self.limit) = (most, None);
+    }
+
+    /// Would a pair so remote certainly be left out?
+    #[inline]
+    pub fn leaves_out(&self, slot_distance: SlotDistance) -> bool {
+        self.limit.is_some_and(|limit| slot_distance >= limit)
+    }
+
+    /// Adds a pair. When there are twice as many as may be, the remote half goes.
+    #[inline]
+    pub fn push(&mut self, slot_distance: SlotDistance, pair: HandlePair) {
+        self.pairs.push((slot_distance, pair));
+        if self.pairs.len() > self.most.saturating_mul(2) {
+            self.drop_remote();
+        }
+    }
+
+    /// How many there are, at least: of those that are too many some may have been dropped already.
+    pub fn len(&self) -> usize {
+        self.pairs.len() + usize::from(self.limit.is_some())
+    }
+
+    /// The nearest ones, so many as there are places for. No particular order if that is all of them.
+    pub fn nearest(&mut self, places: usize) -> impl Iterator<Item = HandlePair> {
+        if self.len() > places {
+            self.pairs.sort_unstable();
+        }
+        self.pairs.iter().map(|&(_, pair)| pair).take(places)
+    }
+
+    fn drop_remote(&mut self) {
+        let (_, &mut (limit, _), _) = self.pairs.select_nth_unstable(self.most);
+        self.pairs.truncate(self.most);
+        self.limit = Some(limit);
+    }
+}

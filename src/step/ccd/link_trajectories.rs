@@ -1,0 +1,154 @@
+//! The ways of links of multibodies.
+//!
+//! A link goes where the coordinates of its joints lead it: on an arc, if it is the end of a swinging arm. So its path is one of
+//! many legs, each straight enough that the link cannot hide in the bend: the way of the whole multibody, walked in pieces
+//! (`src/multibody/trajectory.rs`). Where one link is stopped, all coordinates go back to that share of the way, so the joints hold.
+//!
+//! What a kinematic root carries along it carries through walls, as a kinematic body passes them.
+
+use super::CcdContext;
+use crate::collide::Segment;
+use crate::dim::math::{AngVector, Real, Vector, rotation_to_angle};
+use crate::model::body::RigidBodySet;
+use crate::model::multibody::{LinkTrajectory, Multibody, MultibodyJointSet};
+use crate::multibody::LinkSample;
+use crate::step::notes::FastMotion;
+use core::ops::Range;
+
+/// How far a link may be off its leg, as a share of the thickness of the thinnest fast link: less than what the search leaves between a
+/// core and what it hits, or the link could be put back with its middle inside.
+const DEVIATION: Real = 0.01;
+
+/// The legs of all links of multibodies that are fast.
+#[derive(Default)]
+pub(super) struct LinkTrajectories {
+    segments: Vec<Segment>,
+    of_tree: Vec<Tree>,
+}
+
+/// Where a multibody stands in the lists.
+struct Tree {
+    /// Its legs begin here, link by link.
+    segments: usize,
+    /// Each link has one more than this many.
+    pieces: usize,
+    /// Its links among the fast bodies.
+    links: Range<usize>,
+}
+
+impl LinkTrajectories {
+    /// Walks the ways of all fast multibodies.
+    pub fn find(&mut self, world: CcdContext<'_>) {
+        self.segments.clear();
+        self.of_tree.clear();
+        let mut next = 0;
+        for (tree, trajectory) in world.trajectories.iter().enumerate() {
+            let is_own = |motion: &&FastMotion| motion.link.is_some_and(|link| link.0 == tree);
+            let links = &world.fast[next..];
+            let before = links.iter().take_while(|motion| !is_own(motion)).count();
+            let count = links[before..].iter().take_while(is_own).count();
+            let links = next + before..next + before + count;
+            next = links.end;
+            let pieces =
+                trajectory.pieces(DEVIATION * thickness(world, &world.fast[links.clone()]));
+            self.of_tree.push(Tree { segments: self.segments.len(), pieces, links });
+            if let Some(multibody) = world.multibodies.get_multibody(trajectory.index) {
+                self.walk(world, trajectory, multibody, pieces);
+            }
+        }
+    }
+
+    /// The legs of a link of a multibody; none if it is not there.
+    pub fn of(&self, (tree, link): (usize, usize)) -> &[Segment] {
+        let Tree { segments, pieces, .. } = self.of_tree[tree];
+        let (start, count) = (segments + link * (pieces + 1), pieces + 1);
+        self.segments.get(start..start + count).unwrap_or_default()
+    }
+
+    /// Puts multibodies back to where they were stopped.
+    pub fn stop(
+        &self,
+        bodies: &mut RigidBodySet,
+        multibodies: &mut MultibodyJointSet,
+        (fast, trajectories): (&[FastMotion], &[LinkTrajectory]),
+        stops: &[Real],
+        dt: Real,
+    ) {
+        if stops.is_empty() {
+            return;
+        }
+        for (tree, trajectory) in self.of_tree.iter().zip(trajectories) {
+            let links = &fast[tree.links.clone()];
+            let share = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
+            let multibody = multibodies.get_unnoted_mut(trajectory.index);
+            let Some(multibody) = multibody.filter(|_| share < 1.0) else { continue };
+            let acceleration = |id| {
+                let motion =
+                    links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
+                motion.map(|motion| motion.acceleration).unwrap_or_default()
+            };
+            let share = gone(share, tree.pieces);
+            trajectory.go_back(multibody, bodies, (share, tree.pieces, dt), acceleration);
+        }
+    }
+
+    fn walk(
+        &mut self,
+        world: CcdContext<'_>,
+        trajectory: &LinkTrajectory,
+        multibody: &Multibody,
+        pieces: usize,
+    ) {
+        let start = self.segments.len();
+        let count = pieces + 1;
+        let mut last: Vec<LinkSample> = Vec::new();
+        trajectory.walk(multibody, pieces, |at, stations| {
+            if at == 0 {
+                self.segments.resize(start + stations.len() * count, Segment::AT_REST);
+            }
+            for (link, (from, to)) in last.iter().zip(stations).enumerate() {
+                let turn = (from.angular + to.angular) * (0.5 / pieces as Real);
+                self.segments[start + link * count + at - 1] =
+                    segment(at - 1, pieces, from, to.center, turn);
+            }
+            last.clear();
+            last.extend_from_slice(stations);
+        });
+        for (id, (link, from)) in multibody.links.iter().zip(&last).enumerate() {
+            let Some(body) = world.bodies.get(link.body) else { continue };
+            let turn = rotation_to_angle(&(body.pose.rotation * from.rotation.inverse()));
+            let to = body.mprops.world_com;
+            self.segments[start + id * count + pieces] = segment(pieces, pieces, from, to, turn);
+        }
+    }
+}
+
+/// The leg number `at` of a way in so many pieces, and one more: to where the solver has put the link. Where it turned about one axis
+/// after the other that is not quite where the way leads. The last two take half as long as the others.
+fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, turn: AngVector) -> Segment {
+    let time = |at: usize| match at {
+        at if at < pieces => at as Real / pieces as Real,
+        at if at == pieces => 1.0 - 0.5 / pieces as Real,
+        _ => 1.0,
+    };
+    let (begin, end) = (time(at), time(at + 1));
+    let pace = 1.0 / (end - begin);
+    let (shift, turn) = ((to - from.center) * pace, turn * pace);
+    Segment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, turn }
+}
+
+/// What share of a way in so many pieces has been gone after a share of the step. Who was stopped on the last leg is where that begins.
+fn gone(share: Real, pieces: usize) -> Real {
+    let last = 1.0 - 1.0 / pieces as Real;
+    if share <= last { share } else { (share + share - last).min(1.0) }
+}
+
+/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are looked for.
+fn thickness(world: CcdContext<'_>, links: &[FastMotion]) -> Real {
+    let bodies = links.iter().filter_map(|motion| world.bodies.get(motion.body));
+    let fast = bodies.filter(|body| body.ccd_active).map(|body| {
+        let is_solid = body.thickness > 0.0;
+        if is_solid { body.thickness } else { world.params.prediction_distance() }
+    });
+    fast.fold(Real::MAX, Real::min)
+}

@@ -1,0 +1,222 @@
+//! A second look at contacts that other colliders contradict.
+//!
+//! Pairs are computed without knowledge of each other. A body that slides over a floor of tiles, each a
+//! collider of its own, seems to meet the next tile from the side; only together with the contact on
+//! the tile beneath it is clear that there is no side. So once all pairs are computed, the contacts of
+//! each body with what does not move are compared, and pairs with contacts that are only seams (see
+//! [`crate::collide`]) are computed again, with the others as [`Neighbor`]s.
+//!
+//! Obstacles are colliders without a dynamic body. Bodies in a pile do meet seams between dynamic bodies,
+//! but hardly two that are flush and stay so; comparing all of their contacts would cost more than it
+//! gives.
+
+use super::update::{NarrowPhaseContext, Outcome, Worker};
+use super::view::PairView;
+use crate::base::disjoint::DisjointMut;
+use crate::base::pool::Pool;
+use crate::base::tasks::Tasks;
+use crate::collide::{Neighbor, SAME_NORMAL, internal_edges_among};
+use crate::dim::math::Real;
+use crate::model::body::RigidBody;
+use crate::model::collider::Collider;
+use crate::model::contact::{ContactPair, PairId, PairStore, StoreParts};
+use core::ops::Range;
+use smallvec::SmallVec;
+
+/// Bodies that are worth handing over to another thread together.
+const BODIES_PER_TASK: usize = 8;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(super) struct SeamScratch {
+    /// Slots of colliders that were computed to touch an obstacle, with the pair's place in the list of
+    /// due pairs; sorted.
+    touching: Vec<(u32, u32)>,
+    /// The pairs of one collider each, as ranges of that list.
+    groups: Vec<Range<usize>>,
+}
+
+/// The pairs that were computed in this step.
+pub(super) struct Computed<'a> {
+    /// Their ids.
+    pub due: &'a [PairId],
+    /// What was found of each.
+    pub outcomes: &'a mut [Outcome],
+}
+
+/// Which of two colliders is an obstacle to the other.
+pub(super) fn non_dynamic_side(view: &PairView<'_>) -> Option<usize> {
+    match view.bodies.map(|body| body.is_some_and(RigidBody::is_dynamic)) {
+        [false, true] => Some(0),
+        [true, false] => Some(1),
+        _ => None,
+    }
+}
+
+/// Computes pairs again that have contacts which are only seams between obstacles.
+pub(super) fn filter_ghost_contacts(
+    tasks: Tasks<'_>,
+    around: NarrowPhaseContext<'_>,
+    store: &mut PairStore<ContactPair>,
+    computed: Computed<'_>,
+    scratch: &mut SeamScratch,
+    workers: &Pool<Worker>,
+) {
+    scratch.group(store, &computed);
+    let SeamScratch { touching, groups } = &*scratch;
+    let Computed { due, outcomes } = computed;
+    let StoreParts { of_collider, states, pairs, .. } = store.split();
+    let states = &*states;
+    let (pairs, outcomes) = (DisjointMut::new(pairs), DisjointMut::new(outcomes));
+    tasks.par_for(groups.len(), BODIES_PER_TASK, |range| {
+        let mut worker = workers.take();
+        for group in &groups[range] {
+            let members = &touching[group.clone()];
+            let ids = of_collider[members[0].0 as usize].ids.iter().copied();
+            let ids = ids.filter(|&id| states[id as usize].met_obstacle);
+            // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
+            // of two bodies to none.
+            let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
+            let pairs_of_body = ids.clone().filter_map(|id| Some((id, pair(id)?)));
+            if look_alike(around, members[0].0, pairs_of_body) {
+                continue;
+            }
+            let mut contacts = Contacts::default();
+            for id in ids {
+                let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(around, pair))
+                else {
+                    continue;
+                };
+                // SAFETY: as above, this is a pair of a body and an obstacle.
+                let Some(pair) = (unsafe { pairs.get_mut(id as usize) }) else { continue };
+                around.lanes.write_back(id, pair);
+                contacts.add(id, pair, side, &view);
+            }
+            contacts.remove_ghost_contacts(around.params.allowed_linear_error());
+            for &(_, index) in members {
+                let id = due[index as usize];
+                if !contacts.ghost_contacts.contains(&id) {
+                    continue;
+                }
+                // SAFETY: as above, and the members of all groups have different outcomes.
+                let (pair, outcome) =
+                    unsafe { (pairs.get_mut(id as usize), outcomes.get_mut(index as usize)) };
+                let Some(pair) = pair else { continue };
+                *outcome = contacts.recompute(around, id, pair, &mut worker).unwrap_or(*outcome);
+            }
+        }
+        workers.put(worker);
+    });
+}
+
+/// Do all contacts of the collider in a slot push it in the same direction? Then none is a seam.
+fn look_alike<'a>(
+    around: NarrowPhaseContext<'_>,
+    slot: u32,
+    pairs: impl Iterator<Item = (PairId, &'a ContactPair)>,
+) -> bool {
+    let mut first = None;
+    for (id, pair) in pairs {
+        let is_second = pair.collider2.into_raw_parts().0 == slot;
+        let manifolds = pair.manifolds.iter().enumerate();
+        for (index, manifold) in manifolds.filter(|(_, manifold)| manifold.is_solved()) {
+            let normal = around.lanes.normal_of(id, index, manifold);
+            let normal = normal * if is_second { 1.0 } else { -1.0 };
+            if normal.distance_squared(*first.get_or_insert(normal)) > SAME_NORMAL {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+impl SeamScratch {
+    /// Lists what the bodies touch that may touch several obstacles.
+    fn group(&mut self, store: &mut PairStore<ContactPair>, computed: &Computed<'_>) {
+        let Self { touching, groups } = self;
+        touching.clear();
+        groups.clear();
+        for (index, outcome) in computed.outcomes.iter().enumerate() {
+            let Some(side) = outcome.obstacle else { continue };
+            let id = computed.due[index];
+            store.state_mut(id).met_obstacle = true;
+            let body = store.collider_slots(id)[1 - side];
+            if store.ids_of(body).len() > 1 {
+                touching.push((body, index as u32));
+            }
+        }
+        touching.sort_unstable();
+        let mut start = 0;
+        for group in touching.chunk_by(|a, b| a.0 == b.0) {
+            groups.push(start..start + group.len());
+            start += group.len();
+        }
+    }
+}
+
+/// On which side the obstacle of a pair that touches is, if it has one.
+fn with_obstacle<'a>(
+    around: NarrowPhaseContext<'a>,
+    pair: &ContactPair,
+) -> Option<(usize, PairView<'a>)> {
+    let view = PairView::of(around, [pair.collider1, pair.collider2]);
+    let view = view.filter(|_| pair.is_touching())?;
+    Some((non_dynamic_side(&view)?, view))
+}
+
+/// The contacts of one collider with obstacles.
+#[derive(Default)]
+struct Contacts<'a> {
+    /// The contacts that are none but seams, once these are taken out.
+    list: SmallVec<[Neighbor<'a>; 8]>,
+    /// The pairs that they are of.
+    pairs: SmallVec<[PairId; 8]>,
+    /// The pairs with seams.
+    ghost_contacts: SmallVec<[PairId; 8]>,
+}
+
+impl<'a> Contacts<'a> {
+    /// Adds the contacts of a pair with an obstacle on this side.
+    fn add(&mut self, id: PairId, pair: &ContactPair, side: usize, view: &PairView<'a>) {
+        let pose = if side == 0 { view.pose12.inverse() } else { view.pose12 };
+        let shapes = view.colliders.map(Collider::shape);
+        for manifold in pair.manifolds.iter().filter(|manifold| manifold.is_solved()) {
+            if let Some(contact) = Neighbor::of(manifold, side, shapes, pose) {
+                self.list.push(contact);
+                self.pairs.push(id);
+            }
+        }
+    }
+
+    /// Leaves what are contacts, and notes the pairs with those that are only seams.
+    fn remove_ghost_contacts(&mut self, step_height_tolerance: Real) {
+        let several = self.pairs.iter().any(|id| *id != self.pairs[0]);
+        if !several {
+            return;
+        }
+        // From behind, so that the places of the others stay what they are.
+        let mut ghost_contacts = internal_edges_among(&self.list, step_height_tolerance);
+        ghost_contacts.sort_unstable();
+        for edge in ghost_contacts.into_iter().rev() {
+            self.list.remove(edge);
+            self.ghost_contacts.push(self.pairs.remove(edge));
+        }
+    }
+
+    /// Computes a pair with what is known of the others.
+    fn recompute(
+        &self,
+        around: NarrowPhaseContext<'_>,
+        id: PairId,
+        pair: &mut ContactPair,
+        worker: &mut Worker,
+    ) -> Option<Outcome> {
+        let view = PairView::of(around, [pair.collider1, pair.collider2])?;
+        let side = non_dynamic_side(&view)?;
+        let others = self.list.iter().zip(&self.pairs).filter(|(_, of)| **of != id);
+        let others: SmallVec<[Neighbor<'_>; 8]> = others.map(|(other, _)| other.clone()).collect();
+        let mut neighbors: [&[Neighbor<'_>]; 2] = [&[], &[]];
+        neighbors[1 - side] = &others;
+        Some(pair.renew(&view, neighbors, worker))
+    }
+}

@@ -1,0 +1,70 @@
+//! Before anything is stored: can all of it be?
+//!
+//! What is added up until it is beyond all numbers is none, and that spreads: a pass later, whoever touches such a body has
+//! no numbers either. None of them ever gets any back, so it is enough to look when all passes are over, and before anybody
+//! is stored.
+//!
+//! That look is cheap, because it only asks whether everything is [`CALM`]: a comparison for each number of a state, in the
+//! order in which they stand in memory. Where something is not, or somebody is so far away that a calm motion could lead out of the world, each body is
+//! asked.
+
+use super::SolverBodies;
+use super::store::outcome;
+use crate::base::measure::CALM;
+use crate::base::tasks::Tasks;
+use crate::dim::state::BodyState;
+use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
+use crate::step::notes::Diverged;
+use crate::step::solver::groups::Groups;
+use crate::step::solver::multibodies::SolverMultibodies;
+use core::sync::atomic::{AtomicBool, Ordering};
+
+/// States that are worth being looked at by another thread (a microsecond or two).
+const STATES_PER_TASK: usize = 1024;
+
+impl SolverBodies {
+    /// Are the velocities and displacements of all bodies that were moved calm?
+    pub fn are_calm(&self, tasks: Tasks<'_>) -> bool {
+        let calm = AtomicBool::new(true);
+        for members in self.moving.clone() {
+            let states = &self.states[members];
+            tasks.par_for(states.len(), STATES_PER_TASK, |range| {
+                if !BodyState::are_within(&states[range], CALM) {
+                    calm.store(false, Ordering::Relaxed);
+                }
+            });
+        }
+        calm.into_inner()
+    }
+
+    /// Lists the bodies that were moved and cannot be stored.
+    pub fn find_lost(
+        &self,
+        groups: &Groups,
+        bodies: &RigidBodySet,
+        multibodies: &SolverMultibodies,
+        lost: &mut Vec<Diverged>,
+    ) {
+        for index in self.moving.clone().into_iter().flatten() {
+            let handle = groups.order()[index - 1];
+            let Some(body) = bodies.get(handle) else { continue };
+            if multibodies.moves(handle.into_raw_parts().0) || self.can_be_stored(index, body) {
+                continue;
+            }
+            let (linvel, angvel) = self.states[index].velocity();
+            let velocity = RigidBodyVelocity::new(linvel, angvel);
+            lost.push(Diverged { body: handle, velocity, is_link: false });
+        }
+    }
+
+    fn can_be_stored(&self, index: usize, body: &RigidBody) -> bool {
+        let (state, motion) = (&self.states[index], &self.motions[index]);
+        let (linvel, angvel) = state.velocity();
+        match body.body_type {
+            RigidBodyType::KinematicPositionBased => {
+                RigidBodyVelocity::new(linvel, angvel).is_usable()
+            }
+            _ => outcome(body, state, motion).is_some(),
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Taut joints: forces that hold light bodies stiffly.
+//!
+//! A force `F` that pulls at the lever `r` of a body of mass `m` and inertia `I` holds the body's direction like
+//! a spring: turned aside, the body swings about its anchor with `ω² = F r / (I + m r²)`. A method that keeps the
+//! direction of the force through a substep, as the symplectic one does, is stable only for `h ω < 2`, and near
+//! that it turns its small errors into vibrations of what is light. The links of a chain under a weight a thousand
+//! times as heavy are near that, and those under more are beyond. (Of a chain's swings, in which neighbours turn against
+//! each other, the fastest has four times the sum of `ω²` over the two bodies of a joint.)
+//!
+//! So where `(h ω)²`, summed over the two bodies of a joint, is above [`TAUT`], its whole component is solved by a
+//! method that loses energy instead (Müller et al., "Detailed rigid body simulation with extended position based
+//! dynamics", 2020; with all joints at once: Deul et al., "Direct position-based solver for stiff rods", 2018):
+//! starting without impulses, the bodies are led to where they would go freely, and from there projected on what
+//! the joints allow, along the rows *there*. A projection never adds energy, however stiff. It takes about the share
+//! `(h ω)²` of the motion across the pull in each substep, and of the angular momentum: of vibrations all, of a heavy
+//! weight that swings slowly next to nothing, but the spin of a fast rotor within a second.
+//!
+//! ## What turns as a whole
+//! A pull that does no more than lead bodies round holds nothing stiffly: it turns with them, and the symplectic method
+//! follows it exactly. Of bodies that turn as a whole at the rate `Ω`, each is pulled with about `ω² = Ω²`; so much, twice
+//! for each of two bodies, is no tautness. `Ω` is that of the component's angular momentum about its centre of mass: light
+//! links that vibrate have little of it.
+//!
+//! One thing that turns as a whole is braked all the same: thin bodies on hinges, faster than [`TUMBLING_TURN`] (36 rad/s at
+//! 240 substeps per second). Their inertias turn with them, at the beginning of a substep for impulses and in its middle for
+//! free motion, and what a hinge holds between the two grows slowly: at 60 rad/s the axis of two rods would tumble after
+//! four seconds.
+//!
+//! ## What is thrown
+//! Where bodies would go freely, joints must find back from. When only gravity and their own speed lead them, that is near.
+//! But what pushes into a joint (a contact, a limit, a motor) starts with its impulses of the last substep, and without those
+//! with which the joints held against it, it throws what is light: a board of 1.4 kg between the ground and the 140 kg behind
+//! it would turn by 2 rad in a substep. The rows there say nothing of where it will be, Newton's steps from there wander, and a
+//! chain got 10⁹ times its energy from that. So a component with a body that is thrown by more than [`THROW`] is projected
+//! where the bodies are, in one step and without a look ahead. Along rows that stay the same a projection is one exactly: of
+//! all velocities that the joints allow it finds the nearest (Gauss's principle of least constraint), and never adds energy
+//! whatever pushes. What it leaves of the curvature is undone as an error of the next substep.
+//!
+//! ## When
+//! Whether a component is taut shows in the pulls of its last substep; then it is projected from the beginning. Where
+//! it turns out by the pulls that the symplectic method finds (a slack chain is tightened by a weight at its end), or that
+//! Newton's steps lead nowhere, these are taken back and it is projected after all.
+
+use super::block::JointBlock;
+use super::direct::DirectJoint;
+use crate::dim::joint::inertia_about;
+use crate::dim::math::{
+    ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
+    zero_inertia,
+};
+use crate::dim::state::{BodyPose, BodyState};
+
+/// The `(h ω)²` above which a joint is taut: a quarter of what is stable in a chain. Pendulums of 2 cm and double pendulums
+/// of 10 cm are below at 240 substeps per second.
+const TAUT: Real = 0.25;
+/// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
+const WHOLE: Real = 4.0;
+/// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
+const TURN: Real = 0.85;
+
+/// Where no joint has more than this, nothing else is asked.
+const LOOSE: Real = 0.01;
+/// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
+const TUMBLING_TURN: Real = 0.15;
+/// By how much further (rad) a body may turn in a substep if joints let go what they hold against. Chains of boards of 1:10:100
+/// that fall on the ground keep to their energy with 0.05 to 1; with 2 they do not.
+const THROW: Real = 0.25;
+
+/// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
+fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
+    let locked = (member.form.locked >> DIM).count_ones() as usize;
+    let inertias = &blocks[member.block as usize].inertias;
+    (1..ANG_DIM).contains(&locked) && inertias.tumble(member.lane as usize)
+}
+
+/// Is a body thrown about by what its joints held against, now that their impulses are forgotten? What it has got since it
+/// moved without any impulse says so: its own spin, however fast, throws nothing.
+pub(super) fn are_thrown(
+    members: &[DirectJoint],
+    Moving { states, before, .. }: Moving<'_>,
+    h: Real,
+) -> bool {
+    members.iter().flat_map(DirectJoint::movable).any(|(_, body)| {
+        let [(_, now), (_, free)] = [states, before].map(|of| of[body as usize].velocity());
+        ang_length_squared(now - free) * (h * h) > THROW * THROW
+    })
+}
+
+/// The bodies that joints hold: by solver index.
+#[derive(Default)]
+pub(super) struct GeometricStiffness {
+    bodies: Vec<Held>,
+    /// How often [`Self::turning`] was asked.
+    questions: u32,
+}
+
+/// Where all bodies are, by solver index, and how they move before any impulse of the substep. (Those of the last one
+/// point where its beginning was, and would count as turning.)
+#[derive(Copy, Clone)]
+pub(super) struct Moving<'a> {
+    pub poses: &'a [BodyPose],
+    pub states: &'a [BodyState],
+    pub before: &'a [BodyState],
+}
+
+/// A body that joints hold.
+#[derive(Copy, Clone)]
+struct Held {
+    inv_mass: Real,
+    inv_inertia: AngularInertia,
+    /// The last question for which it was counted.
+    counted: u32,
+}
+
+impl GeometricStiffness {
+    /// Forgets all bodies.
+    pub fn clear(&mut self, body_count: usize) {
+        let nobody = Held { inv_mass: 0.0, inv_inertia: zero_inertia(), counted: 0 };
+        self.questions = 0;
+        self.bodies.clear();
+        self.bodies.resize(body_count, nobody);
+    }
+
+    /// Notes a body that a joint holds.
+    pub fn note(&mut self, body: u32, inv_mass: Real, inv_inertia: &AngularInertia) {
+        let held = &mut self.bodies[body as usize];
+        (held.inv_mass, held.inv_inertia) = (inv_mass, *inv_inertia);
+    }
+
+    /// Do joints pull so hard that their component is taut?
+    pub fn is_taut(
+        &mut self,
+        members: &[DirectJoint],
+        blocks: &[JointBlock],
+        moving: Moving<'_>,
+        h: Real,
+    ) -> bool {
+        let swings =
+            members.iter().map(|member| self.swing(member, &blocks[member.block as usize]) * h);
+        let swing = swings.fold(0.0, Real::max);
+        if swing <= LOOSE {
+            return false;
+        }
+        let turn = self.turning(members, moving) * h;
+        let excess = swing - WHOLE * turn * turn;
+        excess > TAUT
+            || turn > TURN
+            || (turn > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
+    }
+
+    /// `ω² h` by the pull of a joint's last substep, summed over its bodies.
+    fn swing(&self, member: &DirectJoint, block: &JointBlock) -> Real {
+        let lane = member.lane as usize;
+        let pull = block.applied.linear.lane(lane).length();
+        let swings = member.movable().map(|(side, body)| {
+            let arm = block.arms[side].lane(lane).length();
+            let Held { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
+            match inertia_about(inv_inertia) {
+                Some(inertia) if *inv_mass > 0.0 => pull * arm / (inertia + arm * arm / inv_mass),
+                _ => 0.0,
+            }
+        });
+        swings.sum()
+    }
+
+    /// How fast a component turns as a whole about its centre of mass (rad/s): its angular momentum over its moment of
+    /// inertia about the axis of that.
+    fn turning(&mut self, members: &[DirectJoint], moving: Moving<'_>) -> Real {
+        let Moving { poses, states, before } = moving;
+        let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);
+        self.for_each(members, |body, held| {
+            let m = 1.0 / held.inv_mass;
+            let (shift, _) = states[body].displacement();
+            mass += m;
+            moved += (poses[body].center() + shift) * m;
+            push += before[body].velocity().0 * m;
+        });
+        if mass <= 0.0 {
+            return 0.0;
+        }
+        let (center, velocity) = (moved / mass, push / mass);
+        let mut spin = ANG_ZERO;
+        self.for_each(members, |body, held| {
+            let ((v, w), (shift, _)) = (before[body].velocity(), states[body].displacement());
+            let place = poses[body].center() + shift - center;
+            spin += torque(place, (v - velocity) / held.inv_mass);
+            spin += w * inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        });
+        let size = ang_length_squared(spin).sqrt();
+        if size <= 0.0 {
+            return 0.0;
+        }
+        let (axis, mut inertia) = (spin / size, 0.0);
+        self.for_each(members, |body, held| {
+            let (shift, _) = states[body].displacement();
+            let place = poses[body].center() + shift - center;
+            inertia += cross(axis, place).length_squared() / held.inv_mass;
+            inertia += inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        });
+        size / inertia
+    }
+
+    /// Visits the bodies with a mass that these joints hold, each once.
+    fn for_each(&mut self, members: &[DirectJoint], mut iterate: impl FnMut(usize, &Held)) {
+        self.questions += 1;
+        for body in members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize) {
+            let held = &mut self.bodies[body];
+            if held.counted != self.questions && held.inv_mass > 0.0 {
+                held.counted = self.questions;
+                iterate(body, held);
+            }
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Where joints would be by the end of the substep: see the head of this folder.
+
+use super::block::{AxisRow, JointBlock};
+use super::geometry::Geometry;
+use super::passes::Bodies;
+use super::rows::Row;
+use crate::base::wide::Wide;
+use crate::dim::math::Real;
+use crate::dim::state::{WideDisplacement, WideMotion};
+use crate::dim::turn::turned_further;
+use crate::dim::wide::{ang_dot, cross};
+use crate::model::params::JointPass;
+
+/// How much of its speed a free axis may bend in a substep. A circle bends by half of the angle that is gone: so this is half a
+/// radian, up to which one step towards the end of the way leads there.
+pub(in crate::step::solver) const BEND_MAX: Real = 0.25;
+
+/// Where the joints of a block would be by the end of the substep.
+pub(super) struct SubstepEnd<W> {
+    pub then: Geometry<W>,
+    /// With these velocities.
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> SubstepEnd<W> {
+    /// With the velocities that the bodies have.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn new(block: &JointBlock, bodies: &Bodies<W>, pass: &JointPass) -> Self {
+        let (velocities, h) = (bodies.velocities, W::splat(pass.substep));
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        Self { then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of the errors.
+    #[inline(always)]
+    pub fn rates<const N: usize>(
+        &self,
+        block: &mut JointBlock,
+        now: &Geometry<W>,
+        pass: &JointPass,
+    ) -> [W; N] {
+        let taut = W::zero().lt(W::load(&block.is_taut));
+        let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
+        let seen_from_now = self.then.errors_seen_from::<N>(now, block);
+        for (then, seen) in then.iter_mut().zip(seen_from_now) {
+            *then = W::select(taut, *then, seen);
+        }
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); N];
+        for k in 0..N {
+            let bias = errors[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            rates[k] = (then[k] - errors[k]) * inv_h + bias;
+        }
+        rates
+    }
+
+    /// What bending adds to the rates of locked axes over the substep, from where the joints are `now`: of those that are
+    /// solved exactly. Who comes before them in the substep must reckon with what they will do about it.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn locked_bends<const N: usize>(
+        &self,
+        block: &JointBlock,
+        now: &Geometry<W>,
+        rows: &[Row<W>; N],
+        pass: &JointPass,
+    ) -> [W; N] {
+        let mut bends = [W::zero(); N];
+        if !block.has_exact {
+            return bends;
+        }
+        let (exact, zero) = (Self::bent(block), W::zero());
+        let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
+        for k in 0..N {
+            let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
+            let straight = rows[k].rate(&self.velocities);
+            let bent = zero.lt(exact * W::load(&block.locked[k]));
+            bends[k] = W::select(bent, changes - straight, zero);
+        }
+        bends
+    }
+
+    /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
+    /// a cone, leaves along a tangent. No more than [`BEND_MAX`]. Angles of joints that are swept are left out: most of these are
+    /// the limbs of ragdolls, which no one sees bend.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn curvature(
+        &self,
+        (block, row): (&JointBlock, &AxisRow),
+        now: &Geometry<W>,
+        (along, position): (&Row<W>, W),
+        pass: &JointPass,
+    ) -> W {
+        let (_, then) = self.then.free_row(row);
+        let curvature =
+            (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
+        let is_translation = Self::is_translation(along);
+        let bound = W::splat(BEND_MAX) * self.speed(now, is_translation);
+        let bent = W::zero().lt(Self::bent(block));
+        let loose = W::load(&block.is_taut).lt(W::splat(0.5));
+        let bent = bent | (is_translation & loose);
+        W::select(bent, curvature.min(bound).max(-bound), W::zero())
+    }
+
+    /// One where locked axes bend: those that are solved exactly do, but taut ones are led back from where they fly.
+    #[inline(always)]
+    fn bent(block: &JointBlock) -> W {
+        let one = W::splat(1.0);
+        (one - W::load(&block.swept)) * (one - W::load(&block.is_taut))
+    }
+
+    #[inline(always)]
+    fn is_translation(along: &Row<W>) -> W::Mask {
+        W::splat(0.5).lt(along.linear.dot(along.linear))
+    }
+
+    /// How fast the joint moves in the way that an axis does, along or about whatever direction.
+    #[inline(always)]
+    fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
+        let [m1, m2] = &self.velocities;
+        let turn = m2.angular - m1.angular;
+        let at = [cross(m1.angular, now.arms[0]), cross(m2.angular, now.arms[1])];
+        let way = (m2.linear - m1.linear) + (at[1] - at[0]);
+        W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
+    }
+}
+
+#[inline(always)]
+fn advanced<W: Wide>(
+    displacement: &WideDisplacement<W>,
+    velocity: &WideMotion<W>,
+    h: W,
+) -> WideDisplacement<W> {
+    WideDisplacement::new(
+        displacement.linear + velocity.linear * h,
+        turned_further(displacement.angular, velocity.angular * h),
+    )
+}
