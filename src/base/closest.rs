@@ -13,7 +13,7 @@ use parry::query::gjk::{CsoPoint, GJKResult, VoronoiSimplex, closest_points};
 use parry::shape::SupportMap;
 
 /// Shapes that overlap by more than this share of their thickness are searched anew.
-const DEEP: Real = 0.25;
+const OVERLAP_RATIO_MAX: Real = 0.25;
 /// How far apart the shapes are moved for the search, as a share of their thickness: much more than
 /// GJK's tolerance, much less than any feature that matters.
 const MOVED_APART: Real = 0.02;
@@ -121,7 +121,7 @@ fn closest_as_is(
         if extents.gap > reach {
             return Closest::Apart(normal);
         }
-        if extents.gap < 0.0 && -extents.gap < DEEP * extents.thickness {
+        if extents.gap < 0.0 && -extents.gap < OVERLAP_RATIO_MAX * extents.thickness {
             let shift = normal * (MOVED_APART * extents.thickness - extents.gap);
             if let Some(found) = closest_apart(pos12, shape1, shape2, shift) {
                 return found;

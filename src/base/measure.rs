@@ -13,9 +13,9 @@ const _: () = assert!(SIZE_MAX * SIZE_MAX < Real::MAX);
 
 /// Velocities and displacements, masses and the stiffness of motors up to this one are calm: what grows beyond all bounds
 /// is seen to come this way, and what falls for a day is still below.
-pub const CALM: Real = 1.0e6;
+pub const MODERATE_MAX: Real = 1.0e6;
 /// Who is no farther away and moves calmly does not leave the world within a step.
-pub const FAR: Real = 0.5 * SIZE_MAX;
+pub const COORDINATE_MODERATE_MAX: Real = 0.5 * SIZE_MAX;
 
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
 #[derive(Copy, Clone, Debug)]

@@ -17,7 +17,7 @@ pub struct Nearest {
 }
 
 /// How far a corner may be above the plane of the nearest place, as a share of its distance from there.
-const BULGE: Real = 2.0e-3;
+const BULGE_RATIO_MAX: Real = 2.0e-3;
 
 impl Nearest {
     /// Is it true of the hull of these corners: is none above the plane through the place?
@@ -25,7 +25,9 @@ impl Nearest {
         corners.iter().all(|corner| {
             let from_place = *corner - self.point;
             let height = self.normal.dot(from_place);
-            height <= 0.0 || height * height <= BULGE * BULGE * from_place.length_squared()
+            height <= 0.0
+                || height * height
+                    <= BULGE_RATIO_MAX * BULGE_RATIO_MAX * from_place.length_squared()
         })
     }
 }

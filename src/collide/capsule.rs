@@ -10,9 +10,9 @@ use parry::shape::Capsule;
 const PARALLEL: Real = 3.0e-3;
 /// Capsules that lie along each other touch at one point only if the overlap is shorter than this
 /// share of the shorter axis.
-const SHORT: Real = 1.0e-2;
+const OVERLAP_RATIO_MIN: Real = 1.0e-2;
 /// Axes that are closer than this share of the radii do not tell in which direction to separate.
-const CROSSING: Real = 1.0e-3;
+const AXIS_DISTANCE_RATIO_MIN: Real = 1.0e-3;
 
 /// Two segments in the frame of the first capsule.
 struct Axes {
@@ -39,7 +39,7 @@ pub(super) fn capsule_capsule(
     let offset = axes.point2(shares[1]) - axes.point1(shares[0]);
     let length = offset.length();
     // Written so that NaN is refused.
-    let is_apart = length > CROSSING * radius && length > 0.0;
+    let is_apart = length > AXIS_DISTANCE_RATIO_MIN * radius && length > 0.0;
     if !is_apart {
         return None;
     }
@@ -127,7 +127,7 @@ impl Axes {
         let start = self.along1.dot(self.start2 - self.start1) / a;
         let end = start + b / a;
         let (low, high) = (start.min(end).max(0.0), start.max(end).min(1.0));
-        if (high - low) * a.sqrt() <= SHORT * a.min(c).sqrt() {
+        if (high - low) * a.sqrt() <= OVERLAP_RATIO_MIN * a.min(c).sqrt() {
             return None;
         }
         let on_second = |share: Real| ((share - start) / (end - start)).clamp(0.0, 1.0);

@@ -19,7 +19,7 @@
 use super::convex::is_sound;
 use super::flat_parts::{Bits, FlatParts};
 use super::parts::Part;
-use super::polytopes::DEEP;
+use super::polytopes::OVERLAP_RATIO_MAX;
 use super::search::Search;
 use super::support_feature::{SUPPORT_VERTICES_MAX, SupportFeature};
 use crate::base::wide::{Kernel, LANES, Wide};
@@ -31,7 +31,7 @@ use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
 /// How far a piece may be off its floor's plane, as a share of the height of a step that is none.
-const EVEN: Real = 0.1;
+const FLATNESS_TOLERANCE: Real = 0.1;
 /// Fewer pieces are as quickly looked at one by one.
 const MIN_PIECES: u32 = 2;
 
@@ -76,22 +76,22 @@ struct SupportedVertices {
 
 impl Search<'_> {
     /// Takes those of the flat parts that the body stands on as on one plane, and adds its contacts.
-    pub(super) fn take_floors(&mut self, flat_parts: &FlatParts<'_>) {
+    pub(super) fn add_coplanar_contacts(&mut self, flat_parts: &FlatParts<'_>) {
         for last in self.previous {
-            let Some((plane, pieces)) = self.floor_of(last, flat_parts) else { continue };
+            let Some((plane, pieces)) = self.patch_of(last, flat_parts) else { continue };
             if let Some(stand) = self.stand(flat_parts, &plane, &pieces) {
                 for (left, taken) in self.culled.left.iter_mut().zip(&pieces) {
                     *left &= !taken;
                 }
-                if self.add_floor(flat_parts, &stand) {
-                    self.culled.floors.push(pieces);
+                if self.add_patch(flat_parts, &stand) {
+                    self.culled.patches.push(pieces);
                 }
             }
         }
     }
 
     /// The plane of a manifold of last time, and the parts that lie in it, if they are several.
-    fn floor_of(
+    fn patch_of(
         &self,
         last: &ContactManifold,
         flat_parts: &FlatParts<'_>,
@@ -104,7 +104,8 @@ impl Search<'_> {
         let block = nearly.iter().position(|&bits| bits != 0).filter(|_| is_several(&nearly))?;
         let (_, first) = triangle_cache.piece(block, nearly[block].trailing_zeros() as usize);
         let plane = plane.of_piece(&Flat::new(&first)?);
-        let pieces = self.parts_in(triangle_cache, &plane, EVEN * step_height_tolerance);
+        let pieces =
+            self.parts_in(triangle_cache, &plane, FLATNESS_TOLERANCE * step_height_tolerance);
         is_several(&pieces).then_some((plane, pieces))
     }
 
@@ -152,13 +153,13 @@ impl Search<'_> {
             }
         }
         let (dist, prediction) = (stand.dist, self.pair.prediction);
-        let is_shallow = -dist < prediction.max(DEEP * support_feature.thickness);
+        let is_shallow = -dist < prediction.max(OVERLAP_RATIO_MAX * support_feature.thickness);
         (dist <= prediction && is_shallow).then_some(stand)
     }
 
     /// Adds the contacts with a floor, in the name of the piece under the deepest.
     /// Returns whether they are usable.
-    fn add_floor(&mut self, flat_parts: &FlatParts<'_>, stand: &SupportedVertices) -> bool {
+    fn add_patch(&mut self, flat_parts: &FlatParts<'_>, stand: &SupportedVertices) -> bool {
         let (raw, prediction) = (&mut *self.raw, self.pair.prediction);
         let normals = [stand.normal, flat_parts.poses[1].rotation * -stand.normal];
         [raw.local_n1, raw.local_n2] =
@@ -169,13 +170,13 @@ impl Search<'_> {
         self.distance = 0.0;
         // Of the piece only its number counts: points are in the frame of the shape.
         let piece = Part { id: stand.piece, ..Part::whole(flat_parts.body.shape) };
-        let floor = self.culled.floors.len() as u32;
-        self.patches.add_on(self.pair, raw, &flat_parts.with_body(piece), Some(floor))
+        let patch = self.culled.patches.len() as u32;
+        self.patches.add_on(self.pair, raw, &flat_parts.with_body(piece), Some(patch))
     }
 
     /// Tells the patches of floors what these are made of, which only seams ask for.
-    pub(super) fn lay_floors(&mut self, triangle_cache: &TriangleCache) {
-        for (floor, pieces) in self.culled.floors.iter().enumerate() {
+    pub(super) fn build_patches(&mut self, triangle_cache: &TriangleCache) {
+        for (patch, pieces) in self.culled.patches.iter().enumerate() {
             let bits = |(block, bits): (usize, &u32)| {
                 let bits = *bits;
                 let lanes = (0..LANES).filter(move |lane| bits & (1 << lane) != 0);
@@ -183,7 +184,7 @@ impl Search<'_> {
             };
             let places = pieces.iter().enumerate().flat_map(bits);
             let shapes = places.map(|(block, lane)| triangle_cache.piece(block, lane).1);
-            self.patches.lay_floor(floor as u32, shapes);
+            self.patches.build_patch(patch as u32, shapes);
         }
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct CulledParts {
     /// Those that are still to be looked at.
     pub left: Bits,
     /// The pieces of floors, by the floor's number.
-    pub floors: Vec<Bits>,
+    pub patches: Vec<Bits>,
     /// The axes of a block.
     axes: FlatAxes,
 }
@@ -90,7 +90,7 @@ impl Search<'_> {
         }
         let triangle_cache = &*place;
         self.culled.side = side;
-        self.culled.floors.clear();
+        self.culled.patches.clear();
         if let Parts::Convex(shape) = body {
             let body = Part::whole(shape);
             self.visit_over(&FlatParts { side, triangle_cache, body, poses }, &bounds);
@@ -104,8 +104,8 @@ impl Search<'_> {
                 }
             });
         }
-        if self.may_have_seams(side) {
-            self.lay_floors(triangle_cache);
+        if self.may_have_internal_edges(side) {
+            self.build_patches(triangle_cache);
         }
         place.shrink();
         passing.clear();
@@ -118,9 +118,9 @@ impl Search<'_> {
     fn visit_over(&mut self, flat_parts: &FlatParts<'_>, bounds: &Aabb) {
         self.list_left(flat_parts.triangle_cache, bounds);
         if as_flat(flat_parts.body.shape).is_none() {
-            self.take_floors(flat_parts);
+            self.add_coplanar_contacts(flat_parts);
         }
-        self.sift(flat_parts);
+        self.cull(flat_parts);
     }
 
     /// Lists the flat parts that reach into a box.
@@ -133,7 +133,7 @@ impl Search<'_> {
     }
 
     /// Visits those of the flat parts that are near.
-    fn sift(&mut self, flat_parts: &FlatParts<'_>) {
+    fn cull(&mut self, flat_parts: &FlatParts<'_>) {
         let around = flat_parts.body.shape.compute_local_aabb();
         let culling_box = TriangleCulling::new(
             &around,
@@ -156,7 +156,7 @@ impl Search<'_> {
                     }
                     _ => {
                         let [part1, part2] = flat_parts.with_body(part);
-                        self.visit(part1, part2);
+                        self.search(part1, part2);
                     }
                 }
             }

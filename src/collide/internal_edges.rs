@@ -233,7 +233,7 @@ impl Facet<'_> {
     }
 
     /// Is it in the plane of another?
-    fn is_flush(&self, other: &Self, tolerance: Real) -> bool {
+    fn is_level(&self, other: &Self, tolerance: Real) -> bool {
         let offset = other.plane.dot(self.place - other.place);
         let is_parallel = other.plane.distance_squared(self.plane) < PARALLEL;
         is_parallel && offset.abs() < tolerance
@@ -297,7 +297,7 @@ pub(super) type Points<'a> = dyn Fn(usize, &mut dyn FnMut(Vector)) + 'a;
 ///
 /// The deepest contacts are judged first, and what was found to be a seam explains no other away: so
 /// at least one contact stays.
-pub(super) fn find_seams(
+pub(super) fn find_internal_edges(
     facets: &[Facet<'_>],
     own: usize,
     points: &Points<'_>,
@@ -366,9 +366,9 @@ impl Search<'_> {
     /// Are all obstacles in the plane of a contact behind another? Of a floor of tiles, the tile that the body leaves
     /// ends behind its own side wall, the floor does not.
     fn is_all_behind(&self, contact: &Facet<'_>, other: &Facet<'_>) -> bool {
-        let is_seam = |index: usize| self.internal_edges.iter().any(|edge| edge.index == index);
-        let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_seam(*index));
-        let mut in_plane = contacts.filter(|(_, facet)| facet.is_flush(contact, self.tolerance));
+        let is_internal = |index: usize| self.internal_edges.iter().any(|edge| edge.index == index);
+        let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_internal(*index));
+        let mut in_plane = contacts.filter(|(_, facet)| facet.is_level(contact, self.tolerance));
         in_plane.all(|(_, facet)| facet.is_behind(other, self.tolerance))
     }
 
@@ -414,7 +414,7 @@ fn distinct_planes(
     let mut planes = SmallVec::<[usize; MAX_PLANES]>::new();
     for &index in order {
         let facet = &facets[index];
-        let is_known = planes.iter().any(|&plane| facet.is_flush(&facets[plane], tolerance));
+        let is_known = planes.iter().any(|&plane| facet.is_level(&facets[plane], tolerance));
         if !is_known {
             planes.push(index);
         }

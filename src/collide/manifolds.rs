@@ -28,7 +28,7 @@ use smallvec::SmallVec;
 const DISTANCE_MAX: Real = 1.0e9;
 
 /// Lengths at which nothing is extreme.
-const USUAL: (Real, Real) = (1.0e-3, 1.0e5);
+const LENGTH_RANGE: (Real, Real) = (1.0e-3, 1.0e5);
 
 /// Buffers that are reused from pair to pair. One for each thread.
 #[derive(Default)]
@@ -255,12 +255,12 @@ fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> b
     if other.as_support_map().is_none() {
         return false;
     }
-    let usual = |length: Real| (USUAL.0..USUAL.1).contains(&length);
+    let usual = |length: Real| (LENGTH_RANGE.0..LENGTH_RANGE.1).contains(&length);
     let extents = other.compute_local_aabb().extents();
     usual(voxels.voxel_size().min_element())
         && usual(voxels.voxel_size().max_element())
-        && extents.max_element() < USUAL.1
-        && pos12.translation.abs().max_element() < USUAL.1
+        && extents.max_element() < LENGTH_RANGE.1
+        && pos12.translation.abs().max_element() < LENGTH_RANGE.1
 }
 
 /// The manifolds of a pair with voxels, which parry treats as a whole: it merges neighbouring voxels

@@ -41,6 +41,6 @@ pub(crate) use manifolds::{
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, internal_edges_among};
 pub(crate) use sweep::{
-    Overlap, PRESSED_DEPTH, Segment, Solid, Sweep, SweepGoal, Touch, ends_deep, find_touches,
-    first_impact, passes, turned,
+    Overlap, PENETRATION_FRACTION_MAX, Segment, Solid, Sweep, SweepGoal, Touch, ends_deep,
+    find_touches, first_impact, passes, turned,
 };

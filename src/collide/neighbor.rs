@@ -1,6 +1,6 @@
 //! What a body touches besides the shape that it is asked about.
 
-use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_seams};
+use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_internal_edges};
 use super::parts::Parts;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 use parry::shape::Shape;
 
 /// Points of contacts may be this many times the height of a step beyond the edge of their obstacle.
-const NEARLY: Real = 25.0;
+const EDGE_DISTANCE_RATIO_MAX: Real = 25.0;
 
 /// A contact of a body with an obstacle. All in the frame of the body's shape.
 #[derive(Clone)]
@@ -71,7 +71,7 @@ impl<'a> Neighbor<'a> {
 fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) -> bool {
     neighbors.iter().enumerate().any(|(index, one)| {
         let Some(place) = one.points.first() else { return false };
-        let level = one.normal.dot(*place) + NEARLY * step_height_tolerance;
+        let level = one.normal.dot(*place) + EDGE_DISTANCE_RATIO_MAX * step_height_tolerance;
         let others = neighbors.iter().enumerate().filter(|(other, _)| *other != index);
         let is_below = |point: &Vector| one.normal.dot(*point) <= level;
         others.into_iter().any(|(_, other)| {
@@ -95,6 +95,6 @@ pub(crate) fn internal_edges_among(
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {
         neighbors[index].points.iter().for_each(|point| f(*point));
     };
-    find_seams(&facets, facets.len(), &points, step_height_tolerance, &mut internal_edges);
+    find_internal_edges(&facets, facets.len(), &points, step_height_tolerance, &mut internal_edges);
     internal_edges.iter().map(|edge: &InternalEdge| edge.index).collect()
 }

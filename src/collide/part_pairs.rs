@@ -72,7 +72,7 @@ impl Search<'_> {
             let near2 = Near::of(part1.shape, &(pos21 * part1.pose()), prediction);
             parts2.for_each_part(&near2, &mut |part2| {
                 if is_wanted([part1.id, part2.id]) {
-                    self.visit(part1, part2);
+                    self.search(part1, part2);
                 }
             });
         });

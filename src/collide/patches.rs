@@ -195,7 +195,7 @@ impl Patches {
     }
 
     /// Stores the pieces of a floor for the patch that is on it, if that was not culled.
-    pub fn lay_floor(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
+    pub fn build_patch(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
         let on_floor = |patch: &&mut Patch| patch.floor == Some(floor);
         let Some(patch) = self.list.iter_mut().find(on_floor) else { return };
         let start = self.pieces.len();

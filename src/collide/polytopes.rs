@@ -25,7 +25,7 @@ const FIRST_FACE: Real = 0.1;
 const SAME_AXIS: Real = 0.98;
 /// Overlaps deeper than this share of the thickness are searched anew: a face on another side may
 /// have become the better one.
-pub(super) const DEEP: Real = 0.25;
+pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
 
 /// How much deeper than two edges other corners may be, as a share of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;
@@ -201,7 +201,7 @@ impl Pair<'_> {
 
     /// Is the overlap small against the polytopes?
     fn is_shallow(&self, gap: Real, normal: Vector) -> bool {
-        -gap < self.prediction || -gap < DEEP * self.thickness(normal)
+        -gap < self.prediction || -gap < OVERLAP_RATIO_MAX * self.thickness(normal)
     }
 
     /// The smaller of the extents of the two along a direction.

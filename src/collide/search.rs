@@ -2,7 +2,7 @@
 
 use super::convex::{is_sound, manifold_along, part_manifold};
 use super::flat_parts::CulledParts;
-use super::internal_edges::{Facet, InternalEdge, Obstacle, find_seams};
+use super::internal_edges::{Facet, InternalEdge, Obstacle, find_internal_edges};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
@@ -53,12 +53,12 @@ impl Search<'_> {
         parts.for_each_part(&near, &mut |part| {
             let other = Part::whole(other);
             let [part1, part2] = if side == 0 { [part, other] } else { [other, part] };
-            self.visit(part1, part2);
+            self.search(part1, part2);
         });
     }
 
     /// Computes the contacts of two convex parts.
-    pub(super) fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
+    pub(super) fn search(&mut self, part1: Part<'_>, part2: Part<'_>) {
         let pos12 = self.pose_of_parts(&part1, &part2);
         self.raw.local_n1 = self.hint(&part1, &part2);
         let parts = [part1, part2];
@@ -105,22 +105,22 @@ impl Search<'_> {
     /// Takes contacts out that are only seams between parts of the shape on a side, or between these and
     /// other obstacles of the shape on the other side.
     pub fn remove_ghost_contacts(&mut self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
-        if !self.may_have_seams(side) {
+        if !self.may_have_internal_edges(side) {
             return;
         }
-        self.find_seams(side, internal_edges);
+        self.find_internal_edges(side, internal_edges);
         for edge in &*internal_edges {
             self.turn(side, edge);
         }
     }
 
     /// Is there more than one direction, or anything else, so that a contact may be only a seam?
-    pub(super) fn may_have_seams(&self, side: usize) -> bool {
+    pub(super) fn may_have_internal_edges(&self, side: usize) -> bool {
         let neighbors = self.pair.neighbors[1 - side];
         !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
     }
 
-    fn find_seams(&self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
+    fn find_internal_edges(&self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
         let (pair, patches) = (self.pair, &*self.patches);
         let neighbors = pair.neighbors[1 - side];
         let facets = (0..patches.list().len()).map(|patch| self.facet(side, patch));
@@ -129,7 +129,7 @@ impl Search<'_> {
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
-        find_seams(
+        find_internal_edges(
             &facets,
             patches.list().len(),
             &points,

@@ -10,10 +10,10 @@ use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape
 
 /// The closest points are a contact of their own only if they are deeper than those of the features
 /// by more than this share of the parts' thickness.
-const DEEPER: Real = 0.01;
+const DEPTH_GAIN_RATIO_MIN: Real = 0.01;
 /// A normal that was bent towards what neighbours allow may show overlaps of far ends of the parts:
 /// points that are deeper than the true overlap by this factor are not believed.
-const BENT_DEPTH: Real = 5.0;
+const DEPTH_RATIO_MAX: Real = 5.0;
 
 /// A part without its rounding.
 #[derive(Copy, Clone)]
@@ -64,7 +64,7 @@ pub(super) fn support_manifold(
     let is_bent = local_n1 != normal;
     if is_bent {
         add_features(pos12, cores, normals, points, raw);
-        raw.points.retain(|point| point.dist >= BENT_DEPTH * dist.min(0.0));
+        raw.points.retain(|point| point.dist >= DEPTH_RATIO_MAX * dist.min(0.0));
     } else {
         let shapes = cores.map(|core| core.part);
         let sharp = cores.map(|core| core.shape);
@@ -127,7 +127,7 @@ fn add_closest(
         raw.points.is_empty() // two points are all that there can be
     } else {
         let thickness = extents(pos12, core1.shape, core2.shape, raw.local_n1).thickness;
-        dist < deepest - DEEPER * thickness
+        dist < deepest - DEPTH_GAIN_RATIO_MIN * thickness
     };
     if is_needed {
         let unknown = PackedFeatureId::UNKNOWN;

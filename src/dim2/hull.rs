@@ -10,7 +10,7 @@ use parry::shape::ConvexPolygon;
 pub type ConvexShape = ConvexPolygon;
 
 /// Why points have no hull.
-pub const FLAT: &str = "its points lie on a line, or too close to one";
+pub const DEGENERATE: &str = "its points lie on a line, or too close to one";
 
 /// A corner this close to the line through its neighbours, in parts of the size, is none.
 const FLATNESS: Real = 1.0e-5;

@@ -60,7 +60,7 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
 pub(crate) fn inv_inertia_on_the_way(
     _mass: &MassProperties,
     _rotation: Rotation,
-    _turn: AngVector,
+    _rotvec: AngVector,
 ) -> Option<AngularInertia> {
     None
 }

@@ -85,7 +85,7 @@ pub(crate) fn accelerated<W: Wide>(
 
 /// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
 #[inline(always)]
-pub(crate) fn tumble<W: Wide>(
+pub(crate) fn gyroscopic<W: Wide>(
     _bodies: &mut [FreeMotion],
     _velocity: &mut WideAngVector<W>,
     _before: &mut WideAngVector<W>,

@@ -7,7 +7,7 @@
 use super::math::{
     AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, integrate_rotation,
 };
-use super::turn::rotation_by;
+use super::rotation_vector::rotation_by;
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};

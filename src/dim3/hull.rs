@@ -16,7 +16,7 @@ use parry::utils::remove_unused_points;
 pub type ConvexShape = ConvexPolyhedron;
 
 /// Why points have no hull.
-pub const FLAT: &str = "its points lie in a plane, or too close to one";
+pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
 
 /// Points whose box is thinner than this, in parts of its length, span no volume.
 const THINNESS: Real = 1.0e-6;

@@ -130,7 +130,7 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that turns by `turn` in a step. `None`: that with which the step
+/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which the step
 /// begins will do.
 ///
 /// Contacts take one inertia for all of the step. Of a rod with the moments `A` and `C ≪ A` that turns by `θ` the moment
@@ -146,15 +146,15 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
 pub(crate) fn inv_inertia_on_the_way(
     mass: &MassProperties,
     rotation: Rotation,
-    turn: AngVector,
+    rotvec: AngVector,
 ) -> Option<AngularInertia> {
     let inverse = mass.inv_principal_inertia;
     let (low, high) = (inverse.min_element(), inverse.max_element());
-    let matters = low > 0.0 && turn.length_squared() * high > low;
+    let matters = low > 0.0 && rotvec.length_squared() * high > low;
     if !matters {
         return None;
     }
-    let local = (rotation * mass.principal_inertia_local_frame).inverse() * turn;
+    let local = (rotation * mass.principal_inertia_local_frame).inverse() * rotvec;
     let squares = (local * local).min(Vector::ONE);
     let moments = mass.principal_inertia();
     let least = |axis: usize| {
@@ -176,11 +176,11 @@ mod tests {
     #[test]
     fn three_cubes_in_a_row_weigh_what_one_long_box_does() {
         let cube = Cuboid::new(Vector::splat(0.5)).mass_properties(2.0);
-        let turn = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
-        let place = |y| cube.transform_by(&(turn * Pose::translation(0.0, y, 0.0)));
+        let rotvec = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
+        let place = |y| cube.transform_by(&(rotvec * Pose::translation(0.0, y, 0.0)));
         let total = total_mass(&[place(-1.0), place(0.0), place(1.0)]);
         let whole =
-            Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&turn);
+            Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&rotvec);
         let angvel = Vector::new(1.0, 2.0, -3.0);
         let momentum = |mass| angular_momentum(mass, Rotation::IDENTITY, angvel);
         assert!((total.mass() - 6.0).abs() < 1.0e-5);
@@ -195,7 +195,7 @@ mod tests {
     fn what_turns_counts_with_the_moments_that_turn_into_others() {
         let rod = Cuboid::new(Vector::new(1.0, 0.03, 0.03)).mass_properties(1.0);
         let [short, long] = [rod.principal_inertia().x, rod.principal_inertia().y];
-        let felt = |turn: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, turn);
+        let felt = |rotvec: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, rotvec);
         let about_middle = felt(Vector::Y * 0.3).unwrap();
         let expected = 0.3 * 0.3 * (long - short);
         assert!((about_middle.m11 * expected - 1.0).abs() < 1.0e-4);

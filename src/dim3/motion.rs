@@ -24,10 +24,10 @@
 //! explicit Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of
 //! the substep in place of the mean one, thin rods at 25 rad/s have half of their energy more or less from step to step.
 
+use super::gyroscopic::FreeTurn;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
+use super::rotation_vector::{rotation_vector, turned_frame};
 use super::state::WideMotion;
-use super::top::FreeTurn;
-use super::turn::{rotation_vector, turned_frame};
 use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, Simd, Wide, gather_adjacent, scatter_adjacent};
 use parry::mass_properties::MassProperties;
@@ -37,11 +37,11 @@ const ISOTROPY: Real = 1.0e-3;
 /// A body that turns by less than this (rad) in a substep does not tumble.
 const TURN_MIN: Real = 1.0e-4;
 /// Of a turn in a substep of up to this angle (rad) there is no doubt which one it was.
-const PLAIN_TURN: Real = 1.5;
+const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
 /// Up to this angle (rad) in a substep the velocity of the middle does for what is not thin.
-const SMALL_TURN: Real = 0.1;
+const SMALL_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
-const THIN: Real = 30.0;
+const INERTIA_RATIO_MAX: Real = 30.0;
 /// The momentum of others gives way where that changes the energy by no more than this share.
 const LED_MAX: Real = 0.25;
 
@@ -162,7 +162,7 @@ pub(crate) fn accelerated<W: Wide>(
 /// What turns the velocity is no impulse: the next substep must not start with it, nor with the rounding of it. Where
 /// there was no impulse, the velocity `before` any becomes the new one to the last bit.
 #[inline(always)]
-pub(crate) fn tumble<W: Wide>(
+pub(crate) fn gyroscopic<W: Wide>(
     bodies: &mut [FreeMotion],
     velocity: &mut WideAngVector<W>,
     before: &mut WideAngVector<W>,
@@ -190,7 +190,7 @@ pub(crate) fn angvel_after(
     angvel: AngVector,
     h: Real,
 ) -> AngVector {
-    turned_freely(mass, rotation, angvel, h).1
+    rotated_freely(mass, rotation, angvel, h).1
 }
 
 /// The angular velocity of one body that was where it is `h` seconds from now, which may be negative, turned to `there`: what a free
@@ -201,12 +201,12 @@ pub(crate) fn angvel_at(
     angvel: AngVector,
     h: Real,
 ) -> AngVector {
-    let (reached, angvel) = turned_freely(mass, rotation, angvel, h);
+    let (reached, angvel) = rotated_freely(mass, rotation, angvel, h);
     there * (reached.inverse() * angvel)
 }
 
 /// How one body is turned after it has turned freely for `h` seconds, and its angular velocity.
-fn turned_freely(
+fn rotated_freely(
     mass: &MassProperties,
     rotation: Rotation,
     angvel: AngVector,
@@ -214,20 +214,20 @@ fn turned_freely(
 ) -> (Rotation, AngVector) {
     let body = FreeMotion::at_rest(rotation).with_gyroscope(mass, angvel, h);
     if body.is_gyroscopic() {
-        Simd::baseline().run(TurnFreely { body, angvel, h })
+        Simd::baseline().run(RotateFreely { body, angvel, h })
     } else {
         (integrate_rotation(rotation, angvel * h), angvel)
     }
 }
 
 /// One body that turns for a while.
-struct TurnFreely {
+struct RotateFreely {
     body: FreeMotion,
     angvel: AngVector,
     h: Real,
 }
 
-impl Kernel for TurnFreely {
+impl Kernel for RotateFreely {
     type Output = (Rotation, AngVector);
 
     #[inline(always)]
@@ -236,7 +236,7 @@ impl Kernel for TurnFreely {
         let start = WideMotion { linear: WideVector::zero(), angular };
         let mut velocity = accelerated::<W>(bodies, start, self.h).angular;
         let mut before = velocity;
-        tumble(bodies, &mut velocity, &mut before, self.h);
+        gyroscopic(bodies, &mut velocity, &mut before, self.h);
         let mut lanes = WideVector::ZERO;
         velocity.store(&mut lanes);
         (bodies[0].rotation().normalize(), lanes.lane(0))
@@ -288,7 +288,7 @@ impl<W: Wide> Gyroscope<W> {
 
     /// Somebody changed the angular velocity at the orientation `rotation`.
     #[inline(always)]
-    fn take_in(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
+    fn load(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
         let (to_world, moments) = (rotation.times(self.frame), self.inv_moments);
         let change = to_world.conjugate().rotate_unscaled(angvel - self.angvel);
         let change = WideVector {
@@ -310,12 +310,12 @@ impl<W: Wide> Gyroscope<W> {
         angvel: WideAngVector<W>,
         h: W,
     ) -> WideAngVector<W> {
-        self.take_in(rotation, angvel);
+        self.load(rotation, angvel);
         self.start = rotation;
         let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
         let (to_world, momentum) = self.seen_from(middle);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
-        let is_far = W::splat(SMALL_TURN * SMALL_TURN).lt(angvel.dot(angvel) * (h * h));
+        let is_far = W::splat(SMALL_ANGLE_MAX * SMALL_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
         let wants_mean = is_far | self.is_thin();
         if W::any(wants_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
@@ -337,7 +337,7 @@ impl<W: Wide> Gyroscope<W> {
     ) -> WideAngVector<W> {
         let (change, plainly) = (angvel - self.angvel, turns_plainly(angvel, h));
         let is_free = change.dot(change).le(W::zero()) & plainly;
-        self.take_in(self.start, angvel);
+        self.load(self.start, angvel);
         let led = self.led_to(end, plainly, h);
         self.momentum = WideVector::select(is_free, self.momentum, led);
         let (to_world, momentum) = self.seen_from(end);
@@ -372,7 +372,7 @@ impl<W: Wide> Gyroscope<W> {
     #[inline(always)]
     fn is_thin(&self) -> W::Mask {
         let WideVector { x, y, z } = self.inv_moments;
-        (x.min(y).min(z) * W::splat(THIN)).lt(x.max(y).max(z))
+        (x.min(y).min(z) * W::splat(INERTIA_RATIO_MAX)).lt(x.max(y).max(z))
     }
 
     /// The kinetic energy of turning with an angular momentum, in the frame of the principal axes.
@@ -392,7 +392,7 @@ impl<W: Wide> Gyroscope<W> {
 /// Is the turn in `h` seconds so small that there is no doubt which one it is?
 #[inline(always)]
 fn turns_plainly<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
-    (angvel.dot(angvel) * (h * h)).le(W::splat(PLAIN_TURN * PLAIN_TURN))
+    (angvel.dot(angvel) * (h * h)).le(W::splat(UNAMBIGUOUS_ANGLE_MAX * UNAMBIGUOUS_ANGLE_MAX))
 }
 
 #[inline(always)]

@@ -5,7 +5,7 @@
 //! nowhere else.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
-use super::turn::{unit_quaternion, wide_unit_quaternion};
+use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};

@@ -69,9 +69,9 @@ impl Factor {
             SpatialMatrix::rigid(link.mass * along, &link.inertia.map(|row| row.map(|m| m * about)))
         }));
         self.measure(kinematics);
-        let nobody = Pivot { u: ZERO, inv_inertia: 0.0 };
+        let none = Pivot { u: ZERO, inv_inertia: 0.0 };
         self.pivots.clear();
-        self.pivots.resize(kinematics.ndofs(), nobody);
+        self.pivots.resize(kinematics.ndofs(), none);
         for (id, link) in links.iter().enumerate().rev() {
             let mut inertia = self.inertias[id];
             for dof in link.dofs.clone().rev() {

@@ -29,12 +29,12 @@ impl Multibody {
             self.links[0].pose = root.pose;
         }
         for id in 0..self.links.len() {
-            self.take_in(id, bodies);
+            self.load(id, bodies);
         }
     }
 
     /// Where a link is, as of its body and its joint.
-    fn take_in(&mut self, id: usize, bodies: &RigidBodySet) {
+    fn load(&mut self, id: usize, bodies: &RigidBodySet) {
         let parent = self.links[id].parent.map(|parent| self.links[parent].pose);
         let link = &mut self.links[id];
         let Some(body) = bodies.get(link.body) else { return };
@@ -72,7 +72,7 @@ impl Multibody {
     /// Brings only the branch from the root to one link up to date, as [`Self::forward_kinematics`] does for all links.
     pub fn forward_kinematics_single_branch(&mut self, bodies: &RigidBodySet, link_id: usize) {
         for id in self.kinematic_branch(link_id) {
-            self.take_in(id, bodies);
+            self.load(id, bodies);
         }
     }
 

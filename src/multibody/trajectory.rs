@@ -51,22 +51,22 @@ impl LinkTrajectory {
         self.put_back(&mut ghost);
         let piece = 1.0 / pieces as Real;
         let (mut kinematics, mut velocities) = (Kinematics::default(), Vec::new());
-        let mut stations = Vec::new();
+        let mut samples = Vec::new();
         for at in 0..=pieces {
             if at > 0 {
                 ghost.integrate(piece, &self.shift, &self.root);
             }
             kinematics.update(&ghost);
             kinematics.velocities(&self.shift, &self.root, &mut velocities);
-            stations.clear();
-            stations.extend(kinematics.links.iter().zip(&velocities).map(|(link, velocity)| {
+            samples.clear();
+            samples.extend(kinematics.links.iter().zip(&velocities).map(|(link, velocity)| {
                 LinkSample {
                     rotation: link.rotation,
                     center: link.center,
                     angular: angular(velocity),
                 }
             }));
-            visit(at, &stations);
+            visit(at, &samples);
         }
     }
 
@@ -166,8 +166,8 @@ impl LinkTrajectory {
 /// What resists the motion of degrees of freedom beyond the inertia of links.
 fn inertias(multibody: &Multibody) -> Vec<Drive> {
     let armatures = multibody.dofs.iter().zip(&multibody.lists.armature);
-    let drive = |is_told, armature| Drive {
-        armature: if is_told { Real::INFINITY } else { usable(armature) },
+    let drive = |is_prescribed, armature| Drive {
+        armature: if is_prescribed { Real::INFINITY } else { usable(armature) },
         ..Drive::default()
     };
     armatures

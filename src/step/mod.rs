@@ -151,7 +151,7 @@ fn solve(
     scratch: &mut StepScratch,
 ) -> bool {
     let edits = multibodies.settle(parts.bodies);
-    take_in_user_changes(parts, joints, edits, scratch);
+    apply_user_changes(parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
     scratch.trace.add(StepStage::UserChanges, &parts.sets(joints, multibodies));
     find_contacts(tasks, parts, scratch);
@@ -162,16 +162,16 @@ fn solve(
         move_bodies(tasks, parts, joints, multibodies, scratch);
         scratch.trace.add(StepStage::Solver, &parts.sets(joints, multibodies));
     }
-    scratch.notes.lost.is_empty()
+    scratch.notes.diverged.is_empty()
 }
 
 /// The collision detection of a step, without any motion. What the user edited is taken in first if
-/// `take_in_changes`; else only removals are, and the rest waits for the next call that does.
+/// `apply_changes`; else only removals are, and the rest waits for the next call that does.
 pub(crate) fn detect_collisions(
     mut parts: StepParts<'_>,
     joints: &ImpulseJointSet,
     scratch: &mut StepScratch,
-    take_in_changes: bool,
+    apply_changes: bool,
 ) {
     parts.counters.reset();
     parts.counters.step_time.resume();
@@ -181,8 +181,8 @@ pub(crate) fn detect_collisions(
     // Joints of another world wait for the next step.
     let none = ImpulseJointSet::new();
     let joints = if joints_fit { joints } else { &none };
-    if take_in_changes {
-        take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
+    if apply_changes {
+        apply_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
         let params = parts.params;
         let (structure, tree) = parts.structure();
@@ -205,7 +205,7 @@ pub(crate) fn detect_collisions(
     panic.release();
 }
 
-fn take_in_user_changes(
+fn apply_user_changes(
     parts: &mut StepParts<'_>,
     joints: &ImpulseJointSet,
     multibodies: MultibodyEdits,
@@ -287,7 +287,7 @@ fn move_bodies(
         fast: &mut scratch.notes.fast,
         trajectories: &mut scratch.notes.trajectories,
         broken: &mut scratch.notes.broken,
-        lost: &mut scratch.notes.lost,
+        diverged: &mut scratch.notes.diverged,
     };
     solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
@@ -306,9 +306,9 @@ fn follow_bodies(
     panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
     let StepNotes { fast, trajectories, events, sleepy, .. } = &mut scratch.notes;
-    let (stops, told) = (&mut scratch.ccd, (events, &mut parts.counters.ccd));
+    let (stops, reports) = (&mut scratch.ccd, (events, &mut parts.counters.ccd));
     let moved = (&mut *parts.bodies, &mut *parts.islands);
-    ccd::stop(moved, multibodies, (fast, trajectories), parts.params.dt, stops, told);
+    ccd::stop(moved, multibodies, (fast, trajectories), parts.params.dt, stops, reports);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();

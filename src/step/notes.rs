@@ -32,7 +32,7 @@ pub(crate) struct FastMotion {
     pub center: Vector,
     pub shift: Vector,
     /// The rotation vector of its turn (rad).
-    pub turn: AngVector,
+    pub rotvec: AngVector,
     /// By how much forces accelerate it.
     pub acceleration: Vector,
     /// For a link of a multibody: the position of that in the list of fast ones, and the link's.
@@ -98,7 +98,7 @@ pub(crate) struct StepNotes {
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
-    pub lost: Vec<Diverged>,
+    pub diverged: Vec<Diverged>,
     /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step, bodies.
     pub quarantined: Vec<QuarantineEvent>,
 }
@@ -120,7 +120,7 @@ impl StepNotes {
         self.approaches.clear();
         self.sleepy.clear();
         self.trajectories.clear();
-        self.lost.clear();
+        self.diverged.clear();
         self.quarantined.clear();
     }
 
@@ -144,7 +144,7 @@ mod tests {
             start: Pose::IDENTITY,
             center: Vector::ZERO,
             shift: Vector::X * shift,
-            turn: ANG_ZERO,
+            rotvec: ANG_ZERO,
             acceleration: Vector::X * acceleration,
             link: None,
         }

@@ -36,7 +36,7 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
                 Target::Slot(slot) => return Some(slot),
                 Target::Node(node) => &self.nodes[node],
             };
-            let look = Look { node, probe: &self.probe, reach: self.reach };
+            let look = Query { node, probe: &self.probe, reach: self.reach };
             let mut bits = self.simd.run(look) & node.taken();
             while bits != 0 {
                 self.stack.push(node.children[bits.trailing_zeros() as usize % LANES]);
@@ -86,13 +86,13 @@ impl<P: Probe, V: FnMut(u32)> Kernel for Walk<'_, P, V> {
 }
 
 /// One bit for each child that the probe finds.
-struct Look<'a, P> {
+struct Query<'a, P> {
     node: &'a Node,
     probe: &'a P,
     reach: Real,
 }
 
-impl<P: Probe> Kernel for Look<'_, P> {
+impl<P: Probe> Kernel for Query<'_, P> {
     type Output = u32;
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 //! A step is some hundred loops with a serial stretch between one and the next, and many of them take no more than
 //! ten microseconds: as long as it takes to wake a thread that sleeps. So helpers stay awake between loops. They are
 //! hired for the first loop that is worth it, look for the next one by spinning, and leave when none came for a
-//! while ([`PATIENCE`]), because the pool is the user's and has other work. Who left is hired again by the next loop.
+//! while ([`YIELDS_MAX`]), because the pool is the user's and has other work. Who left is hired again by the next loop.
 //!
 //! Each thread has a *share* of a loop's pieces and takes them from its front: always the same part of the blocks
 //! and bodies, which is in its cache from the last loop. Whoever has finished takes from the back of the others.
@@ -33,19 +33,19 @@ use std::sync::{Mutex, PoisonError};
 pub const MAX_THREADS: usize = 64;
 /// How often a thread that waits looks again before it lets others run, and how often before it leaves: some
 /// hundred microseconds in all, more than any serial stretch of a step with thousands of bodies.
-const SPINS: u32 = 256;
-const PATIENCE: u32 = 2048;
+const SPINS_MAX: u32 = 256;
+const YIELDS_MAX: u32 = 2048;
 
 type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
 
 /// The threads of one step, its own one first.
 pub struct WorkerTeam {
     threads: usize,
-    shares: [Share; MAX_THREADS],
+    work_ranges: [WorkRange; MAX_THREADS],
     current: UnsafeCell<Loop>,
     done: AtomicUsize,
     /// By bit: the helpers that were hired and have not left.
-    hired: AtomicU64,
+    joined: AtomicU64,
     is_over: AtomicBool,
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
@@ -74,10 +74,10 @@ impl WorkerTeam {
     pub fn new(threads: usize) -> Self {
         Self {
             threads: threads.clamp(1, MAX_THREADS),
-            shares: [const { Share::empty() }; MAX_THREADS],
+            work_ranges: [const { WorkRange::empty() }; MAX_THREADS],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
-            hired: AtomicU64::new(1),
+            joined: AtomicU64::new(1),
             is_over: AtomicBool::new(false),
             panic: Mutex::new(None),
         }
@@ -108,7 +108,7 @@ impl WorkerTeam {
         // SAFETY: no loop is open, so nobody reads.
         unsafe { *self.current.get() = Loop { work, count, piece } };
         self.done.store(0, Ordering::Relaxed);
-        for (k, share) in self.shares[..self.threads].iter().enumerate() {
+        for (k, share) in self.work_ranges[..self.threads].iter().enumerate() {
             share.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
         }
         self.fill_vacancies(hire);
@@ -125,10 +125,10 @@ impl WorkerTeam {
 
     fn fill_vacancies(&self, hire: &dyn Fn(usize)) {
         let all = u64::MAX >> (MAX_THREADS - self.threads);
-        if self.hired.load(Ordering::Relaxed) == all {
+        if self.joined.load(Ordering::Relaxed) == all {
             return;
         }
-        let vacancies = all & !self.hired.fetch_or(all, Ordering::Relaxed);
+        let vacancies = all & !self.joined.fetch_or(all, Ordering::Relaxed);
         (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(hire);
     }
 
@@ -136,7 +136,7 @@ impl WorkerTeam {
     pub fn help(&self, number: usize) {
         if !IS_AT_WORK.replace(true) {
             let mut pause = Pause::default();
-            while !self.is_over.load(Ordering::Relaxed) && pause.length() < PATIENCE {
+            while !self.is_over.load(Ordering::Relaxed) && pause.length() < YIELDS_MAX {
                 if self.work_off(number) {
                     pause = Pause::default();
                 } else {
@@ -145,7 +145,7 @@ impl WorkerTeam {
             }
             IS_AT_WORK.set(false);
         }
-        self.hired.fetch_and(!(1 << number), Ordering::Relaxed);
+        self.joined.fetch_and(!(1 << number), Ordering::Relaxed);
     }
 
     /// Works until no piece is left. Was there one?
@@ -161,8 +161,8 @@ impl WorkerTeam {
     /// A piece of the thread's own share, or one of another's.
     fn claim(&self, own: usize) -> Option<usize> {
         let others = (1..self.threads).map(|k| (own + k) % self.threads);
-        let steal = |k: usize| self.shares[k].take_last();
-        self.shares[own].take_first().or_else(|| others.into_iter().find_map(steal))
+        let steal = |k: usize| self.work_ranges[k].take_last();
+        self.work_ranges[own].take_first().or_else(|| others.into_iter().find_map(steal))
     }
 
     fn perform(&self, piece: usize) {
@@ -199,9 +199,9 @@ impl Drop for Owner<'_> {
 
 /// The pieces that a thread has before it, in a cache line of their own.
 #[repr(align(64))]
-struct Share(AtomicU64);
+struct WorkRange(AtomicU64);
 
-impl Share {
+impl WorkRange {
     const fn empty() -> Self {
         Self(AtomicU64::new(0))
     }
@@ -256,7 +256,7 @@ impl Pause {
 
     fn wait(&mut self) {
         self.0 = self.0.saturating_add(1);
-        if self.0 < SPINS {
+        if self.0 < SPINS_MAX {
             core::hint::spin_loop();
         } else {
             std::thread::yield_now();

@@ -20,7 +20,7 @@
 //! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
 //! first: the shape without an outer layer nearly as deep as its thickness, half its minimum width ([`CORE_DEPTH`], [`Widths`]). Where the core would hit, the body is
 //! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
-//! a quarter deep ([`PRESSED_DEPTH`]): what something heavy presses into a wall stays on the side from which contacts push it out.
+//! a quarter deep ([`PENETRATION_FRACTION_MAX`]): what something heavy presses into a wall stays on the side from which contacts push it out.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
 //! that is in, the centre.
@@ -55,10 +55,10 @@ const CORE_DEPTH: Real = 0.98;
 /// not get its middle in.
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
 /// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
-pub(crate) const PRESSED_DEPTH: Real = 0.25;
+pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
 /// What is deeper already goes this share of the way that is left until its middle is in. Who spins while deep in a wall must be able to
 /// turn, or would stand still for ever.
-const HALT: Real = 0.5;
+const REMAINING_FRACTION: Real = 0.5;
 /// How near a core comes to what it hits, as a share of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
@@ -111,7 +111,7 @@ pub(crate) enum Overlap {
     Passes,
     /// It is stopped where its core arrives.
     StopsMiddle,
-    /// It is stopped before, where contacts would be deeper than [`PRESSED_DEPTH`]: so deep they no longer know the side on which to
+    /// It is stopped before, where contacts would be deeper than [`PENETRATION_FRACTION_MAX`]: so deep they no longer know the side on which to
     /// push it out.
     StopsEarly,
 }
@@ -179,7 +179,7 @@ pub(crate) fn passes(
     meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
 }
 
-/// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
+/// Is the first shape deeper in the second than [`PENETRATION_FRACTION_MAX`] at the end of its way?
 pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
     let (mut deep, mut last) = (false, None);
@@ -194,7 +194,9 @@ pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep
             return;
         }
         let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
-        let Some((own, other)) = Body::core(part1.shape, &widths, PRESSED_DEPTH).zip(other) else {
+        let Some((own, other)) =
+            Body::core(part1.shape, &widths, PENETRATION_FRACTION_MAX).zip(other)
+        else {
             return;
         };
         let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
@@ -248,9 +250,9 @@ fn other_of<'a>(
 /// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
 /// than an eighth of that.
 fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
-    let (segment, other_leg) = own.straight().zip(other.straight())?;
-    let speed = (other_leg.shift - segment.shift).length();
-    let away = (other_leg.center - segment.center).length() + speed;
+    let (segment, other_segment) = own.straight().zip(other.straight())?;
+    let speed = (other_segment.shift - segment.shift).length();
+    let away = (other_segment.center - segment.center).length() + speed;
     let is_whole = own.stop >= 1.0 && other.stop >= 1.0;
     is_whole.then(|| segment.angle() * (segment.angle() * away + 2.0 * speed) / 8.0)
 }
@@ -295,12 +297,12 @@ fn impact_of_parts(
             Overlap::Passes => None,
             Overlap::StopsMiddle => Some(latest),
             Overlap::StopsEarly => {
-                let shallow = Body::core(part1.shape, widths, PRESSED_DEPTH)?;
+                let shallow = Body::core(part1.shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
                     Meeting::At(share) => share,
                     Meeting::Never => latest,
-                    Meeting::FromTheBeginning => HALT * latest,
+                    Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
                 })
             }
         },

@@ -12,7 +12,7 @@ use parry::shape::Shape;
 const WHOLE_TURN: Real = 1.0;
 const PIECE: Real = 0.25;
 /// Without turning more than this (rad², squared) what a shape passes is around where it begins and ends.
-const LITTLE_TURN: Real = 1.0e-4;
+const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
@@ -25,7 +25,7 @@ pub(crate) struct Segment {
     pub center: Vector,
     /// How far the centre moves, and the rotation vector of the turn (rad), per step.
     pub shift: Vector,
-    pub turn: AngVector,
+    pub rotvec: AngVector,
 }
 
 impl Segment {
@@ -36,12 +36,12 @@ impl Segment {
         rotation: Rotation::IDENTITY,
         center: Vector::ZERO,
         shift: Vector::ZERO,
-        turn: ANG_ZERO,
+        rotvec: ANG_ZERO,
     };
 
     /// How fast it turns (rad per step).
     pub fn angle(&self) -> Real {
-        match ang_length_squared(self.turn) {
+        match ang_length_squared(self.rotvec) {
             0.0 => 0.0,
             square => square.sqrt(),
         }
@@ -73,9 +73,9 @@ pub(crate) struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the centre of rotation at
     /// `center`.
-    pub fn new(start: Pose, center: Vector, shift: Vector, turn: AngVector) -> Self {
+    pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
         let segment =
-            Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, turn };
+            Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
         let local_center = start.inverse_transform_point(center);
         Self {
             trajectory: Trajectory::Straight(segment),
@@ -148,7 +148,7 @@ impl<'a> Sweep<'a> {
         let share = share.min(self.stop);
         let segment = self.segment(share);
         let rotation =
-            turned(segment.rotation, segment.turn * (share - segment.from)) * self.rotation;
+            turned(segment.rotation, segment.rotvec * (share - segment.from)) * self.rotation;
         Pose::from_parts(segment.center_at(share) - rotation * self.local_center, rotation)
     }
 
@@ -190,11 +190,11 @@ impl<'a> Sweep<'a> {
     /// A box around everything that a shape passes, or a part of it with a box `box_at` a pose.
     fn region_of(&self, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
         let regions = self.segments().iter().filter(|segment| segment.from <= self.stop);
-        let regions = regions.map(|segment| self.region_of_leg(segment, shape, box_at));
+        let regions = regions.map(|segment| self.region_of_segment(segment, shape, box_at));
         regions.reduce(|all, region| all.merged(&region)).unwrap_or_else(Aabb::new_invalid)
     }
 
-    fn region_of_leg(
+    fn region_of_segment(
         &self,
         segment: &Segment,
         shape: &dyn Shape,
@@ -202,7 +202,7 @@ impl<'a> Sweep<'a> {
     ) -> Aabb {
         let end = segment.until.min(self.stop);
         let angle = segment.angle() * (segment.until - segment.from);
-        if angle * angle < LITTLE_TURN {
+        if angle * angle < SMALL_ANGLE_SQUARED_MAX {
             let boxes = [segment.from, end].map(|share| box_at(&self.at(share)));
             return boxes[0].merged(&boxes[1]);
         }
@@ -221,11 +221,11 @@ pub(crate) fn turned(rotation: Rotation, angle: AngVector) -> Rotation {
     while ang_length_squared(angle) > PIECE * PIECE && halvings < 64 {
         (angle, halvings) = (angle * 0.5, halvings + 1);
     }
-    let mut turn = integrate_rotation(Rotation::IDENTITY, angle);
+    let mut rotvec = integrate_rotation(Rotation::IDENTITY, angle);
     for _ in 0..halvings {
-        turn = (turn * turn).normalize();
+        rotvec = (rotvec * rotvec).normalize();
     }
-    (turn * rotation).normalize()
+    (rotvec * rotation).normalize()
 }
 
 /// How far a shape reaches from a point of its frame.

@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 use parry::query::{ShapeCastHit, ShapeCastStatus};
 
 /// Walls may lean over by this much (sine of the angle) and still be walls; what leans over more is a ceiling.
-pub(super) const LEAN: Real = 0.05;
+pub(super) const WALL_LEAN_MAX: Real = 0.05;
 
 /// Planes at which the character is looked at as walking, standing and being held.
 #[derive(Copy, Clone, PartialEq, Eq, Debug)]
@@ -45,7 +45,7 @@ impl Plane {
     pub fn kind_of(rise: Real, settings: &ResolvedSettings) -> Kind {
         if rise >= settings.climb_cos {
             Kind::Floor
-        } else if rise < -LEAN {
+        } else if rise < -WALL_LEAN_MAX {
             Kind::Ceiling
         } else {
             Kind::Wall
@@ -61,8 +61,8 @@ impl Plane {
     pub fn holds(&self, settings: &ResolvedSettings) -> bool {
         match self.kind {
             Kind::Floor => true,
-            Kind::Step => self.rise > LEAN,
-            Kind::Wall => self.rise > LEAN && self.rise >= settings.slide_cos,
+            Kind::Step => self.rise > WALL_LEAN_MAX,
+            Kind::Wall => self.rise > WALL_LEAN_MAX && self.rise >= settings.slide_cos,
             Kind::Ceiling => false,
         }
     }
@@ -94,7 +94,7 @@ impl Plane {
     pub fn upright_half_space(&self, settings: &ResolvedSettings) -> Option<HalfSpace> {
         let (_, across) = settings.split(self.normal);
         let length = across.length();
-        (length > LEAN)
+        (length > WALL_LEAN_MAX)
             .then(|| HalfSpace { normal: across / length, at_least: self.slack(settings) / length })
     }
 

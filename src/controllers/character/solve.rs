@@ -1,6 +1,6 @@
 //! Which way a wish leads, given the planes around the character.
 
-use super::planes::{Kind, LEAN, Plane};
+use super::planes::{Kind, Plane, WALL_LEAN_MAX};
 use super::polyhedron::{HalfSpace, nearest};
 use super::resolved::ResolvedSettings;
 use super::settings::CharacterSlopeSpeed;
@@ -46,7 +46,7 @@ impl ResolvedSettings {
         let spaces: HalfSpaces = planes.iter().map(|plane| plane.half_space(self)).collect();
         let solved = self.slid(translation, &spaces);
         // Down a slope that is too steep to stand on, because nothing else is below.
-        let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > LEAN && !p.holds(self);
+        let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > WALL_LEAN_MAX && !p.holds(self);
         let is_down = fall < 0.0 && solved.dot(self.up) < -self.nothing();
         let slides = slides || (is_down && planes.iter().any(is_steep));
         SolvedMove { translation: solved, slides }

@@ -6,7 +6,7 @@
 //! ends where the shape comes to rest on it: a capsule rolls over the edge, a box is put on top.
 
 use super::mover::Mover;
-use super::planes::{Kind, LEAN, Plane};
+use super::planes::{Kind, Plane, WALL_LEAN_MAX};
 use super::polyhedron::nearest;
 use super::resolved::StepUp;
 use crate::dim::math::{Pose, Real, Vector};
@@ -22,7 +22,7 @@ impl Mover<'_> {
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
             let blocks = on_floor && ahead.dot(plane.normal) < -self.settings.nothing();
-            let may_hold = !on_floor && plane.rise > LEAN;
+            let may_hold = !on_floor && plane.rise > WALL_LEAN_MAX;
             if (blocks || may_hold) && self.is_low(plane, step_up) {
                 let (_, across) = self.settings.split(plane.normal);
                 let direction = -across.normalize_or_zero();

@@ -13,7 +13,7 @@ use super::resolved::ResolvedSettings;
 use crate::dim::math::{Pose, Real, Vector};
 
 /// Who goes along a plane at less than this sine goes past it.
-const GRAZING: Real = 1.0e-4;
+const SINE_MIN: Real = 1.0e-4;
 /// So often are contacts computed on a piece of the way.
 const LOOKS_MAX: usize = 32;
 /// A way is gone in pieces that are as long as the shape is thick, so that only what is near is looked at, or in so many.
@@ -49,7 +49,8 @@ impl Sweep<'_> {
 
     /// The plane whose gap is used up first, and when, if all normals stay.
     fn first_of(&self, planes: &[Plane], time: Real) -> Option<(Real, Plane)> {
-        let in_the_way = planes.iter().filter(|plane| self.approach(plane) > GRAZING * self.length);
+        let in_the_way =
+            planes.iter().filter(|plane| self.approach(plane) > SINE_MIN * self.length);
         let times = in_the_way.map(|plane| {
             let room = (plane.gap - self.within).max(0.0);
             (time + room / self.approach(plane), plane)

@@ -57,8 +57,8 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
-        sieve.near(&block, Simd::baseline(), &mut axes);
+        let culling = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        culling.near(&block, Simd::baseline(), &mut axes);
         flat.normal().map(|_| axes.best(0, half, hint))
     };
     match (polytope1, polytope2) {
@@ -96,12 +96,12 @@ impl TriangleCulling {
 
     /// Finds the axes of each segment. Returns a bit for each that is no farther than `reach` along any.
     pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
-        simd.run(Pass { sieve: self, flats, axes })
+        simd.run(Pass { culling: self, flats, axes })
     }
 }
 
 struct Pass<'a> {
-    sieve: &'a TriangleCulling,
+    culling: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -111,7 +111,7 @@ impl Kernel for Pass<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> u32 {
-        let half = WideVector::<W>::splat(self.sieve.half);
+        let half = WideVector::<W>::splat(self.culling.half);
         let (a, b): (WideVector<W>, WideVector<W>) = (self.end(0), self.end(1));
         // Of the box.
         let (x, sign_x) = apart(a.x.min(b.x), a.x.max(b.x), half.x);
@@ -131,7 +131,7 @@ impl Kernel for Pass<'_> {
         let of_segment = height.abs() - (half.x * normal.x.abs() + half.y * normal.y.abs());
         of_segment.store(&mut self.axes.gaps[1]);
         outward.store(&mut self.axes.normals[1]);
-        W::bits(of_segment.max(of_box).le(W::splat(self.sieve.reach)))
+        W::bits(of_segment.max(of_box).le(W::splat(self.culling.reach)))
     }
 }
 
@@ -140,8 +140,8 @@ impl Pass<'_> {
     #[inline(always)]
     fn end<W: Wide>(&self, index: usize) -> WideVector<W> {
         let end = WideVector::load(&self.flats[index]);
-        let [x, y] = self.sieve.axes;
-        WideVector::splat(self.sieve.origin)
+        let [x, y] = self.culling.axes;
+        WideVector::splat(self.culling.origin)
             + WideVector::splat(x) * end.x
             + WideVector::splat(y) * end.y
     }
@@ -182,11 +182,11 @@ mod tests {
                 set_flat_lane(&mut block, lane, segment);
             }
             let reach = 0.05;
-            let sieve =
+            let culling =
                 TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
-            let near = sieve.near(&block, Simd::detect(), &mut wide);
-            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            let near = culling.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, culling.near(&block, Simd::baseline(), &mut baseline));
             for (lane, segment) in segments.iter().enumerate() {
                 let expected = gap(half, &pose, segment);
                 let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);

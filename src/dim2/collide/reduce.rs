@@ -4,7 +4,7 @@ use super::RawPoint;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 
 /// Points whose depths differ by less than this share of the manifold's size are as deep as each other.
-const FLAT: Real = 5.0e-3;
+const DEPTH_TOLERANCE: Real = 5.0e-3;
 
 /// Keeps the deepest point and the one that is farthest from it. If all are equally deep, rounding must not
 /// choose: then the first is the one that is farthest to one side.
@@ -20,7 +20,7 @@ pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     let along = |point: &RawPoint| tangent.dot(point.local_p1);
     let (low, high) = range(points.iter().map(|point| point.dist));
     let (left, right) = range(points.iter().map(along));
-    let first = if high - low > FLAT * (right - left) {
+    let first = if high - low > DEPTH_TOLERANCE * (right - left) {
         points.iter().min_by(|a, b| a.dist.total_cmp(&b.dist)).copied()
     } else {
         points.iter().min_by(|a, b| along(a).total_cmp(&along(b))).copied()

@@ -31,7 +31,7 @@ impl JointedInertias {
     }
 
     /// Does the inertia of a body of this lane turn with it? It is a number.
-    pub fn tumble(&self, _lane: usize) -> bool {
+    pub fn gyroscopic(&self, _lane: usize) -> bool {
         false
     }
 

@@ -70,8 +70,8 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
-        sieve.near(&block, Simd::baseline(), &mut axes);
+        let culling = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        culling.near(&block, Simd::baseline(), &mut axes);
         axes.best(0, half, hint)
     };
     match (polytope1, polytope2) {
@@ -109,12 +109,12 @@ impl TriangleCulling {
 
     /// Finds the axes of each triangle. Returns a bit for each that is no farther than `reach` along any.
     pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
-        simd.run(Pass { sieve: self, flats, axes })
+        simd.run(Pass { culling: self, flats, axes })
     }
 }
 
 struct Pass<'a> {
-    sieve: &'a TriangleCulling,
+    culling: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -124,7 +124,7 @@ impl Kernel for Pass<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> u32 {
-        let half = WideVector::<W>::splat(self.sieve.half);
+        let half = WideVector::<W>::splat(self.culling.half);
         let [a, b, c] = [self.corner(0), self.corner(1), self.corner(2)];
         let edges = [b - a, c - b, a - c];
         let of_box = Axis::of_box(half, [a, b, c]);
@@ -139,7 +139,7 @@ impl Kernel for Pass<'_> {
         of_triangle.store(1, self.axes);
         of_edges.store(2, self.axes);
         let gap = of_box.gap.max(of_triangle.gap).max(of_edges.gap);
-        W::bits(gap.le(W::splat(self.sieve.reach)))
+        W::bits(gap.le(W::splat(self.culling.reach)))
     }
 }
 
@@ -148,8 +148,8 @@ impl Pass<'_> {
     #[inline(always)]
     fn corner<W: Wide>(&self, index: usize) -> WideVector<W> {
         let corner = WideVector::load(&self.flats[index]);
-        let [x, y, z] = self.sieve.axes;
-        WideVector::splat(self.sieve.origin)
+        let [x, y, z] = self.culling.axes;
+        WideVector::splat(self.culling.origin)
             + WideVector::splat(x) * corner.x
             + WideVector::splat(y) * corner.y
             + WideVector::splat(z) * corner.z
@@ -317,11 +317,11 @@ mod tests {
                 set_flat_lane(&mut block, lane, triangle);
             }
             let reach = 0.05;
-            let sieve =
+            let culling =
                 TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
-            let near = sieve.near(&block, Simd::detect(), &mut wide);
-            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            let near = culling.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, culling.near(&block, Simd::baseline(), &mut baseline));
             for (lane, triangle) in triangles.iter().enumerate() {
                 let expected = gap(half, &pose, triangle);
                 let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
@@ -354,9 +354,9 @@ mod tests {
             let needle = Triangle::new(a, b, a + (b - a) * between.clamp(0.0, 1.0));
             let mut block = FlatBlock::default();
             set_flat_lane(&mut block, 0, &needle);
-            let sieve =
+            let culling =
                 TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
-            let found = sieve.near(&block, Simd::detect(), &mut FlatAxes::default());
+            let found = culling.near(&block, Simd::detect(), &mut FlatAxes::default());
             let cuboid = parry::shape::Cuboid::new(half);
             let segment = parry::shape::Segment::new(a, b);
             let distance = parry::query::distance(&Pose::IDENTITY, &cuboid, &pose, &segment);

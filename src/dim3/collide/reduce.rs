@@ -4,7 +4,7 @@ use super::RawPoint;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 
 /// Points whose depths differ by less than this share of the manifold's size are as deep as each other.
-const FLAT: Real = 5.0e-3;
+const DEPTH_TOLERANCE: Real = 5.0e-3;
 
 /// Keeps the deepest point and the three others that span the largest area with it.
 ///
@@ -52,7 +52,7 @@ fn first_point(points: &[RawPoint], normal: Vector) -> Option<usize> {
     let (low, high) = depths.fold((Real::INFINITY, Real::NEG_INFINITY), |(low, high), dist| {
         (low.min(dist), high.max(dist))
     });
-    if high - low > FLAT * size_squared.sqrt() {
+    if high - low > DEPTH_TOLERANCE * size_squared.sqrt() {
         return best(points, |point| -point.dist);
     }
     let [tangent1, tangent2] = tangents(normal);

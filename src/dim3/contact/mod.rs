@@ -50,4 +50,4 @@ pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
 pub(crate) use prepare::{PrepareContext, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
-pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};
+pub(crate) use solve::{Bodies, relax, solve, solve_block_friction, values_at};

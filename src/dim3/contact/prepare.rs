@@ -174,13 +174,13 @@ fn write_points<W: Wide>(
 fn angular_part<W: Wide>(pair: &Pair<W>, i: &Point<W>, j: &Point<W>) -> W {
     let (a, b, c) = (i.local, j.local, pair.offset);
     let [i1, i2] = pair.inv_inertia;
-    lever_product(i1, [a.x, a.y], [b.x, b.y])
-        + lever_product(i2, [a.x + c.x, a.y + c.y], [b.x + c.x, b.y + c.y])
+    arm_product(i1, [a.x, a.y], [b.x, b.y])
+        + arm_product(i2, [a.x + c.x, a.y + c.y], [b.x + c.x, b.y + c.y])
 }
 
 /// `(a₂, -a₁, 0) I⁻¹ (b₂, -b₁, 0)ᵀ`.
 #[inline(always)]
-fn lever_product<W: Wide>(inv_inertia: WideSymmetric<W>, a: [W; 2], b: [W; 2]) -> W {
+fn arm_product<W: Wide>(inv_inertia: WideSymmetric<W>, a: [W; 2], b: [W; 2]) -> W {
     inv_inertia.m11 * a[1] * b[1] - inv_inertia.m12 * (a[1] * b[0] + a[0] * b[1])
         + inv_inertia.m22 * a[0] * b[0]
 }

@@ -87,8 +87,8 @@ pub(crate) unsafe fn relax<W: Wide>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
-    rub_block(block, coulomb, &mut bodies);
-    if pass.is_last_visit {
+    solve_block_friction(block, coulomb, &mut bodies);
+    if pass.is_last_iteration {
         for k in 0..MAX_MANIFOLD_POINTS {
             let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
             total.store(&mut block.totals[k]);
@@ -100,7 +100,7 @@ pub(crate) unsafe fn relax<W: Wide>(
 
 /// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.
 #[inline(always)]
-pub(crate) fn rub_block<W: Wide>(
+pub(crate) fn solve_block_friction<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     bodies: &mut Bodies<W>,

@@ -21,11 +21,11 @@ use crate::base::trig::sin_cos;
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
-use crate::dim3::turn::{atan_excess, nearest_whole};
+use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
 /// Below this, numbers that should have a direction have none.
-const NOTHING: Real = 1.0e-12;
+const LENGTH_MIN: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 /// More turns in a step than this are none that anyone can count: bodies that turn that far are nowhere.
 const TURNS_MAX: Real = 1.0e6;
@@ -143,7 +143,7 @@ impl AngleTracker {
         // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is meant.
         let length = v.dot(v).sqrt();
         let sign = W::select(between.w.lt(zero), -one, one);
-        let has_axis = W::splat(NOTHING).lt(length);
+        let has_axis = W::splat(LENGTH_MIN).lt(length);
         let unit = v * (sign / W::select(has_axis, length, one));
         let from = WideVector::load(&self.from);
         let e = WideVector::select(follows & has_axis, unit, from);
@@ -166,7 +166,7 @@ impl AngleTracker {
         let cos = f.dot(e);
         let across = f - e * cos;
         let length = across.dot(across).sqrt();
-        let is_swung = W::splat(NOTHING).lt(length);
+        let is_swung = W::splat(LENGTH_MIN).lt(length);
         let unit = across * (one / W::select(is_swung, length, one));
         let g = WideVector::select(follows & is_swung, unit, aside);
         let sin = f.dot(g);
@@ -188,7 +188,7 @@ impl AngleTracker {
         let sign = W::select(x.lt(W::zero()), -W::splat(1.0), W::splat(1.0));
         let (x, y) = if is_twist { (x * sign, y * sign) } else { (x, y) };
         // Tangents of half of the angle, and of half of that.
-        let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(NOTHING));
+        let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(LENGTH_MIN));
         let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
         let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
         let angle = quarter + quarter * atan_excess(quarter * quarter);

@@ -2,8 +2,8 @@
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{AngularInertia, Real};
+use crate::dim3::rotation_vector::turned_inertia;
 use crate::dim3::state::WideDisplacement;
-use crate::dim3::turn::turned_inertia;
 use crate::dim3::wide::{
     WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, store_symmetric,
     symmetric_lane,
@@ -38,7 +38,7 @@ pub(crate) struct JointedInertias {
     /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
     is_gyroscopic: [Lane; 2],
     /// Is there any?
-    has_tumbling: bool,
+    any_gyroscopic: bool,
 }
 
 impl JointedInertias {
@@ -47,7 +47,7 @@ impl JointedInertias {
         start: [ZERO_INERTIA; 2],
         now: [ZERO_INERTIA; 2],
         is_gyroscopic: [Lane::ZERO; 2],
-        has_tumbling: false,
+        any_gyroscopic: false,
     };
 
     /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
@@ -62,12 +62,12 @@ impl JointedInertias {
         set_symmetric_lane(&mut self.now[side], lane, value);
         if is_gyroscopic {
             self.is_gyroscopic[side].0[lane] = 1.0;
-            self.has_tumbling = true;
+            self.any_gyroscopic = true;
         }
     }
 
     /// Does the inertia of a body of this lane turn with it?
-    pub fn tumble(&self, lane: usize) -> bool {
+    pub fn gyroscopic(&self, lane: usize) -> bool {
         self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }
 
@@ -91,7 +91,7 @@ impl JointedInertias {
     /// The bodies have moved by so much since the step began.
     #[inline(always)]
     pub fn turn<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
-        if !self.has_tumbling {
+        if !self.any_gyroscopic {
             return;
         }
         for side in 0..2 {

@@ -51,7 +51,7 @@ impl Drive {
     }
 
     /// What is left of the engine's impulse behind the brake, and what the ground gives.
-    pub fn surplus(&self, forward: Real) -> Real {
+    pub fn excess(&self, forward: Real) -> Real {
         let left = (self.engine.abs() - self.brake - forward.abs()).max(0.0);
         if self.engine < 0.0 { -left } else { left }
     }

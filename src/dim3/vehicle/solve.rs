@@ -8,14 +8,14 @@ use crate::dim::math::{Real, Vector};
 
 /// The most visits of each row. Springs yield and couple weakly; what takes its time is a car held fast by all
 /// wheels, whose rows say the same thing several times over.
-const VISITS: usize = 50;
+const ITERATIONS_MAX: usize = 50;
 /// When no row changes its velocity by more than this share of what suspensions do in the step, all are solved: of the
 /// 0.2 m/s of a step of gravity, that is less than what rounding leaves.
-const SETTLED: Real = 1.0e-5;
+const CONVERGENCE_TOLERANCE: Real = 1.0e-5;
 
 /// Finds the impulses of all wheels.
 pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds: &mut Grounds) {
-    for _ in 0..VISITS {
+    for _ in 0..ITERATIONS_MAX {
         let (mut change, mut scale): (Real, Real) = (0.0, 0.0);
         for contact in contacts.iter_mut() {
             let ground = &mut grounds.all[contact.ground].mover;
@@ -26,7 +26,7 @@ pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds:
             let ground = &mut grounds.all[contact.ground].mover;
             change = change.max(contact.hold(chassis, ground));
         }
-        if change <= SETTLED * scale {
+        if change <= CONVERGENCE_TOLERANCE * scale {
             break;
         }
     }

@@ -108,7 +108,7 @@ impl RigidBodyMassProps {
     }
 
     /// May the body turn about every axis? If so its inertia turns with it. Where axes of the world are locked it does not.
-    pub(crate) fn turns_freely(&self) -> bool {
+    pub(crate) fn rotates_freely(&self) -> bool {
         !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
     }
 

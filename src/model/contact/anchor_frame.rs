@@ -32,7 +32,7 @@ use crate::model::check::is_saved_unit;
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact do not act along one line, and the
 /// angular momentum of a pair that is pressed together is not conserved. So only bodies that have weight and turn more
-/// slowly than [`Self::SLOW`] are held, by no more than [`Self::HELD_TURN_MAX`], and not where the normal would lag by
+/// slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`] are held, by no more than [`Self::FROZEN_ANGLE_MAX`], and not where the normal would lag by
 /// more than friction hides ([`Self::HELD_BY_FRICTION`]). What is wrong in the end is the load's lever, by a few
 /// hundredths of the body's size, on bodies that turn by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
@@ -59,10 +59,10 @@ impl AnchorFrame {
 
     /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows
     /// that settles stay below it; at 0.02 they did not, and it was seen to lean.
-    const SLOW: Real = 0.05;
+    const ANGULAR_SPEED_NEAR_REST_MAX: Real = 0.05;
 
     /// The farthest (rad) that contacts are held behind a body that turns: three degrees.
-    const HELD_TURN_MAX: Real = 0.05;
+    const FROZEN_ANGLE_MAX: Real = 0.05;
 
     /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
     const HELD_BY_FRICTION: Real = 0.1;
@@ -71,37 +71,38 @@ impl AnchorFrame {
     /// bends it, so there is nothing to hold straight. What stands on a platform that tilts is to feel it.
     pub fn near_rest(angular_speed_squared: Real, is_dynamic: bool) -> bool {
         if is_dynamic {
-            angular_speed_squared < Self::SLOW * Self::SLOW
+            angular_speed_squared
+                < Self::ANGULAR_SPEED_NEAR_REST_MAX * Self::ANGULAR_SPEED_NEAR_REST_MAX
         } else {
             angular_speed_squared == 0.0
         }
     }
 
     /// How far (rad) contacts are held behind bodies that creep.
-    pub fn held_turn(friction: Real) -> Real {
-        (Self::HELD_BY_FRICTION * friction).clamp(0.0, Self::HELD_TURN_MAX)
+    pub fn frozen_angle(friction: Real) -> Real {
+        (Self::HELD_BY_FRICTION * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
     }
 }
 
 /// The placement of a manifold per lane.
 #[derive(Clone, Debug)]
-pub(crate) struct WidePlacement {
+pub(crate) struct WideAnchorFrame {
     rotations: [WideRotation<Lane>; 2],
     centers: WideVector<Lane>,
     normal: WideVector<Lane>,
     /// Square of how far (rad) bodies that creep may have turned since, and the contacts are still held. Zero: they follow.
-    held_turn_squared: Lane,
+    frozen_angle_squared: Lane,
     /// One where both bodies creep, else zero.
     near_rest: Lane,
 }
 
-impl WidePlacement {
+impl WideAnchorFrame {
     /// Nothing that has a place in any lane.
     pub const NOWHERE: Self = Self {
         rotations: [WideRotation::IDENTITY; 2],
         centers: WideVector::ZERO,
         normal: WideVector::Y,
-        held_turn_squared: Lane::ZERO,
+        frozen_angle_squared: Lane::ZERO,
         near_rest: Lane::ZERO,
     };
 
@@ -111,14 +112,14 @@ impl WidePlacement {
         lane: usize,
         anchor_frame: &AnchorFrame,
         normal: Vector,
-        held_turn: Real,
+        frozen_angle: Real,
     ) {
         for (lanes, rotation) in self.rotations.iter_mut().zip(&anchor_frame.rotations) {
             lanes.set_lane(lane, rotation);
         }
         self.centers.set_lane(lane, anchor_frame.centers);
         self.normal.set_lane(lane, normal);
-        self.held_turn_squared.0[lane] = held_turn * held_turn;
+        self.frozen_angle_squared.0[lane] = frozen_angle * frozen_angle;
     }
 
     /// Nothing that has a place in one lane.
@@ -155,7 +156,7 @@ impl<W: Wide> MotionSince<W> {
     /// `is_world` is one for bodies that are the world.
     #[inline(always)]
     pub fn new(
-        anchor_frame: &WidePlacement,
+        anchor_frame: &WideAnchorFrame,
         is_world: &[Lane; 2],
         poses: &[WidePose<W>; 2],
     ) -> Self {
@@ -168,7 +169,7 @@ impl<W: Wide> MotionSince<W> {
             poses[side].rotation.since(WideRotation::load(&anchor_frame.rotations[side]))
         };
         let turns = [turn(0), turn(1)];
-        let limit = W::load(&anchor_frame.held_turn_squared) * W::load(&anchor_frame.near_rest);
+        let limit = W::load(&anchor_frame.frozen_angle_squared) * W::load(&anchor_frame.near_rest);
         let is_frozen = turns[0].chord_squared().lt(limit) & turns[1].chord_squared().lt(limit);
         let (normal, zero) = (WideVector::load(&anchor_frame.normal), WideVector::zero());
         Self {
@@ -194,14 +195,14 @@ impl<W: Wide> MotionSince<W> {
     /// The lever, now, to midway between what was at a lever of the first body then; and how far the second
     /// surface moved against the first there.
     #[inline(always)]
-    pub fn at(&self, placed: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
-        let placed2 = placed + self.offsets[0];
-        let turned1 = self.turns[0].displacement(placed);
+    pub fn at(&self, world_anchors: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
+        let placed2 = world_anchors + self.offsets[0];
+        let turned1 = self.turns[0].displacement(world_anchors);
         let turned2 = self.turns[1].displacement(placed2);
         let moved = self.shift + turned2 - turned1;
         let half = moved * W::splat(0.5);
         // The surface of the world has not moved; from the other one it is half of the way.
-        let from_first = placed + turned1 + half;
+        let from_first = world_anchors + turned1 + half;
         let from_second = placed2 + turned2 - half - self.offsets[1];
         (WideVector::select(self.is_second_world, from_first, from_second), moved)
     }

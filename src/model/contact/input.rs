@@ -1,6 +1,6 @@
 //! What the solver is told of contact manifolds, lane by lane.
 
-use super::anchor_frame::WidePlacement;
+use super::anchor_frame::WideAnchorFrame;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim::state::READ_ONLY;
@@ -16,7 +16,7 @@ pub(crate) struct ContactInput {
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
     /// How the bodies stood when the contacts were placed.
-    pub anchor_frame: WidePlacement,
+    pub anchor_frame: WideAnchorFrame,
     /// From the first centre of mass to the points as they were placed, in world space.
     pub arms: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Separations of the points as they were placed.
@@ -45,7 +45,7 @@ impl ContactInput {
             bodies: [[READ_ONLY; LANES]; 2],
             is_world: [Lane::splat(1.0); 2],
             mass_factors: [Lane::ZERO; 2],
-            anchor_frame: WidePlacement::NOWHERE,
+            anchor_frame: WideAnchorFrame::NOWHERE,
             arms: [vector; MAX_MANIFOLD_POINTS],
             placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],

@@ -82,8 +82,11 @@ impl LaneBlock {
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
         self.counts[lane] = data.points.len() as u8;
-        let held =
-            if pair.anchor_frame.may_freeze { AnchorFrame::held_turn(data.friction) } else { 0.0 };
+        let held = if pair.anchor_frame.may_freeze {
+            AnchorFrame::frozen_angle(data.friction)
+        } else {
+            0.0
+        };
         input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, held);
         input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
@@ -138,11 +141,11 @@ pub(crate) struct ContactLanes {
     /// How many blocks there are for each colour, though some be empty.
     pub capacity: LaneCapacity,
     /// How often lanes were stored.
-    turn: u32,
+    stores: u32,
     /// By pair: the turn of which it was told last. Pairs beyond the end, that are younger, have nothing to be told.
-    told: Vec<AtomicU32>,
+    written: Vec<AtomicU32>,
     /// Held by who tells a pair behind a shared reference.
-    telling: Mutex<()>,
+    writing: Mutex<()>,
 }
 
 impl Default for ContactLanes {
@@ -153,9 +156,9 @@ impl Default for ContactLanes {
             are_rough: false,
             starts: Vec::new(),
             capacity: [0; _],
-            turn: 0,
-            told: Vec::new(),
-            telling: Mutex::default(),
+            stores: 0,
+            written: Vec::new(),
+            writing: Mutex::default(),
         }
     }
 }
@@ -168,13 +171,15 @@ impl Clone for ContactLanes {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { blocks, reports, are_rough, starts, capacity, turn, told, telling: _ } = source;
+        let Self { blocks, reports, are_rough, starts, capacity, stores, written, writing: _ } =
+            source;
         self.blocks.clone_from(blocks);
         self.reports.clone_from(reports);
         self.starts.clone_from(starts);
-        (self.are_rough, self.capacity, self.turn) = (*are_rough, *capacity, *turn);
-        self.told.clear();
-        self.told.extend(told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire))));
+        (self.are_rough, self.capacity, self.stores) = (*are_rough, *capacity, *stores);
+        self.written.clear();
+        self.written
+            .extend(written.iter().map(|stores| AtomicU32::new(stores.load(Ordering::Acquire))));
     }
 }
 
@@ -221,15 +226,15 @@ impl ContactLanes {
     pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
         self.starts.clear();
         self.starts.extend_from_slice(starts);
-        self.turn = self.turn.wrapping_add(1);
-        self.told.resize_with(ids, AtomicU32::default);
+        self.stores = self.stores.wrapping_add(1);
+        self.written.resize_with(ids, AtomicU32::default);
     }
 
     /// Has `write_back` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
     pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
-        if !self.is_told(id) {
-            let _telling = self.telling.lock().unwrap_or_else(PoisonError::into_inner);
-            if !self.is_told(id) {
+        if !self.is_written(id) {
+            let _telling = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+            if !self.is_written(id) {
                 write_back();
             }
         }
@@ -237,22 +242,22 @@ impl ContactLanes {
 
     /// Tells a pair what became of it, unless it knows.
     pub fn write_back(&self, id: PairId, pair: &mut ContactPair) {
-        if self.is_told(id) {
+        if self.is_written(id) {
             return;
         }
         for (index, manifold) in pair.manifolds.iter_mut().enumerate() {
             let at = ManifoldRef { pair: id, manifold: index as u32 };
             if let Some((block, lane)) = self.find(at, manifold) {
-                self.tell_manifold(block, lane, manifold);
+                self.write_back_manifold(block, lane, manifold);
             }
         }
-        self.told[id as usize].store(self.turn, Ordering::Release);
+        self.written[id as usize].store(self.stores, Ordering::Release);
     }
 
     /// The normal of a manifold of a pair, as of the last step whether or not it has been told.
     pub fn normal_of(&self, id: PairId, index: usize, manifold: &ContactManifold) -> Vector {
         let at = ManifoldRef { pair: id, manifold: index as u32 };
-        let ahead = if self.is_told(id) { None } else { self.find(at, manifold) };
+        let ahead = if self.is_written(id) { None } else { self.find(at, manifold) };
         let report = ahead.map(|(block, lane)| &self.reports[block][lane]);
         report
             .filter(|report| report.is_sound())
@@ -260,7 +265,7 @@ impl ContactLanes {
     }
 
     /// Tells the manifold that a lane stands for what became of it.
-    pub fn tell_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
+    pub fn write_back_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
         let data = &mut manifold.data;
         write_back(&self.reports[block][lane], data);
         if self.are_rough {
@@ -281,9 +286,10 @@ impl ContactLanes {
     }
 
     #[inline]
-    fn is_told(&self, id: PairId) -> bool {
-        let turn = self.told.get(id as usize);
-        !self.are_ahead() || turn.is_none_or(|turn| turn.load(Ordering::Acquire) == self.turn)
+    fn is_written(&self, id: PairId) -> bool {
+        let stores = self.written.get(id as usize);
+        !self.are_ahead()
+            || stores.is_none_or(|stores| stores.load(Ordering::Acquire) == self.stores)
     }
 
     /// The block and the lane in it that stands for a manifold.

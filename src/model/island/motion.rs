@@ -23,8 +23,8 @@ impl BodyMotion {
 
     /// Of a body whose points are within `extent` of its centre of mass: they move by no more than the angle times
     /// that distance besides.
-    pub fn of(shift: Vector, turn: AngVector, extent: Real) -> Self {
-        let turn_squared = ang_length_squared(turn);
+    pub fn of(shift: Vector, rotvec: AngVector, extent: Real) -> Self {
+        let turn_squared = ang_length_squared(rotvec);
         let rest = if turn_squared > 0.0 { turn_squared.sqrt() * extent } else { 0.0 };
         Self { shift, rest }
     }
@@ -76,13 +76,13 @@ mod tests {
             let mut motions = [BodyMotion::NONE; 2];
             for side in 0..2 {
                 let (center, arm) = (vector(2.0), vector(1.0).normalize_or_zero() * extent);
-                let turn = torque(vector(1.0), vector(1.0));
+                let rotvec = torque(vector(1.0), vector(1.0));
                 let pose = Pose::from_parts(
                     center + shifts[side],
-                    integrate_rotation(Rotation::IDENTITY, turn),
+                    integrate_rotation(Rotation::IDENTITY, rotvec),
                 );
                 ends[side] = [center + arm, pose * arm];
-                motions[side] = BodyMotion::of(shifts[side], turn, extent);
+                motions[side] = BodyMotion::of(shifts[side], rotvec, extent);
             }
             let apart = |when: usize| ends[0][when] - ends[1][when];
             let moved = (apart(1) - apart(0)).length();

@@ -7,7 +7,7 @@ use crate::dim::math::Real;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 
 /// How far (rad) a joint may be outside of its limits by whoever put it there without another turn being meant.
-const LEEWAY: Real = 0.5;
+const ANGLE_TOLERANCE: Real = 0.5;
 
 /// How far a free axis of a joint reaches: a range of lengths, or of angles in radians.
 ///
@@ -43,7 +43,7 @@ impl JointLimits {
     /// 3.25 rad between 2.5 and 4 is there, and not at -3.03. Of several readings the one nearest to zero is taken; if there is
     /// none, the one that is least outside.
     pub(crate) fn first_reading(&self, angle: Real) -> Real {
-        let (min, max) = (self.min - LEEWAY, self.max + LEEWAY);
+        let (min, max) = (self.min - ANGLE_TOLERANCE, self.max + ANGLE_TOLERANCE);
         let turns = if angle < min {
             ((min - angle) / TURN).ceil()
         } else if angle > max {

@@ -20,18 +20,18 @@ pub(crate) struct JointForm {
     /// How many free axes it limits or drives.
     pub driven: u8,
     /// Does it lock all translations, and nothing else happens on any axis?
-    pub is_pin: bool,
+    pub is_point_to_point: bool,
 }
 
 impl JointForm {
     /// That of a joint.
     pub fn of(joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
-        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
+        let is_point_to_point = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
             && joint.softness.is_none();
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        Self { locked: joint.locked_axes.bits(), driven, is_pin }
+        Self { locked: joint.locked_axes.bits(), driven, is_point_to_point }
     }
 
     /// Does it lock a rotation?

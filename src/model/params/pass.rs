@@ -16,7 +16,7 @@ pub(crate) struct ContactPass {
     pub allowed_error: Real,
     /// Is this the last visit of the constraints in the substep? Then its impulses are the substep's,
     /// and count into those of the step.
-    pub is_last_visit: bool,
+    pub is_last_iteration: bool,
 }
 
 impl ContactPass {
@@ -27,7 +27,7 @@ impl ContactPass {
             softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
             allowed_error: params.allowed_linear_error(),
-            is_last_visit: true,
+            is_last_iteration: true,
         }
     }
 }
@@ -72,7 +72,7 @@ pub(crate) struct JointPass {
     /// Largest velocity at which joints bring anchors together (length/s).
     pub correction_max: Real,
     /// Is this the last visit of the constraints in the substep?
-    pub is_last_visit: bool,
+    pub is_last_iteration: bool,
 }
 
 impl JointPass {
@@ -83,7 +83,7 @@ impl JointPass {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             softness: params.joint_softness(substep),
             correction_max: params.max_joint_corrective_velocity(),
-            is_last_visit: true,
+            is_last_iteration: true,
         }
     }
 

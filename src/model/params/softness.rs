@@ -101,10 +101,10 @@ impl Softness {
     /// From the share of the error to remove in a substep (0 to 1) and the yield (0: hard), for
     /// substeps of `substep` seconds.
     #[inline]
-    pub fn new(share: Real, yielding: Real, substep: Real) -> Self {
+    pub fn new(share: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { share / substep } else { 0.0 };
-        let mass_scale = 1.0 / (1.0 + yielding);
-        Self { bias_rate, mass_scale, impulse_scale: yielding * mass_scale }
+        let mass_scale = 1.0 / (1.0 + compliance);
+        Self { bias_rate, mass_scale, impulse_scale: compliance * mass_scale }
     }
 
     /// The yield `σ` from which [`Self::new`] made this.

@@ -18,12 +18,12 @@ use crate::model::multibody::Multibody;
 /// substep was compared, up to more than they had, and none when that of a step was.)
 const CONTACT_TURN_MAX: Real = 0.1;
 /// The largest angle (rad) that a joint turns in a substep with a wild piece.
-const WILD_TURN_MAX: Real = 0.5;
+const JOINT_ANGLE_MAX: Real = 0.5;
 /// Joints that turn by a larger angle (rad) in a substep are not limited: the input is beyond what can be simulated, and a
 /// [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
-const SENSELESS_TURN: Real = 1.0e6;
+const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
 /// From this fraction of the energy on, what is too much is removed from the change of shape.
-const SMALL_SURPLUS: Real = 0.9;
+const GAIN_CONTRACTION_MAX: Real = 0.9;
 /// Relative rounding error of an energy.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
@@ -40,7 +40,7 @@ impl Motion {
 
     /// Returns whether a joint moves at a velocity that the user gave it.
     fn is_driven(&self) -> bool {
-        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_told() && *rate != 0.0;
+        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_prescribed() && *rate != 0.0;
         self.drives.iter().zip(&self.rates).any(is_driven)
     }
 
@@ -112,7 +112,7 @@ impl Motion {
         if kept >= 1.0 || !kept.is_finite() {
             return 1.0;
         }
-        if (kept > SMALL_SURPLUS || !touches) && self.root_dofs() > 0 {
+        if (kept > GAIN_CONTRACTION_MAX || !touches) && self.root_dofs() > 0 {
             self.keep_momentum(self.kinematics.links[0].center);
             let energy_gain = self.kinetic_energy() - energy_max;
             let own = self.flight_energy();
@@ -133,7 +133,7 @@ impl Motion {
     /// Leaves this share of all velocities but of those of degrees of freedom that move as they are told.
     fn slow_down(&mut self, share: Real) {
         for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-            *rate *= if drive.is_told() { 1.0 } else { share };
+            *rate *= if drive.is_prescribed() { 1.0 } else { share };
         }
         self.follow_momentum();
     }
@@ -150,17 +150,17 @@ impl Motion {
             return;
         }
         let own = self.copy_of_rates();
-        self.slow_to_whole();
+        self.slow_to_locked();
         self.update_velocities();
-        let of_whole = self.energy_seen_from(frame);
-        if of_whole < most {
-            self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
+        let of_locked = self.energy_seen_from(frame);
+        if of_locked < most {
+            self.blend(&own, ((most - of_locked) / (energy - of_locked)).sqrt());
         } else {
             let locked_inertia = self.copy_of_rates();
             self.slow_to(frame);
             self.blend(
                 &locked_inertia,
-                if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 },
+                if of_locked > 0.0 { (most / of_locked).sqrt() } else { 0.0 },
             );
             self.return_buffer(locked_inertia);
         }
@@ -169,15 +169,15 @@ impl Motion {
         self.follow_momentum();
     }
 
-    /// Lets no joint turn by more than [`WILD_TURN_MAX`] in `h` seconds: slows the change of shape down.
+    /// Lets no joint turn by more than [`JOINT_ANGLE_MAX`] in `h` seconds: slows the change of shape down.
     pub(super) fn limit_whip(&mut self, h: Real) {
         let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
-        if fastest > WILD_TURN_MAX && fastest < SENSELESS_TURN {
+        if fastest > JOINT_ANGLE_MAX && fastest < ANGLE_MEANINGFUL_MAX {
             let own = self.copy_of_rates();
-            self.slow_to_whole();
-            self.blend(&own, WILD_TURN_MAX / fastest);
+            self.slow_to_locked();
+            self.blend(&own, JOINT_ANGLE_MAX / fastest);
             self.obey(&own);
             self.return_buffer(own);
         }
@@ -192,14 +192,14 @@ impl Motion {
     }
 
     /// Degrees of freedom that move as they are told take these velocities.
-    fn obey(&mut self, told: &[Real]) {
-        for ((rate, drive), told) in self.rates.iter_mut().zip(&self.drives).zip(told) {
-            *rate = if drive.is_told() { *told } else { *rate };
+    fn obey(&mut self, prescribed: &[Real]) {
+        for ((rate, drive), prescribed) in self.rates.iter_mut().zip(&self.drives).zip(prescribed) {
+            *rate = if drive.is_prescribed() { *prescribed } else { *rate };
         }
     }
 
     /// Leaves the motion of the whole alone.
-    fn slow_to_whole(&mut self) {
+    fn slow_to_locked(&mut self) {
         let momentum = self.root_momentum();
         self.rates.fill(0.0);
         add_all(&mut self.rates, self.locked_inertia.rates_at(&momentum), 1.0);
@@ -263,7 +263,7 @@ impl Motion {
         };
         let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
         let of_armature = |(drive, rate): (&Drive, &Real)| {
-            if drive.is_told() { 0.0 } else { 0.5 * drive.armature * rate * rate }
+            if drive.is_prescribed() { 0.0 } else { 0.5 * drive.armature * rate * rate }
         };
         of_links + self.drives.iter().zip(&self.rates).map(of_armature).sum::<Real>()
     }

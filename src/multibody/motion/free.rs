@@ -111,7 +111,7 @@ impl Motion {
         speed_max: Real,
         mut note: impl FnMut(&mut Self, Real),
     ) -> Real {
-        let begin = self.begin_account(h);
+        let begin = self.begin_budget(h);
         self.pieces = self.pieces.max(self.pieces_for(h));
         let piece = h / self.pieces as Real;
         let (mut has_diverged, mut energy) = (self.has_diverged, begin.energy);
@@ -162,7 +162,7 @@ impl Motion {
 
     /// Notes energy, power and places before a substep of `h` seconds, at the velocities from which the first half led to
     /// those that there are.
-    fn begin_account(&mut self, h: Real) -> FreeMotionStart {
+    fn begin_budget(&mut self, h: Real) -> FreeMotionStart {
         let now = self.copy_of_rates();
         if self.rates == self.half_rates {
             add_all(&mut self.rates, &self.flown, -1.0);

@@ -68,7 +68,7 @@ pub struct Drive {
 
 impl Drive {
     /// Does the degree of freedom move as it is told?
-    fn is_told(&self) -> bool {
+    fn is_prescribed(&self) -> bool {
         self.armature == Real::INFINITY
     }
 }

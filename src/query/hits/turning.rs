@@ -10,7 +10,7 @@ use parry::query::{Contact, NonlinearRigidMotion, QueryDispatcher, ShapeCastHit,
 use parry::shape::Shape;
 
 /// Within what share of the smaller shape's size shapes touch.
-const NEAR: Real = 1.0e-4;
+const TOUCH_TOLERANCE: Real = 1.0e-4;
 /// And within how many digits of where they are.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
@@ -44,7 +44,7 @@ fn tolerance(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> Real {
     let sizes = shapes.map(|shape| shape.compute_local_aabb().half_extents().max_element());
     let places = sweeps.map(|sweep| sweep.at(0.0).translation.abs().max_element());
     let size = sizes[0].min(sizes[1]);
-    NEAR * size + ROUNDING * (size + places[0].max(places[1]))
+    TOUCH_TOLERANCE * size + ROUNDING * (size + places[0].max(places[1]))
 }
 
 /// What is to be known of a touch.

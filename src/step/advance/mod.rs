@@ -61,8 +61,8 @@ pub(crate) fn advance(
         };
     // SAFETY: the list names each body once.
     unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, moved) };
-    for (turn, (handle, carried)) in moved.iter().enumerate() {
-        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(turn + TURNS_AHEAD) {
+    for (index, (handle, carried)) in moved.iter().enumerate() {
+        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + TURNS_AHEAD) {
             tree.prefetch(*later, *kind);
         }
         follow(*handle, carried, (bodies, colliders), tree, params);

@@ -88,12 +88,12 @@ pub(crate) fn find_pairs(
     out.clear();
     late.clear();
     tree.tidy();
-    let search = Search { tree, colliders, known, most, only_borne: false };
+    let search = Search { tree, colliders, known, most, only_owned: false };
     search.run(tasks, tree.moved(), finds);
     finds.for_each(|found| late.append(&mut found.late));
     late.sort_unstable();
     late.dedup();
-    Search { only_borne: true, ..search }.run(tasks, late, finds);
+    Search { only_owned: true, ..search }.run(tasks, late, finds);
     let had_refused = refused.each_ref().map(|list| !list.is_empty());
     refused.iter_mut().for_each(Vec::clear);
     finds.for_each(|found| {

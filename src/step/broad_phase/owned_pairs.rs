@@ -35,7 +35,7 @@ impl OwnedPairs {
     pub fn push(&mut self, slot_distance: SlotDistance, pair: HandlePair) {
         self.pairs.push((slot_distance, pair));
         if self.pairs.len() > self.most.saturating_mul(2) {
-            self.drop_remote();
+            self.drop_distant();
         }
     }
 
@@ -52,7 +52,7 @@ impl OwnedPairs {
         self.pairs.iter().map(|&(_, pair)| pair).take(places)
     }
 
-    fn drop_remote(&mut self) {
+    fn drop_distant(&mut self) {
         let (_, &mut (limit, _), _) = self.pairs.select_nth_unstable(self.most);
         self.pairs.truncate(self.most);
         self.limit = Some(limit);

@@ -75,7 +75,7 @@ pub(super) struct Search<'a, K> {
     pub known: &'a K,
     pub most: NeighborLimits,
     /// Look only for pairs that the collider who looks would have to bear?
-    pub only_borne: bool,
+    pub only_owned: bool,
 }
 
 /// Who looks for neighbours.
@@ -101,7 +101,7 @@ impl<K: KnownPairs> Search<'_, K> {
                 if !self.tree.may_meet_any(collider.collision_groups()) {
                     continue;
                 }
-                self.look_around(Seeker { slot, handle, collider, kind }, &mut found);
+                self.find_partners(Seeker { slot, handle, collider, kind }, &mut found);
             }
             finds.put(found);
         });
@@ -116,7 +116,7 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
-    fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
+    fn find_partners(&self, seeker: Seeker<'_>, found: &mut Finds) {
         for kind in Kind::ALL {
             found.owned[kind.index()].clear(self.most.of_kind(kind));
         }
@@ -147,7 +147,7 @@ impl<K: KnownPairs> Search<'_, K> {
         }
         let mut places = self.most.of_kind(kind);
         if self.partners(slot, kind.is_sensed).len() + owned.len() > places {
-            places -= self.count_borne(slot, kind).min(places);
+            places -= self.count_owned(slot, kind).min(places);
         }
         if owned.len() > places {
             found.refused[usize::from(kind.is_sensed)].push(slot);
@@ -166,7 +166,7 @@ impl<K: KnownPairs> Search<'_, K> {
         let Seeker { slot, handle, collider, .. } = seeker;
         let bears = self.tree.bears(slot, other_slot);
         // Of two that moved, each finds the other.
-        if !bears && (self.only_borne || self.tree.is_moved(other_slot)) {
+        if !bears && (self.only_owned || self.tree.is_moved(other_slot)) {
             return;
         }
         let kind = self.kind_of(slot, other_slot);
@@ -180,7 +180,7 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
-        if self.only_borne && !is_movable {
+        if self.only_owned && !is_movable {
             // What is new here has moved, and has found the pair in the first search.
             return;
         }
@@ -206,7 +206,7 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// How many pairs of one kind the collider at a slot owns already.
-    fn count_borne(&self, slot: u32, kind: Kind) -> usize {
+    fn count_owned(&self, slot: u32, kind: Kind) -> usize {
         let is_movable = |other: u32| {
             let other = self.colliders.at_slot(other);
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))

@@ -38,7 +38,7 @@ const CANDIDATES_MIN: usize = 256;
 struct Drive {
     center: Vector,
     shift: Vector,
-    turn: AngVector,
+    rotvec: AngVector,
 }
 
 impl Drive {
@@ -51,30 +51,34 @@ impl Drive {
             _ => body.vels(),
         };
         let RigidBodyVelocity { linvel, angvel } = velocity;
-        Self { center: body.mprops.world_com, shift: linvel * params.dt, turn: angvel * params.dt }
+        Self {
+            center: body.mprops.world_com,
+            shift: linvel * params.dt,
+            rotvec: angvel * params.dt,
+        }
     }
 
     fn is_rest(&self) -> bool {
-        self.shift == Vector::ZERO && ang_length_squared(self.turn) == 0.0
+        self.shift == Vector::ZERO && ang_length_squared(self.rotvec) == 0.0
     }
 
     /// The motion that a body has made.
     fn made(body: &RigidBody, shift: Vector, dt: Real) -> Self {
-        Self { center: body.mprops.world_com - shift, shift, turn: body.angvel * dt }
+        Self { center: body.mprops.world_com - shift, shift, rotvec: body.angvel * dt }
     }
 
     /// How this motion carries the points within `extent` of a place.
     fn carry(&self, place: Vector, extent: Real) -> BodyMotion {
         let arm = place - self.center;
-        let carried = BodyMotion::of(self.shift + cross(self.turn, arm), self.turn, extent);
-        let bend = 0.5 * ang_length_squared(self.turn) * arm.length();
+        let carried = BodyMotion::of(self.shift + cross(self.rotvec, arm), self.rotvec, extent);
+        let bend = 0.5 * ang_length_squared(self.rotvec) * arm.length();
         BodyMotion { rest: carried.rest + bend, ..carried }
     }
 
     /// A bound of how far away a point is that arrives within `radius` of a place.
     fn reach(&self, place: Vector, radius: Real) -> Real {
         let length = self.shift.length();
-        let angle = ang_length_squared(self.turn).sqrt();
+        let angle = ang_length_squared(self.rotvec).sqrt();
         length + angle * (place.distance(self.center) + radius + length)
     }
 }
@@ -163,7 +167,7 @@ struct Swath {
 
 impl Swath {
     fn new(collider: &Collider, drive: Drive, params: &IntegrationParameters) -> Self {
-        let sweep = Sweep::new(collider.pose, drive.center, drive.shift, drive.turn);
+        let sweep = Sweep::new(collider.pose, drive.center, drive.shift, drive.rotvec);
         Self {
             region: region_of(collider, &sweep, params),
             own: collider.shape().compute_local_aabb(),
@@ -244,7 +248,7 @@ fn motion_of(
         start,
         center,
         shift: body.mprops.world_com - center,
-        turn: body.angvel * world.params.dt,
+        rotvec: body.angvel * world.params.dt,
         acceleration: Vector::ZERO,
         link: None,
     })

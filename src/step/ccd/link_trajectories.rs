@@ -102,30 +102,30 @@ impl LinkTrajectories {
         let start = self.segments.len();
         let count = pieces + 1;
         let mut last: Vec<LinkSample> = Vec::new();
-        trajectory.walk(multibody, pieces, |at, stations| {
+        trajectory.walk(multibody, pieces, |at, samples| {
             if at == 0 {
-                self.segments.resize(start + stations.len() * count, Segment::AT_REST);
+                self.segments.resize(start + samples.len() * count, Segment::AT_REST);
             }
-            for (link, (from, to)) in last.iter().zip(stations).enumerate() {
-                let turn = (from.angular + to.angular) * (0.5 / pieces as Real);
+            for (link, (from, to)) in last.iter().zip(samples).enumerate() {
+                let rotvec = (from.angular + to.angular) * (0.5 / pieces as Real);
                 self.segments[start + link * count + at - 1] =
-                    segment(at - 1, pieces, from, to.center, turn);
+                    segment(at - 1, pieces, from, to.center, rotvec);
             }
             last.clear();
-            last.extend_from_slice(stations);
+            last.extend_from_slice(samples);
         });
         for (id, (link, from)) in multibody.links.iter().zip(&last).enumerate() {
             let Some(body) = world.bodies.get(link.body) else { continue };
-            let turn = rotation_to_angle(&(body.pose.rotation * from.rotation.inverse()));
+            let rotvec = rotation_to_angle(&(body.pose.rotation * from.rotation.inverse()));
             let to = body.mprops.world_com;
-            self.segments[start + id * count + pieces] = segment(pieces, pieces, from, to, turn);
+            self.segments[start + id * count + pieces] = segment(pieces, pieces, from, to, rotvec);
         }
     }
 }
 
 /// The leg number `at` of a way in so many pieces, and one more: to where the solver has put the link. Where it turned about one axis
 /// after the other that is not quite where the way leads. The last two take half as long as the others.
-fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, turn: AngVector) -> Segment {
+fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngVector) -> Segment {
     let time = |at: usize| match at {
         at if at < pieces => at as Real / pieces as Real,
         at if at == pieces => 1.0 - 0.5 / pieces as Real,
@@ -133,8 +133,8 @@ fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, turn: AngVec
     };
     let (begin, end) = (time(at), time(at + 1));
     let pace = 1.0 / (end - begin);
-    let (shift, turn) = ((to - from.center) * pace, turn * pace);
-    Segment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, turn }
+    let (shift, rotvec) = ((to - from.center) * pace, rotvec * pace);
+    Segment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, rotvec }
 }
 
 /// What share of a way in so many pieces has been gone after a share of the step. Who was stopped on the last leg is where that begins.

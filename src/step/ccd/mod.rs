@@ -222,7 +222,7 @@ pub(crate) fn stop(
             if !body.ccd_active {
                 // Of a fast body a bound of the whole motion is noted already.
                 let way = body.mprops.world_com - motion.center;
-                let way = BodyMotion::of(way, motion.turn * share, body.extent);
+                let way = BodyMotion::of(way, motion.rotvec * share, body.extent);
                 islands.set_motion(motion.body.into_raw_parts().0, way);
             }
         }
@@ -239,8 +239,8 @@ pub(crate) fn stop(
         body.into_iter().for_each(|body| body.deeply_penetrating = deeply_penetrating);
     }
     scratch.link_trajectories.stop(bodies, multibodies, (fast, trajectories), &scratch.stops, dt);
-    for passage in scratch.passages.iter().flatten() {
+    for crossing in scratch.passages.iter().flatten() {
         counters.num_sensors_passed += 1;
-        events.extend(passage.events());
+        events.extend(crossing.events());
     }
 }

@@ -97,7 +97,7 @@ impl<'a> Path<'a> {
         let body = search.world.bodies.get(motion.body)?;
         let segments = motion.link.map_or(&[] as &[_], |link| search.link_trajectories.of(link));
         if !segments.is_empty() {
-            return Some(Self::of_legs(search, body, (segments, stop)));
+            return Some(Self::of_segments(search, body, (segments, stop)));
         }
         let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
         Some(Self { body, movers: movers(search, body, sweep) })
@@ -106,10 +106,10 @@ impl<'a> Path<'a> {
     /// The path of all colliders of the fast body at a position that goes by these legs, as far as a share of the step.
     pub fn along(search: Search<'a>, position: usize, way: (&'a [Segment], Real)) -> Option<Self> {
         let body = search.world.bodies.get(search.world.fast[position].body)?;
-        Some(Self::of_legs(search, body, way))
+        Some(Self::of_segments(search, body, way))
     }
 
-    fn of_legs(
+    fn of_segments(
         search: Search<'a>,
         body: &'a RigidBody,
         (segments, stop): (&'a [Segment], Real),
@@ -280,7 +280,7 @@ fn movers<'a>(
 
 /// The motion of something on a fast body that was at `start`, as far as `stop`.
 pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'static> {
-    Sweep::new(start, motion.center, motion.shift, motion.turn).until(stop)
+    Sweep::new(start, motion.center, motion.shift, motion.rotvec).until(stop)
 }
 
 /// From where the collider still is to where its body is.

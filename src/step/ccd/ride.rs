@@ -165,15 +165,15 @@ impl Ride {
             rotation: motion.start.rotation,
             center: motion.center,
             shift: motion.shift,
-            turn: motion.turn,
+            rotvec: motion.rotvec,
         };
         let pose = sweep_of(motion, motion.start, share).at(share);
         let mut ride =
             Self { segments: smallvec![first], end: share, pose, motion: BodyMotion::NONE };
         // Of joined bodies each would stand and ride at other times.
-        let legs_max = if search.groups.is_alone(position) { SEGMENTS_MAX } else { 1 };
+        let segments_max = if search.groups.is_alone(position) { SEGMENTS_MAX } else { 1 };
         let (mut on, mut has_moved) = (by, false);
-        for _ in 0..legs_max {
+        for _ in 0..segments_max {
             let Some(stop) = ride.go_on(search, position, body, on) else { break };
             has_moved |= on.is_some();
             on = stop.by;
@@ -203,8 +203,8 @@ impl Ride {
             None => (self.pose, Obstacles::Moving),
         };
         let segment = match on {
-            Some(_) => straight_leg(from, [&self.pose, &end], local_center)?,
-            None => standing_leg(from, &self.pose, local_center),
+            Some(_) => straight_segment(from, [&self.pose, &end], local_center)?,
+            None => resting_segment(from, &self.pose, local_center),
         };
         let mut next = self.clone();
         (next.end, next.pose) = (1.0, end);
@@ -264,18 +264,18 @@ fn carried(carrier: &Sweep<'_>, share: Real, start: &Pose) -> Pose {
 }
 
 /// The straight leg from one pose to another in the rest of the step. `None` if it has no finite velocity.
-fn straight_leg(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<Segment> {
+fn straight_segment(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<Segment> {
     let pace = 1.0 / (1.0 - from);
     let center = *start * local_center;
     let shift = (*end * local_center - center) * pace;
-    let turn = rotation_to_angle(&(end.rotation * start.rotation.inverse())) * pace;
-    let is_finite = shift.is_finite() && ang_length_squared(turn).is_finite();
-    let segment = Segment { from, until: 1.0, rotation: start.rotation, center, shift, turn };
+    let rotvec = rotation_to_angle(&(end.rotation * start.rotation.inverse())) * pace;
+    let is_finite = shift.is_finite() && ang_length_squared(rotvec).is_finite();
+    let segment = Segment { from, until: 1.0, rotation: start.rotation, center, shift, rotvec };
     is_finite.then_some(segment)
 }
 
 /// The leg of a body that stands for the rest of the step.
-fn standing_leg(from: Real, pose: &Pose, local_center: Vector) -> Segment {
+fn resting_segment(from: Real, pose: &Pose, local_center: Vector) -> Segment {
     let (rotation, center) = (pose.rotation, *pose * local_center);
-    Segment { from, until: 1.0, rotation, center, shift: Vector::ZERO, turn: ANG_ZERO }
+    Segment { from, until: 1.0, rotation, center, shift: Vector::ZERO, rotvec: ANG_ZERO }
 }

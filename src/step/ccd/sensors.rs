@@ -60,7 +60,7 @@ pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<S
         }
     }
     // The trees' order is not the same in a world that was built in another way.
-    found.sort_unstable_by_key(|passage| passage.colliders.map(ColliderHandle::into_raw_parts));
+    found.sort_unstable_by_key(|crossing| crossing.colliders.map(ColliderHandle::into_raw_parts));
     found
 }
 

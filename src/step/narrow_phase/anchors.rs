@@ -66,12 +66,12 @@ impl<'a> Place<'a> {
 
     /// How far the two bodies may move (a bound, as for slack) until contacts that were placed like this, and are held,
     /// must be placed anew. `friction` is the least coefficient of the contacts. Those that are not held need not be.
-    pub fn left(&self, placed: &AnchorFrame, friction: Real) -> Real {
-        let held = AnchorFrame::held_turn(friction);
-        if held == 0.0 || !placed.may_freeze {
+    pub fn left(&self, world_anchors: &AnchorFrame, friction: Real) -> Real {
+        let frozen = AnchorFrame::frozen_angle(friction);
+        if frozen == 0.0 || !world_anchors.may_freeze {
             return Real::INFINITY;
         }
-        let left = |side: usize| self.frames[side].turn_left(placed.rotations[side], held);
+        let left = |side: usize| self.frames[side].turn_left(world_anchors.rotations[side], frozen);
         left(0).min(left(1))
     }
 }
@@ -116,8 +116,8 @@ impl<'a> Frame<'a> {
     }
 
     /// Turning by an angle moves the farthest point of the body by that times its extent.
-    fn turn_left(&self, placed: Rotation, held: Real) -> Real {
+    fn turn_left(&self, world_anchors: Rotation, frozen: Real) -> Real {
         let Some((body, _)) = self.body else { return Real::INFINITY };
-        (held - turn_bound(body.pose.rotation, placed)) * body.extent
+        (frozen - turn_bound(body.pose.rotation, world_anchors)) * body.extent
     }
 }

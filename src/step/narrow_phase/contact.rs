@@ -2,13 +2,14 @@
 
 use super::anchors::Place;
 use super::faults;
-use super::ghost_contacts::{self, SeamScratch, non_dynamic_side};
+use super::ghost_contacts::{self, GhostContactScratch, non_dynamic_side};
 use super::update::{NarrowPhaseContext, Outcome, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::collide::{
-    Neighbor, PRESSED_DEPTH, ShapePair, compute_manifolds, inherit_impulses, renew_convex_manifold,
+    Neighbor, PENETRATION_FRACTION_MAX, ShapePair, compute_manifolds, inherit_impulses,
+    renew_convex_manifold,
 };
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle};
@@ -51,19 +52,19 @@ impl Update for ContactPair {
         if !view.boxes_overlap() {
             return Outcome::APART;
         }
-        view.around.lanes.write_back(id, self);
+        view.context.lanes.write_back(id, self);
         self.renew(view, [&[], &[]], worker)
     }
 
     fn filter_ghost_contacts(
         tasks: Tasks<'_>,
-        around: NarrowPhaseContext<'_>,
+        context: NarrowPhaseContext<'_>,
         store: &mut PairStore<Self>,
         computed: ghost_contacts::Computed<'_>,
-        scratch: &mut SeamScratch,
+        scratch: &mut GhostContactScratch,
         workers: &Pool<Worker>,
     ) {
-        ghost_contacts::filter_ghost_contacts(tasks, around, store, computed, scratch, workers);
+        ghost_contacts::filter_ghost_contacts(tasks, context, store, computed, scratch, workers);
     }
 }
 
@@ -99,7 +100,7 @@ impl ContactPair {
         let solved = self.manifolds.iter().filter(|manifold| manifold.is_solved());
         let depth = -solved.map(ContactManifold::deepest_dist).fold(Real::INFINITY, Real::min);
         // Nearly all pairs end here.
-        if depth <= view.around.params.prediction_distance() {
+        if depth <= view.context.params.prediction_distance() {
             return None;
         }
         let is_dynamic = view.bodies.map(|body| body.filter(|body| body.is_dynamic()));
@@ -108,7 +109,7 @@ impl ContactPair {
             [None, Some(body)] => (1, body),
             _ => return None,
         };
-        let is_deep = depth > PRESSED_DEPTH * body.thickness;
+        let is_deep = depth > PENETRATION_FRACTION_MAX * body.thickness;
         is_deep.then(|| view.colliders[side].parent()).flatten()
     }
 
@@ -159,7 +160,7 @@ impl ContactPair {
         if near_rest == held && left > 0.0 {
             return (left, false);
         }
-        view.around.lanes.write_back(id, self);
+        view.context.lanes.write_back(id, self);
         if near_rest {
             self.anchor_frame = place.anchor_frame();
             for manifold in &mut self.manifolds {
@@ -187,7 +188,7 @@ impl ContactPair {
     ) -> Computed {
         let flags = if view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) {
             let context = view.filter_context([self.collider1, self.collider2]);
-            view.around.hooks.contact_pair_flags(&context)
+            view.context.hooks.contact_pair_flags(&context)
         } else {
             Some(SolverFlags::default())
         };
@@ -198,9 +199,9 @@ impl ContactPair {
             shapes: view.colliders.map(Collider::shape),
             motion: view.motion(),
             prediction: reach,
-            step_height_tolerance: view.around.params.allowed_linear_error(),
+            step_height_tolerance: view.context.params.allowed_linear_error(),
             neighbors,
-            simd: view.around.simd,
+            simd: view.context.simd,
         };
         self.pose12 = view.pose12;
         let distance = if let Some(flags) = flags {
@@ -280,8 +281,8 @@ impl ContactPair {
                 None => self.manifolds.push(manifold),
             }
         }
-        for surplus in &mut self.manifolds[kept..] {
-            surplus.data.points.clear();
+        for excess in &mut self.manifolds[kept..] {
+            excess.data.points.clear();
         }
     }
 }
@@ -352,15 +353,15 @@ fn modify(
         return;
     }
     let mut context = ContactModificationContext {
-        bodies: view.around.bodies,
-        colliders: view.around.colliders,
+        bodies: view.context.bodies,
+        colliders: view.context.colliders,
         rigid_body1: view.colliders[0].parent(),
         rigid_body2: view.colliders[1].parent(),
         collider1,
         collider2,
         manifold,
     };
-    view.around.hooks.modify_solver_contact(&mut context);
+    view.context.hooks.modify_solver_contact(&mut context);
     manifold.data.placed_normal = manifold.data.normal;
     for contact in &mut manifold.data.points {
         contact.placed_dist = contact.dist;

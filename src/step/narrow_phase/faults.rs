@@ -4,7 +4,7 @@
 //! no reason to take a body out: the pair does without the number, and the world without noticing.
 
 use super::update::Worker;
-use crate::base::measure::{CALM, is_point};
+use crate::base::measure::{MODERATE_MAX, is_point};
 use crate::base::pool::Pool;
 use crate::model::body::QuarantineCause;
 use crate::model::contact::{ContactManifold, SolverFlags};
@@ -23,11 +23,11 @@ pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCaus
         data.solver_flags.remove(SolverFlags::COMPUTE_RIGID_IMPULSES);
         return Some(QuarantineCause::Contact { normal, dist });
     }
-    if data.restitution > CALM {
+    if data.restitution > MODERATE_MAX {
         let restitution = core::mem::take(&mut data.restitution);
         return Some(QuarantineCause::Restitution(restitution));
     }
-    if data.tangent_velocity.abs().max_element() > CALM {
+    if data.tangent_velocity.abs().max_element() > MODERATE_MAX {
         let velocity = core::mem::take(&mut data.tangent_velocity);
         return Some(QuarantineCause::TangentVelocity(velocity));
     }

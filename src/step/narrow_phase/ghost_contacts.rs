@@ -28,7 +28,7 @@ const BODIES_PER_TASK: usize = 8;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
-pub(super) struct SeamScratch {
+pub(super) struct GhostContactScratch {
     /// Slots of colliders that were computed to touch an obstacle, with the pair's place in the list of
     /// due pairs; sorted.
     touching: Vec<(u32, u32)>,
@@ -56,14 +56,14 @@ pub(super) fn non_dynamic_side(view: &PairView<'_>) -> Option<usize> {
 /// Computes pairs again that have contacts which are only seams between obstacles.
 pub(super) fn filter_ghost_contacts(
     tasks: Tasks<'_>,
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<ContactPair>,
     computed: Computed<'_>,
-    scratch: &mut SeamScratch,
+    scratch: &mut GhostContactScratch,
     workers: &Pool<Worker>,
 ) {
     scratch.group(store, &computed);
-    let SeamScratch { touching, groups } = &*scratch;
+    let GhostContactScratch { touching, groups } = &*scratch;
     let Computed { due, outcomes } = computed;
     let StoreParts { of_collider, states, pairs, .. } = store.split();
     let states = &*states;
@@ -78,21 +78,21 @@ pub(super) fn filter_ghost_contacts(
             // of two bodies to none.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
             let pairs_of_body = ids.clone().filter_map(|id| Some((id, pair(id)?)));
-            if look_alike(around, members[0].0, pairs_of_body) {
+            if look_alike(context, members[0].0, pairs_of_body) {
                 continue;
             }
             let mut contacts = Contacts::default();
             for id in ids {
-                let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(around, pair))
+                let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(context, pair))
                 else {
                     continue;
                 };
                 // SAFETY: as above, this is a pair of a body and an obstacle.
                 let Some(pair) = (unsafe { pairs.get_mut(id as usize) }) else { continue };
-                around.lanes.write_back(id, pair);
+                context.lanes.write_back(id, pair);
                 contacts.add(id, pair, side, &view);
             }
-            contacts.remove_ghost_contacts(around.params.allowed_linear_error());
+            contacts.remove_ghost_contacts(context.params.allowed_linear_error());
             for &(_, index) in members {
                 let id = due[index as usize];
                 if !contacts.ghost_contacts.contains(&id) {
@@ -102,7 +102,7 @@ pub(super) fn filter_ghost_contacts(
                 let (pair, outcome) =
                     unsafe { (pairs.get_mut(id as usize), outcomes.get_mut(index as usize)) };
                 let Some(pair) = pair else { continue };
-                *outcome = contacts.recompute(around, id, pair, &mut worker).unwrap_or(*outcome);
+                *outcome = contacts.recompute(context, id, pair, &mut worker).unwrap_or(*outcome);
             }
         }
         workers.put(worker);
@@ -111,7 +111,7 @@ pub(super) fn filter_ghost_contacts(
 
 /// Do all contacts of the collider in a slot push it in the same direction? Then none is a seam.
 fn look_alike<'a>(
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     slot: u32,
     pairs: impl Iterator<Item = (PairId, &'a ContactPair)>,
 ) -> bool {
@@ -120,7 +120,7 @@ fn look_alike<'a>(
         let is_second = pair.collider2.into_raw_parts().0 == slot;
         let manifolds = pair.manifolds.iter().enumerate();
         for (index, manifold) in manifolds.filter(|(_, manifold)| manifold.is_solved()) {
-            let normal = around.lanes.normal_of(id, index, manifold);
+            let normal = context.lanes.normal_of(id, index, manifold);
             let normal = normal * if is_second { 1.0 } else { -1.0 };
             if normal.distance_squared(*first.get_or_insert(normal)) > SAME_NORMAL {
                 return false;
@@ -130,7 +130,7 @@ fn look_alike<'a>(
     true
 }
 
-impl SeamScratch {
+impl GhostContactScratch {
     /// Lists what the bodies touch that may touch several obstacles.
     fn group(&mut self, store: &mut PairStore<ContactPair>, computed: &Computed<'_>) {
         let Self { touching, groups } = self;
@@ -156,10 +156,10 @@ impl SeamScratch {
 
 /// On which side the obstacle of a pair that touches is, if it has one.
 fn with_obstacle<'a>(
-    around: NarrowPhaseContext<'a>,
+    context: NarrowPhaseContext<'a>,
     pair: &ContactPair,
 ) -> Option<(usize, PairView<'a>)> {
-    let view = PairView::of(around, [pair.collider1, pair.collider2]);
+    let view = PairView::of(context, [pair.collider1, pair.collider2]);
     let view = view.filter(|_| pair.is_touching())?;
     Some((non_dynamic_side(&view)?, view))
 }
@@ -206,12 +206,12 @@ impl<'a> Contacts<'a> {
     /// Computes a pair with what is known of the others.
     fn recompute(
         &self,
-        around: NarrowPhaseContext<'_>,
+        context: NarrowPhaseContext<'_>,
         id: PairId,
         pair: &mut ContactPair,
         worker: &mut Worker,
     ) -> Option<Outcome> {
-        let view = PairView::of(around, [pair.collider1, pair.collider2])?;
+        let view = PairView::of(context, [pair.collider1, pair.collider2])?;
         let side = non_dynamic_side(&view)?;
         let others = self.list.iter().zip(&self.pairs).filter(|(_, of)| **of != id);
         let others: SmallVec<[Neighbor<'_>; 8]> = others.map(|(other, _)| other.clone()).collect();

@@ -1,7 +1,7 @@
 //! Which pairs are due, and what becomes of them.
 
 use super::faults;
-use super::ghost_contacts::{Computed, SeamScratch};
+use super::ghost_contacts::{Computed, GhostContactScratch};
 use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
@@ -57,7 +57,7 @@ pub(crate) struct NarrowPhaseScratch {
     gather_changes: Gather<Change>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
-    ghost_contacts: SeamScratch,
+    ghost_contacts: GhostContactScratch,
     culled: Culled,
 }
 
@@ -128,14 +128,14 @@ impl Outcome {
 /// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that only some were taken.
 pub(crate) fn update(
     tasks: Tasks<'_>,
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) -> usize {
     let look = AssertUnwindSafe(|| {
-        update_store(tasks, around, contacts, scratch, &mut notes.contacts);
-        update_store(tasks, around, intersections, scratch, &mut notes.intersections);
+        update_store(tasks, context, contacts, scratch, &mut notes.contacts);
+        update_store(tasks, context, intersections, scratch, &mut notes.intersections);
     });
     let looked = catch_unwind(look);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
@@ -169,7 +169,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
         _around: NarrowPhaseContext<'_>,
         _store: &mut PairStore<Self>,
         _computed: Computed<'_>,
-        _scratch: &mut SeamScratch,
+        _scratch: &mut GhostContactScratch,
         _workers: &Pool<Worker>,
     ) {
     }
@@ -177,7 +177,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
 
 fn update_store<P: Update>(
     tasks: Tasks<'_>,
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
@@ -192,13 +192,13 @@ fn update_store<P: Update>(
         ghost_contacts,
         ..
     } = scratch;
-    list_due(tasks, around, store, gather_due, due);
+    list_due(tasks, context, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
-    look_at_all(tasks, around, store, due, outcomes, workers);
+    look_at_all(tasks, context, store, due, outcomes, workers);
     P::filter_ghost_contacts(
         tasks,
-        around,
+        context,
         store,
         Computed { due, outcomes },
         ghost_contacts,
@@ -215,7 +215,7 @@ fn update_store<P: Update>(
 /// Lists the awake pairs whose slack is used up.
 fn list_due<P: Pair>(
     tasks: Tasks<'_>,
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     gather: &mut Gather<PairId>,
     due: &mut Vec<PairId>,
@@ -223,7 +223,7 @@ fn list_due<P: Pair>(
     due.clear();
     let is_due = |state: &mut PairState| {
         let [body1, body2] = state.bodies;
-        state.slack -= around.islands.motion_of(body1).against(around.islands.motion_of(body2));
+        state.slack -= context.islands.motion_of(body1).against(context.islands.motion_of(body2));
         // Two infinite ways have no difference.
         state.slack < 0.0 || state.slack.is_nan()
     };
@@ -233,7 +233,7 @@ fn list_due<P: Pair>(
 /// Looks at each due pair by itself.
 fn look_at_all<P: Update>(
     tasks: Tasks<'_>,
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     due: &[PairId],
     outcomes: &mut [Outcome],
@@ -244,15 +244,15 @@ fn look_at_all<P: Update>(
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        let ahead = Ahead { around, states, due: &due[range.clone()], pairs };
-        for (turn, index) in range.enumerate() {
-            ahead.of(turn);
+        let ahead = Ahead { context, states, due: &due[range.clone()], pairs };
+        for (position, index) in range.enumerate() {
+            ahead.of(position);
             let id = due[index];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(states[id as usize].slack, reporting.contains(id));
-            *result = look_at(around, (id, pair), last, &mut worker);
+            *result = look_at(context, (id, pair), last, &mut worker);
         }
         workers.put(worker);
     });
@@ -289,7 +289,7 @@ fn apply<P: Pair>(
 /// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
 /// them took as long as a third of the computation.
 struct Ahead<'a, P> {
-    around: NarrowPhaseContext<'a>,
+    context: NarrowPhaseContext<'a>,
     states: &'a [PairState],
     due: &'a [PairId],
     pairs: DisjointMut<'a, Option<P>>,
@@ -298,38 +298,38 @@ struct Ahead<'a, P> {
 impl<P: Update> Ahead<'_, P> {
     /// A pair names its colliders, so it must be there before they can be asked for.
     #[inline(always)]
-    fn of(&self, turn: usize) {
-        if let Some(&id) = self.due.get(turn + 2 * TURNS_AHEAD) {
+    fn of(&self, index: usize) {
+        if let Some(&id) = self.due.get(index + 2 * TURNS_AHEAD) {
             // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
             prefetch(unsafe { self.pairs.get(id as usize) });
         }
-        if let Some(&id) = self.due.get(turn + TURNS_AHEAD) {
+        if let Some(&id) = self.due.get(index + TURNS_AHEAD) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
             for collider in pair.iter().flat_map(Pair::colliders) {
-                self.around.colliders.prefetch(collider.into_raw_parts().0);
+                self.context.colliders.prefetch(collider.into_raw_parts().0);
             }
             for body in self.states[id as usize].bodies {
-                self.around.bodies.prefetch(body);
+                self.context.bodies.prefetch(body);
             }
             pair.iter().for_each(|pair| pair.prefetch(false));
         }
-        if let Some(&id) = self.due.get(turn + 1) {
+        if let Some(&id) = self.due.get(index + 1) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
-            pair.iter().for_each(|pair| pair.prefetch_report(self.around.lanes));
+            pair.iter().for_each(|pair| pair.prefetch_report(self.context.lanes));
             pair.iter().for_each(|pair| pair.prefetch(true));
         }
     }
 }
 
 fn look_at<P: Update>(
-    around: NarrowPhaseContext<'_>,
+    context: NarrowPhaseContext<'_>,
     (id, pair): (PairId, &mut P),
     last: Outcome,
     worker: &mut Worker,
 ) -> Outcome {
-    match PairView::of(around, pair.colliders()) {
+    match PairView::of(context, pair.colliders()) {
         Some(view) => pair.update(id, &view, last, worker),
         None => Outcome::APART,
     }

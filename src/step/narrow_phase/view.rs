@@ -11,7 +11,7 @@ use parry::bounding_volume::BoundingVolume;
 
 /// The two colliders of a pair and their bodies.
 pub(super) struct PairView<'a> {
-    pub around: NarrowPhaseContext<'a>,
+    pub context: NarrowPhaseContext<'a>,
     pub colliders: [&'a Collider; 2],
     pub bodies: [Option<&'a RigidBody>; 2],
     /// Pose of the second collider in the frame of the first.
@@ -19,12 +19,12 @@ pub(super) struct PairView<'a> {
 }
 
 impl<'a> PairView<'a> {
-    pub fn of(around: NarrowPhaseContext<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
-        let collider1 = around.colliders.get(handles[0])?;
-        let collider2 = around.colliders.get(handles[1])?;
-        let body = |collider: &Collider| around.bodies.get(collider.parent()?);
+    pub fn of(context: NarrowPhaseContext<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
+        let collider1 = context.colliders.get(handles[0])?;
+        let collider2 = context.colliders.get(handles[1])?;
+        let body = |collider: &Collider| context.bodies.get(collider.parent()?);
         Some(Self {
-            around,
+            context,
             colliders: [collider1, collider2],
             bodies: [body(collider1), body(collider2)],
             pose12: collider1.pose.inv_mul(&collider2.pose),
@@ -66,8 +66,8 @@ impl<'a> PairView<'a> {
 
     pub fn filter_context(&self, pair: [ColliderHandle; 2]) -> PairFilterContext<'a> {
         PairFilterContext {
-            bodies: self.around.bodies,
-            colliders: self.around.colliders,
+            bodies: self.context.bodies,
+            colliders: self.context.colliders,
             collider1: pair[0],
             collider2: pair[1],
             rigid_body1: self.colliders[0].parent(),
@@ -79,27 +79,27 @@ impl<'a> PairView<'a> {
     pub fn motion(&self) -> Vector {
         let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
         let relative = velocity(self.bodies[1]) - velocity(self.bodies[0]);
-        self.colliders[0].pose.rotation.inverse() * relative * self.around.params.dt
+        self.colliders[0].pose.rotation.inverse() * relative * self.context.params.dt
     }
 
     /// Gap below which contacts are wanted.
     pub fn prediction(&self) -> Real {
         let soft_ccd = |body: Option<&RigidBody>| body.map_or(0.0, |body| body.soft_ccd_prediction);
         let soft = soft_ccd(self.bodies[0]).max(soft_ccd(self.bodies[1]));
-        let prediction = self.around.params.prediction_distance();
+        let prediction = self.context.params.prediction_distance();
         if soft == 0.0 {
             return prediction;
         }
         // No farther than the two can come together in a step.
         let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
         let approach = (velocity(self.bodies[1]) - velocity(self.bodies[0])).length();
-        prediction.max(soft.min(approach * self.around.params.dt))
+        prediction.max(soft.min(approach * self.context.params.dt))
     }
 
     /// How far a touching pair may move before its contacts are computed again.
     pub fn recycle_distance(&self) -> Real {
         let forms = self.colliders.map(|collider| collider.form);
-        recycle_distance(forms, self.around.params.contact_recycle_distance())
+        recycle_distance(forms, self.context.params.contact_recycle_distance())
     }
 
     pub fn skin(&self) -> Real {

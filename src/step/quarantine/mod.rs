@@ -13,8 +13,8 @@
 //!
 //! **The way back.** By the time when the solver has failed, pairs, islands and colours have followed the step. They are not
 //! unwound one by one: that would need a journal of everything that the structure does. Instead a step is begun with a
-//! [copy of the world](Checkpoint) when it might fail: after a step that left a body faster than [`CALM`] or farther than
-//! [`FAR`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
+//! [copy of the world](Checkpoint) when it might fail: after a step that left a body faster than [`MODERATE_MAX`] or farther than
+//! [`COORDINATE_MODERATE_MAX`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
 //! [gently](GENTLE); and when the step is [long](LONG). That is rare, and a step that nobody is at risk in pays for a comparison per number of the solver's
 //! states (`src/step/solver/bodies/divergence.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
 //! what grows there grows over several steps, and is seen.
@@ -23,13 +23,13 @@
 //! from where it is: bodies and impulses are as they were. Numbers are as safe then. But new contacts have been coloured,
 //! and sleepers woken, with the culprits still there: what touched them may be visited in another order than without them.
 
-mod culprits;
+mod causes;
 mod checkpoint;
 
 pub(crate) use checkpoint::Checkpoint;
 
 use crate::base::hash::FastHashMap;
-use crate::base::measure::{CALM, FAR};
+use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX};
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderMassProps, ColliderSet};
@@ -41,7 +41,7 @@ use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::StepNotes;
-use culprits::Culprits;
+use causes::Causes;
 
 /// What users set that is faster, or is to become so within a step, is worth a copy of the world (in length units, and
 /// radians, per second).
@@ -75,7 +75,7 @@ pub(crate) struct Quarantine {
     /// How often the step has failed.
     failures: usize,
     /// How many events the attempts have told that failed.
-    told: usize,
+    emitted: usize,
 }
 
 impl Quarantine {
@@ -83,7 +83,7 @@ impl Quarantine {
     pub fn open(&mut self) {
         self.taken.clear();
         self.failures = 0;
-        self.told = 0;
+        self.emitted = 0;
     }
 
     /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be taken again.
@@ -94,8 +94,8 @@ impl Quarantine {
         conditions: StepConditions<'_>,
         notes: &mut StepNotes,
     ) {
-        let culprits = Culprits { world: &world, conditions, lost: &notes.lost };
-        culprits.find(self.failures, &mut self.taken);
+        let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
+        causes.find(self.failures, &mut self.taken);
         self.failures += 1;
         // Not in the order in which they were found: a user who disables the same bodies need not know it.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
@@ -111,7 +111,7 @@ impl Quarantine {
                 notes.clear_attempt();
             }
         }
-        self.told = notes.events.len();
+        self.emitted = notes.events.len();
         for &(handle, cause) in &self.taken {
             if let Some(body) = world.bodies.get_mut(handle) {
                 body.put_in_quarantine(cause);
@@ -122,7 +122,7 @@ impl Quarantine {
     /// Tells who was taken out. Returns how many.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
-            cancel_out(&mut notes.events, self.told);
+            cancel_out(&mut notes.events, self.emitted);
         }
         for &(handle, cause) in &self.taken {
             let Some(body) = bodies.get(handle) else { continue };
@@ -140,13 +140,13 @@ impl Quarantine {
 }
 
 /// What began to touch in a failed attempt, and stopped because one of the two was taken out, did neither. Attempts that failed have told the
-/// first `told` events; what began later, and stopped in the same step all the same (a sensor was passed), did both.
-fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
+/// first `emitted` events; what began later, and stopped in the same step all the same (a sensor was passed), did both.
+fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
     let mut began = FastHashMap::default();
     let mut is_void = vec![false; events.len()];
     for (index, event) in events.iter().enumerate() {
         let pair = (event.collider1(), event.collider2());
-        if event.started() && index < told {
+        if event.started() && index < emitted {
             began.insert(pair, index);
         } else if let Some(start) = began.remove(&pair) {
             (is_void[start], is_void[index]) = (true, true);
@@ -159,21 +159,21 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
 /// Might the step that is about to begin fail?
 pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
     let World { islands, bodies, colliders, joints, .. } = world;
-    let is_strained = |&handle: &RigidBodyHandle| {
+    let is_ill_conditioned = |&handle: &RigidBodyHandle| {
         bodies.get(handle).is_some_and(|body| !conditions.treat_gently(body))
     };
     let is_heavy = |&handle: &ColliderHandle| {
-        colliders.get(handle).is_some_and(|collider| !mass_is_calm(&collider.mass_props))
+        colliders.get(handle).is_some_and(|collider| !mass_is_moderate(&collider.mass_props))
     };
     conditions.params.dt > 0.0
         && (islands.ill_conditioned
             || conditions.params.dt > LONG
             || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
-            || bodies.modified().iter().any(is_strained)
+            || bodies.modified().iter().any(is_ill_conditioned)
             || colliders.modified().iter().any(is_heavy)
             || joints.modified().any(|(handle, _)| {
                 let motors = joints.get(handle).map(|joint| &joint.data.motors);
-                motors.is_some_and(|motors| !motors.iter().all(motor_is_calm))
+                motors.is_some_and(|motors| !motors.iter().all(motor_is_moderate))
             }))
 }
 
@@ -189,14 +189,14 @@ impl StepConditions<'_> {
         self.is_gentle(body.linvel)
             && self.is_gentle(acceleration * params.dt)
             && self.is_gentle(to_target.linvel)
-            && turns_gently(body.angvel)
-            && turns_gently(twist * params.dt)
-            && turns_gently(to_target.angvel)
+            && rotates_moderately(body.angvel)
+            && rotates_moderately(twist * params.dt)
+            && rotates_moderately(to_target.angvel)
             // What a new body weighs is not yet known.
-            && is_within(force, CALM)
-            && ang_length_squared(torque) <= CALM * CALM
-            && inv_mass <= CALM
-            && is_within(body.pose.translation, FAR)
+            && is_within(force, MODERATE_MAX)
+            && ang_length_squared(torque) <= MODERATE_MAX * MODERATE_MAX
+            && inv_mass <= MODERATE_MAX
+            && is_within(body.pose.translation, COORDINATE_MODERATE_MAX)
     }
 
     /// Is it moderate as a velocity, even in a long step?
@@ -205,7 +205,7 @@ impl StepConditions<'_> {
     }
 }
 
-fn turns_gently(velocity: AngVector) -> bool {
+fn rotates_moderately(velocity: AngVector) -> bool {
     ang_length_squared(velocity) <= GENTLE * GENTLE
 }
 
@@ -214,17 +214,17 @@ fn is_within(vector: Vector, bound: Real) -> bool {
 }
 
 /// Are masses of this order, or their inverses, nothing to fear?
-fn mass_is_calm(mass: &ColliderMassProps) -> bool {
+fn mass_is_moderate(mass: &ColliderMassProps) -> bool {
     let value = match mass {
         ColliderMassProps::Density(value) | ColliderMassProps::Mass(value) => *value,
         ColliderMassProps::MassProperties(mass) => mass.inv_mass,
     };
-    value == 0.0 || (1.0 / CALM..=CALM).contains(&value)
+    value == 0.0 || (1.0 / MODERATE_MAX..=MODERATE_MAX).contains(&value)
 }
 
-fn motor_is_calm(motor: &JointMotor) -> bool {
+fn motor_is_moderate(motor: &JointMotor) -> bool {
     let numbers = [motor.stiffness, motor.damping, motor.target_pos, motor.target_vel];
-    numbers.into_iter().all(|value| value.abs() <= CALM)
+    numbers.into_iter().all(|value| value.abs() <= MODERATE_MAX)
 }
 
 #[cfg(test)]

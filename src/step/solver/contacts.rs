@@ -88,7 +88,7 @@ impl SolverContacts {
         tasks: Tasks<'_>,
     ) {
         let LoadKind { is_only_group, per_point } = kind;
-        let are_all = is_only_group && multibodies.move_nobody();
+        let are_all = is_only_group && multibodies.move_no_body();
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let capacity = is_only_group.then_some(&mut lanes.capacity);
         self.lay_out((graph, contacts, capacity), (bodies, are_all), multibodies);
@@ -96,11 +96,11 @@ impl SolverContacts {
         // impulses are about to change before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
-        if !stay || lanes.are_rough != per_point || bodies.any_share() {
+        if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
             narrow_phase.settle_all(tasks);
         }
         // Who is solved with whom may change from step to step: of several groups none knows what the others did.
-        self.lanes_are_scaled = bodies.any_share();
+        self.lanes_are_scaled = bodies.any_scaled();
         self.are_on_loan = is_only_group;
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
@@ -133,7 +133,7 @@ impl SolverContacts {
             let first = self.layout.block_count();
             let slots = |at: ManifoldRef| contacts.bodies(at.pair);
             let members = list.iter().copied().filter(|&at| {
-                are_all || !multibodies.take_over(at, slots(at)) && bodies.has_one_of(slots(at))
+                are_all || !multibodies.adopt(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
                 // These are solved one after the other, and their order in the list depends on the rest of the world.
@@ -299,14 +299,14 @@ impl SolverContacts {
     }
 
     /// Lets the contacts bounce that hit something in this substep.
-    pub fn let_bounce(
+    pub fn solve_impacts(
         &mut self,
         bodies: &mut SolverBodies,
-        around: ImpactContext<'_>,
+        context: ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        self.impacts.run(blocks, bodies, around, pass);
+        self.impacts.run(blocks, bodies, context, pass);
     }
 
     /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
@@ -320,7 +320,7 @@ impl SolverContacts {
             simd.run(Keep { range, layout, lanes, reports, blocks });
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
-        for color in self.layout.colors().iter().take_while(|color| self.must_tell(color)) {
+        for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
             self.write_back(color.clone(), narrow_phase, tasks);
         }
         if self.are_on_loan {
@@ -330,7 +330,7 @@ impl SolverContacts {
     }
 
     /// Must the blocks of a colour tell their manifolds now? Those of the overflow stand at its beginning, in an order of their own.
-    fn must_tell(&self, color: &Range<usize>) -> bool {
+    fn needs_write_back(&self, color: &Range<usize>) -> bool {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
 
@@ -344,7 +344,7 @@ impl SolverContacts {
                     // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
                     if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
                         let manifold = &mut pair.manifolds[at.manifold as usize];
-                        self.lanes.tell_manifold(index, lane, manifold);
+                        self.lanes.write_back_manifold(index, lane, manifold);
                     }
                 }
             }
@@ -381,14 +381,14 @@ fn fill(
         block.clear(lane);
     }
     for lane in 0..chunk.len() {
-        seat_bodies(block, lane, bodies);
+        assign_bodies(block, lane, bodies);
     }
-    if bodies.any_share() {
+    if bodies.any_scaled() {
         scale_impulses(&mut block.input, bodies, per_point);
     }
 }
 
-fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
+fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
     let (index1, creeps1) = bodies.find(block.slots[0][lane]);
     let (index2, creeps2) = bodies.find(block.slots[1][lane]);
     let input = &mut block.input;
@@ -473,8 +473,8 @@ impl Kernel for Prepare<'_> {
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let surroundings = contact::PrepareContext { poses, states: &states };
-                contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
+                let context = contact::PrepareContext { poses, states: &states };
+                contact::prepare::<W>(input, block, coulomb, context, prediction);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));
                 }

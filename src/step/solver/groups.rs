@@ -17,7 +17,7 @@
 //! with 32. The alternatives were a direct solution of the contacts that press (they come and go within a
 //! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
 
-use crate::base::measure::CALM;
+use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
@@ -30,7 +30,7 @@ use crate::model::params::IntegrationParameters;
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15 mm.
-const EVEN: Real = 32.0;
+const MASS_RATIO_EVEN_MAX: Real = 32.0;
 /// No island gets more than this many times the usual substeps.
 const MAX_FACTOR: usize = 16;
 /// Nor more than this many for its joints.
@@ -84,26 +84,27 @@ impl IslandRequirement {
 
     fn is_even(&self) -> bool {
         let [lightest, heaviest] = self.masses;
-        heaviest <= EVEN * lightest
+        heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
     /// Does a body touch or hold another so much heavier that a push of the one is beyond numbers for the other?
-    fn is_strained(&self) -> bool {
+    fn is_ill_conditioned(&self) -> bool {
         [self.masses, self.joined]
             .iter()
-            .any(|[lightest, heaviest]| *heaviest > CALM * CALM * lightest)
+            .any(|[lightest, heaviest]| *heaviest > MODERATE_MAX * MODERATE_MAX * lightest)
     }
 
     /// How many times the usual substeps an island of so many bodies gets, if these take `h` seconds: a power of two,
     /// that few groups do.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
-        let is_uneven = most > EVEN * least;
+        let is_uneven = most > MASS_RATIO_EVEN_MAX * least;
         let swing = if is_uneven { h * h * most * gravity * self.agility } else { 0.0 };
         let mut factor = 1;
         while 2 * factor * bodies <= MAX_WORK {
             let square = (factor * factor) as Real;
-            let by_contacts = factor < MAX_FACTOR && heaviest > EVEN * lightest * square;
+            let by_contacts =
+                factor < MAX_FACTOR && heaviest > MASS_RATIO_EVEN_MAX * lightest * square;
             let by_joints = factor < MAX_JOINT_FACTOR && swing > SWING * square;
             if !by_contacts && !by_joints {
                 break;
@@ -167,7 +168,7 @@ impl Groups {
     }
 
     /// Are there masses in one island that might lead out of the range of numbers?
-    pub fn are_strained(&self) -> bool {
+    pub fn are_ill_conditioned(&self) -> bool {
         self.ill_conditioned
     }
 
@@ -307,7 +308,7 @@ impl Groups {
             let h = params.dt / usual as Real;
             self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h));
             if !island.bodies.is_empty() && !island.sleeping {
-                self.ill_conditioned |= requirement.is_strained();
+                self.ill_conditioned |= requirement.is_ill_conditioned();
                 self.counts.extend(self.substeps.last());
             }
         }

@@ -89,7 +89,7 @@ pub(crate) struct SolverContext<'a> {
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
     /// Gets the bodies that cannot be stored.
-    pub lost: &'a mut Vec<Diverged>,
+    pub diverged: &'a mut Vec<Diverged>,
 }
 
 /// Solves one step for all awake bodies.
@@ -101,7 +101,7 @@ pub(crate) fn solve(
     counters: &mut SolverCounters,
 ) {
     let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
-    let (set, trees, lost) = (scene.joints, scene.multibodies, scene.lost);
+    let (set, trees, diverged) = (scene.joints, scene.multibodies, scene.diverged);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
@@ -111,7 +111,7 @@ pub(crate) fn solve(
     counters.velocity_assembly_time.pause();
     let is_only_group = groups.iter().len() == 1;
     constraints.iter_mut().for_each(|of_group| of_group.contacts.clear());
-    let mut calm = true;
+    let mut is_moderate = true;
     counters.nlimited_bodies = 0;
     for (group, constraints) in groups.iter().zip(&mut *constraints) {
         counters.velocity_assembly_time.resume();
@@ -136,16 +136,16 @@ pub(crate) fn solve(
 
         counters.velocity_writeback_time.resume();
         constraints.joints.finish(states, simd, tasks);
-        let links_are_calm = constraints.multibodies.finish(lost, pass.substep);
-        let group_is_calm = links_are_calm & states.are_calm(tasks);
-        if !group_is_calm || states.any_far {
-            states.find_lost(groups, bodies, &constraints.multibodies, lost);
+        let links_are_moderate = constraints.multibodies.finish(diverged, pass.substep);
+        let group_is_moderate = links_are_moderate & states.are_moderate(tasks);
+        if !group_is_moderate || states.any_far {
+            states.find_diverged(groups, bodies, &constraints.multibodies, diverged);
         }
-        calm &= group_is_calm;
+        is_moderate &= group_is_moderate;
         counters.velocity_writeback_time.pause();
     }
     counters.velocity_writeback_time.resume();
-    if lost.is_empty() {
+    if diverged.is_empty() {
         if groups.iter().len() > 0 {
             narrow_phase.contacts.forget_renewed();
         }
@@ -155,7 +155,7 @@ pub(crate) fn solve(
         store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
-        islands.ill_conditioned = !calm || states.any_far || groups.are_strained();
+        islands.ill_conditioned = !is_moderate || states.any_far || groups.are_ill_conditioned();
     } else {
         for of_group in constraints {
             of_group.multibodies.give_back(trees);
@@ -236,10 +236,10 @@ fn solve_group(
     let &GroupContext { gravity, params, place, order, simd, tasks } = context;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
-    let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let early_pass = ContactPass { is_last_iteration: false, ..pass };
     let joint_pass = JointPass::new(params, h);
     let impact_pass = ImpactPass::new(params, gravity.length(), h);
-    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
+    let early_joint_pass = JointPass { is_last_iteration: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
     joints.warm_start(states, simd, tasks);
     contacts.prepare(states, (params, &pass), simd, tasks);
@@ -268,7 +268,7 @@ fn solve_group(
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);
         let around = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
-        contacts.let_bounce(states, around, &impact_pass);
+        contacts.solve_impacts(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);

@@ -23,7 +23,7 @@ impl UserChanges<'_> {
         self.structure.add_body(handle);
         self.inform_colliders(handle);
         self.structure.refresh_pairs_of(handle);
-        self.take_in_joints_of(handle);
+        self.apply_joints_of(handle);
         self.structure.link_group_of(handle);
     }
 
@@ -75,7 +75,7 @@ impl UserChanges<'_> {
     }
 
     /// Follows a body's other changes.
-    pub(super) fn take_in_body(
+    pub(super) fn apply_body(
         &mut self,
         handle: RigidBodyHandle,
         reweighed: &mut Vec<RigidBodyHandle>,
@@ -101,7 +101,7 @@ impl UserChanges<'_> {
 
     /// Puts bodies to sleep that the user sent to sleep: all bodies of an island or none, since the
     /// others would hold them awake.
-    pub(super) fn take_in_sleepers(&mut self, modified: &[RigidBodyHandle]) {
+    pub(super) fn apply_sleepers(&mut self, modified: &[RigidBodyHandle]) {
         for &handle in modified {
             let Some(body) = self.structure.bodies.get(handle) else { continue };
             if !body.activation.sleeping || body.link.awake == NONE {

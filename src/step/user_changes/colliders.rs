@@ -28,7 +28,7 @@ impl Measured {
 
 impl UserChanges<'_> {
     /// Follows a collider's changes.
-    pub(super) fn take_in_collider(
+    pub(super) fn apply_collider(
         &mut self,
         handle: ColliderHandle,
         reweighed: &mut Vec<RigidBodyHandle>,
@@ -83,7 +83,7 @@ impl UserChanges<'_> {
                     self.structure.wake_sleepers_of(id);
                 }
                 let heard = self.structure.remove_contact_pair(id);
-                self.tell_end(heard, CollisionEventFlags::empty());
+                self.report_end(heard, CollisionEventFlags::empty());
             }
         }
         let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
@@ -91,13 +91,13 @@ impl UserChanges<'_> {
             let pair = &self.structure.narrow_phase.intersections[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
                 let heard = self.structure.narrow_phase.intersections.remove(id);
-                self.tell_end(heard, CollisionEventFlags::SENSOR);
+                self.report_end(heard, CollisionEventFlags::SENSOR);
             }
         }
     }
 
     /// Notes that two colliders stopped touching, for whoever has heard that they began to.
-    pub(super) fn tell_end(
+    pub(super) fn report_end(
         &mut self,
         heard: Option<[ColliderHandle; 2]>,
         flags: CollisionEventFlags,

@@ -42,8 +42,8 @@ pub(crate) struct UserChanges<'a> {
 impl UserChanges<'_> {
     /// Takes in all edits.
     pub fn run(mut self) {
-        self.take_in_replacements();
-        self.take_in_removals();
+        self.apply_replacements();
+        self.apply_removals();
         let bodies = self.structure.bodies.take_modified();
         let colliders = self.structure.colliders.take_modified();
         let mut reweighed = Vec::new();
@@ -55,29 +55,29 @@ impl UserChanges<'_> {
         }
         let mut measured = Measured::default();
         for &handle in &colliders {
-            self.take_in_collider(handle, &mut reweighed, &mut measured);
+            self.apply_collider(handle, &mut reweighed, &mut measured);
         }
         for &handle in &bodies {
-            self.take_in_body(handle, &mut reweighed);
+            self.apply_body(handle, &mut reweighed);
         }
         for handle in reweighed {
             self.reweigh(handle);
         }
-        self.take_in_joints();
-        self.take_in_multibodies();
-        self.take_in_sleepers(&bodies);
+        self.apply_joints();
+        self.apply_multibodies();
+        self.apply_sleepers(&bodies);
     }
 
     /// Takes in nothing but what is gone: all else waits for the next [`Self::run`].
     pub fn run_removals(mut self) {
-        self.take_in_replacements();
-        self.take_in_removals();
+        self.apply_replacements();
+        self.apply_removals();
     }
 
     /// Colliders that were put in the place of others become part of the bodies that they name, and bodies that were
     /// put in the place of others get the colliders of those: no collider stands in two lists, and threads that each
     /// work on a body may rely on that.
-    fn take_in_replacements(&mut self) {
+    fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
         colliders.settle_replaced(bodies);
         for handle in self.structure.bodies.settle_replaced() {
@@ -134,11 +134,11 @@ impl UserChanges<'_> {
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
             let heard = self.structure.remove_contact_pair(id);
-            self.tell_end(heard, flags);
+            self.report_end(heard, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
             let heard = self.structure.narrow_phase.intersections.remove(id);
-            self.tell_end(heard, flags | CollisionEventFlags::SENSOR);
+            self.report_end(heard, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::model::multibody::MultibodyEdits;
 
 impl UserChanges<'_> {
     /// Lets the bodies of each multibody move and sleep as one.
-    pub(super) fn take_in_multibodies(&mut self) {
+    pub(super) fn apply_multibodies(&mut self) {
         let MultibodyEdits { cut, groups } = core::mem::take(&mut self.multibodies);
         for &(body, _) in &cut {
             self.structure.ungroup(body);

@@ -14,7 +14,7 @@ impl UserChanges<'_> {
 
     /// Takes what was removed out of all lists; the colliders and joints of
     /// removed bodies go with them.
-    pub(super) fn take_in_removals(&mut self) {
+    pub(super) fn apply_removals(&mut self) {
         let removed = self.structure.bodies.take_removed();
         let mut links = Vec::with_capacity(removed.len());
         for (handle, colliders, link) in removed {
@@ -27,7 +27,7 @@ impl UserChanges<'_> {
                 }
             }
         }
-        self.take_in_removed_joints();
+        self.apply_removed_joints();
         self.structure.forget_bodies(&mut links);
         for (handle, _) in links {
             self.structure.remove_joints_of(handle);

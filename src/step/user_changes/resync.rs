@@ -193,8 +193,8 @@ impl Resync<'_> {
     fn trace(&self) -> [u64; 6] {
         let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
         let awake = islands.active_bodies();
-        let turn = islands.step as usize % awake.len().max(1);
-        let body = awake.get(turn).and_then(|&handle| bodies.get(handle));
+        let index = islands.step as usize % awake.len().max(1);
+        let body = awake.get(index).and_then(|&handle| bodies.get(handle));
         let place = body.map_or(Vector::ZERO, |body| body.pose.translation);
         [
             bodies.len() as u64,

@@ -4,13 +4,13 @@
 //! no numbers either. None of them ever gets any back, so it is enough to look when all passes are over, and before anybody
 //! is stored.
 //!
-//! That look is cheap, because it only asks whether everything is [`CALM`]: a comparison for each number of a state, in the
+//! That look is cheap, because it only asks whether everything is [`MODERATE_MAX`]: a comparison for each number of a state, in the
 //! order in which they stand in memory. Where something is not, or somebody is so far away that a calm motion could lead out of the world, each body is
 //! asked.
 
 use super::SolverBodies;
 use super::store::outcome;
-use crate::base::measure::CALM;
+use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::Tasks;
 use crate::dim::state::BodyState;
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
@@ -24,26 +24,26 @@ const STATES_PER_TASK: usize = 1024;
 
 impl SolverBodies {
     /// Are the velocities and displacements of all bodies that were moved calm?
-    pub fn are_calm(&self, tasks: Tasks<'_>) -> bool {
-        let calm = AtomicBool::new(true);
+    pub fn are_moderate(&self, tasks: Tasks<'_>) -> bool {
+        let is_moderate = AtomicBool::new(true);
         for members in self.moving.clone() {
             let states = &self.states[members];
             tasks.par_for(states.len(), STATES_PER_TASK, |range| {
-                if !BodyState::are_within(&states[range], CALM) {
-                    calm.store(false, Ordering::Relaxed);
+                if !BodyState::are_within(&states[range], MODERATE_MAX) {
+                    is_moderate.store(false, Ordering::Relaxed);
                 }
             });
         }
-        calm.into_inner()
+        is_moderate.into_inner()
     }
 
     /// Lists the bodies that were moved and cannot be stored.
-    pub fn find_lost(
+    pub fn find_diverged(
         &self,
         groups: &Groups,
         bodies: &RigidBodySet,
         multibodies: &SolverMultibodies,
-        lost: &mut Vec<Diverged>,
+        diverged: &mut Vec<Diverged>,
     ) {
         for index in self.moving.clone().into_iter().flatten() {
             let handle = groups.order()[index - 1];
@@ -53,7 +53,7 @@ impl SolverBodies {
             }
             let (linvel, angvel) = self.states[index].velocity();
             let velocity = RigidBodyVelocity::new(linvel, angvel);
-            lost.push(Diverged { body: handle, velocity, is_link: false });
+            diverged.push(Diverged { body: handle, velocity, is_link: false });
         }
     }
 

@@ -3,7 +3,7 @@
 use super::motion::motion_of;
 use super::{NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
-use crate::base::measure::FAR;
+use crate::base::measure::COORDINATE_MODERATE_MAX;
 use crate::base::tasks::Tasks;
 use crate::dim::mass::inv_inertia_on_the_way;
 use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_squared};
@@ -30,15 +30,15 @@ impl SolverBodies {
     ) {
         self.make_room(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let around = LoadContext { multibodies, gravity, params };
+        let context = LoadContext { multibodies, gravity, params };
         let ungrouped = 0..groups.ungrouped();
-        self.any_far = self.load_members((order, ungrouped), bodies, &around, params.dt, tasks);
+        self.any_far = self.load_members((order, ungrouped), bodies, &context, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
             let members = (order, group.members.clone());
-            self.any_far |= self.load_members(members, bodies, &around, h, tasks);
+            self.any_far |= self.load_members(members, bodies, &context, h, tasks);
         }
-        self.any_share = self.shares.iter().any(|&share| share != 1.0);
+        self.any_scaled = self.impulse_scales.iter().any(|&impulse_scale| impulse_scale != 1.0);
     }
 
     /// Makes places for some bodies, who fill all of them, and for the world.
@@ -52,7 +52,7 @@ impl SolverBodies {
         self.states.resize(count + 1, BodyState::default());
         self.before.resize(count + 1, BodyState::default());
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
-        self.shares.resize(count + 1, 1.0);
+        self.impulse_scales.resize(count + 1, 1.0);
         self.islands.resize(count + 1, NONE);
         // SAFETY: a place is there, and nobody else has any.
         unsafe { self.places().at(0).clear() };
@@ -67,7 +67,7 @@ impl SolverBodies {
             before: DisjointMut::new(&mut self.before),
             last: DisjointMut::new(&mut self.last),
             motions: DisjointMut::new(&mut self.motions),
-            shares: DisjointMut::new(&mut self.shares),
+            impulse_scales: DisjointMut::new(&mut self.impulse_scales),
             islands: DisjointMut::new(&mut self.islands),
         }
     }
@@ -77,7 +77,7 @@ impl SolverBodies {
         &mut self,
         (order, members): (&[RigidBodyHandle], Range<usize>),
         bodies: &mut RigidBodySet,
-        around: &LoadContext<'_>,
+        context: &LoadContext<'_>,
         h: Real,
         tasks: Tasks<'_>,
     ) -> bool {
@@ -90,11 +90,11 @@ impl SolverBodies {
             unsafe {
                 let place = places.at(index);
                 match body {
-                    Some(body) if !around.multibodies.moves(slot) => {
-                        if body.pose.translation.abs().max_element() > FAR {
+                    Some(body) if !context.multibodies.moves(slot) => {
+                        if body.pose.translation.abs().max_element() > COORDINATE_MODERATE_MAX {
                             any_far.store(true, Ordering::Relaxed);
                         }
-                        place.fill(body, around, h);
+                        place.fill(body, context, h);
                         places.list(index, body, slot);
                     }
                     _ => place.clear(),
@@ -120,7 +120,7 @@ struct Place<'a> {
     state: &'a mut BodyState,
     before: &'a mut BodyState,
     motion: &'a mut FreeMotion,
-    share: &'a mut Real,
+    impulse_scale: &'a mut Real,
     island: &'a mut u32,
 }
 
@@ -130,24 +130,24 @@ impl Place<'_> {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
-        (*self.share, *self.island) = (1.0, NONE);
+        (*self.impulse_scale, *self.island) = (1.0, NONE);
     }
 
     /// A body that is solved with the substep `h`.
-    fn fill(self, body: &mut RigidBody, around: &LoadContext<'_>, h: Real) {
+    fn fill(self, body: &mut RigidBody, context: &LoadContext<'_>, h: Real) {
         if body.body_type == RigidBodyType::KinematicPositionBased {
-            let velocity = body.velocity_to_next_position(around.params.inv_dt());
+            let velocity = body.velocity_to_next_position(context.params.inv_dt());
             (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
         }
-        *self.share = if body.substep > h { h / body.substep } else { 1.0 };
+        *self.impulse_scale = if body.substep > h { h / body.substep } else { 1.0 };
         body.substep = h;
         *self.motion = if body.is_dynamic() {
-            motion_of(body, around.gravity, h)
+            motion_of(body, context.gravity, h)
         } else {
             FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
-        let felt = felt_inertia(body, around.params.dt);
+        let felt = felt_inertia(body, context.params.dt);
         let inv_inertia = felt.as_ref().unwrap_or(&mprops.inv_inertia);
         let center = mprops.world_com;
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
@@ -160,7 +160,7 @@ impl Place<'_> {
 /// The inverse inertia that contacts know, if it is not that of the body as it stands.
 fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
-    if !body.is_dynamic() || !mprops.turns_freely() {
+    if !body.is_dynamic() || !mprops.rotates_freely() {
         return None;
     }
     inv_inertia_on_the_way(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
@@ -176,7 +176,7 @@ pub(super) struct Places<'a> {
     /// As many, or none.
     pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
-    shares: DisjointMut<'a, Real>,
+    impulse_scales: DisjointMut<'a, Real>,
     islands: DisjointMut<'a, u32>,
 }
 
@@ -193,7 +193,7 @@ impl Places<'_> {
                 state: self.states.get_mut(index),
                 before: self.before.get_mut(index),
                 motion: self.motions.get_mut(index),
-                share: self.shares.get_mut(index),
+                impulse_scale: self.impulse_scales.get_mut(index),
                 island: self.islands.get_mut(index),
             }
         }

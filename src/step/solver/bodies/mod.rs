@@ -38,8 +38,8 @@ pub(super) struct SolverBodies {
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
     /// By index: with what share of its last impulses a substep begins; and is there any but 1?
-    shares: Vec<Real>,
-    any_share: bool,
+    impulse_scales: Vec<Real>,
+    any_scaled: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
@@ -80,8 +80,8 @@ impl SolverBodies {
     }
 
     /// Does any body begin with but a [share](Self::share) of its impulses?
-    pub fn any_share(&self) -> bool {
-        self.any_share
+    pub fn any_scaled(&self) -> bool {
+        self.any_scaled
     }
 
     /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
@@ -90,7 +90,7 @@ impl SolverBodies {
     /// be multiplied.
     pub fn share(&self, indices: [u32; 2]) -> Real {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
-        moved.map_or(1.0, |index| self.shares[index as usize])
+        moved.map_or(1.0, |index| self.impulse_scales[index as usize])
     }
 
     /// The island of two bodies that touch.

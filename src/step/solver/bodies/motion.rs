@@ -3,9 +3,9 @@
 use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
-use crate::dim::motion::{FreeMotion, accelerated, tumble};
+use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
+use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
-use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
 
 /// What moves a dynamic body in a step with this substep.
@@ -21,7 +21,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let damping = [body.linear_damping, body.angular_damping];
     let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
     let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
-    if body.gyroscopic_forces_enabled && mprops.turns_freely() {
+    if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
         motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {
         motion
@@ -108,7 +108,7 @@ impl Kernel for Advance<'_> {
             let angular = turned_further(moved.angular, velocity.angular * h);
             if motions.iter().any(FreeMotion::is_gyroscopic) {
                 let (mut old, displacement) = load_states::<W>(before);
-                tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
+                gyroscopic(motions, &mut velocity.angular, &mut old.angular, self.h);
                 store_states(before, (old, displacement));
             }
             store_states(states, (velocity, WideDisplacement::new(linear, angular)));

@@ -18,11 +18,11 @@ use core::ops::Range;
 /// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
 pub(in super::super) const SWEEPS: usize = 4;
 /// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
-pub(in super::super) const SETTLED: Real = 1.0e-3;
+pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
 
 /// All contacts of a round.
 #[derive(Default)]
-pub(super) struct Struck {
+pub(super) struct Active {
     pub blocks: Vec<ActiveBlock>,
     /// Those of one colour stand together.
     pub colors: Vec<Range<usize>>,
@@ -30,7 +30,7 @@ pub(super) struct Struck {
     pub islands: Vec<u32>,
 }
 
-impl Struck {
+impl Active {
     pub fn clear(&mut self) {
         self.blocks.clear();
         self.colors.clear();
@@ -60,7 +60,7 @@ impl Struck {
             for lane in lanes(active) {
                 let island = impact.islands[lane];
                 let energy_budget = &mut energy_budgets[island as usize];
-                if energy_budget.visits == 0 {
+                if energy_budget.iterations == 0 {
                     continue;
                 }
                 self.strike(island, energy_budget);
@@ -81,7 +81,7 @@ impl Struck {
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug)]
-struct StruckRow {
+struct RoundRow {
     strike: ActiveRow<Lane>,
     /// The impulse of this round.
     impulse: Lane,
@@ -92,7 +92,7 @@ struct StruckRow {
 pub(in super::super) struct ActiveBlock {
     /// Copies of what normal impulses need to know.
     contact: ContactBlock,
-    rows: [StruckRow; MAX_MANIFOLD_POINTS],
+    rows: [RoundRow; MAX_MANIFOLD_POINTS],
     restitution: Lane,
     /// Which of all blocks each lane is from, and which lane of it.
     from: [(u32, u32); LANES],
@@ -120,7 +120,7 @@ impl ActiveBlock {
         };
         Self {
             contact: ContactBlock::EMPTY,
-            rows: [StruckRow { strike, impulse: zero }; MAX_MANIFOLD_POINTS],
+            rows: [RoundRow { strike, impulse: zero }; MAX_MANIFOLD_POINTS],
             restitution: zero,
             from: [(0, 0); LANES],
             islands: [0; LANES],
@@ -192,13 +192,13 @@ impl ActiveBlock {
         for sweep in 0..SWEEPS {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
-                let StruckRow { strike, impulse } = &mut rows[k];
+                let RoundRow { strike, impulse } = &mut rows[k];
                 let (mass, old) = (W::load(&strike.mass), W::load(impulse));
                 let missing =
                     W::load(&strike.target) - W::load(&strike.support_velocity) - velocity;
                 let new = W::select(goes_on, (old + mass * missing).max(zero), old);
                 new.store(impulse);
-                let little = -(mass * W::load(&strike.approach) * W::splat(SETTLED));
+                let little = -(mass * W::load(&strike.approach) * W::splat(CONVERGENCE_TOLERANCE));
                 changes = changes | little.lt((new - old).abs());
                 new - old
             });
@@ -232,7 +232,7 @@ impl ActiveBlock {
         let allowed = W::load(&self.restitution).max(W::splat(1.0));
         let (mut dissipated, mut energy_gain) = (W::zero(), W::zero());
         let (mut weight, mut moment) = (W::zero(), W::zero());
-        for (k, StruckRow { strike, impulse }) in self.rows.iter().enumerate() {
+        for (k, RoundRow { strike, impulse }) in self.rows.iter().enumerate() {
             let (impulse, approach) = (W::load(impulse), W::load(&strike.approach));
             dissipated = dissipated + impulse * approach;
             let velocity = velocities[k] + W::load(&strike.support_velocity);
@@ -256,7 +256,7 @@ impl ActiveBlock {
 
 /// In which lanes does more than one point hit?
 #[inline(always)]
-fn have_several<W: Wide>(rows: &[StruckRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
+fn have_several<W: Wide>(rows: &[RoundRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
     let zero = W::zero();
     let (mut one, mut several) = (zero.lt(zero), zero.lt(zero));
     for row in rows {
@@ -269,14 +269,14 @@ fn have_several<W: Wide>(rows: &[StruckRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
 
 /// What is done with each block.
 #[derive(Copy, Clone)]
-pub(super) enum Turn {
-    Visit,
+pub(super) enum Phase {
+    Iterate,
     End,
 }
 
 /// A turn, for some blocks of one colour.
 pub(super) struct Round<'a> {
-    pub turn: Turn,
+    pub phase: Phase,
     pub range: Range<usize>,
     pub blocks: DisjointMut<'a, ActiveBlock>,
     pub states: DisjointMut<'a, BodyState>,
@@ -293,9 +293,9 @@ impl Kernel for Round<'_> {
             // read-only, and one colour is done before the next begins.
             unsafe {
                 let block = self.blocks.get_mut(index);
-                match self.turn {
-                    Turn::Visit => block.iterate::<W>(&self.states),
-                    Turn::End => block.end::<W>(&self.states, &self.delays),
+                match self.phase {
+                    Phase::Iterate => block.iterate::<W>(&self.states),
+                    Phase::End => block.end::<W>(&self.states, &self.delays),
                 }
             }
         }

@@ -96,24 +96,26 @@ use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
 use crate::model::params::{ImpactPass, JointPass};
 #[cfg(test)]
 pub(super) use active::ActiveBlock;
-use active::{Round, Struck, Turn};
-pub(super) use active::{SETTLED, SWEEPS};
+use active::{Active, Phase, Round};
+pub(super) use active::{CONVERGENCE_TOLERANCE, SWEEPS};
 use core::ops::Range;
 pub(super) use points::NormalRows;
-pub(super) use rows::{BEND_MAX, FAR, ImpactBlock, ImpactMark, NOTICED};
+pub(super) use rows::{
+    APPROACH_CHANGE_MIN, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX, ImpactBlock, ImpactMark,
+};
 use touched::Touched;
 
 /// Visits of all contacts that hit, per substep, in an island with a contact of restitution 1.
-const VISITS: usize = 128;
+const ITERATIONS_MAX: usize = 128;
 /// Islands of so few contacts get as many whatever their restitution is.
 const SMALL_ISLAND: usize = 32;
 /// And per round.
-const ROUND_VISITS: usize = 16;
+const ROUND_ITERATIONS: usize = 16;
 /// Blocks that are worth handing over to another thread together. A visit of few is over before another thread has noticed.
 const BLOCKS_PER_TASK: usize = 32;
 
 /// Of so many blocks about one has been struck.
-const RUBBED_SELDOM: usize = 4;
+const FRICTION_INTERVAL: usize = 4;
 
 /// The contacts with restitution.
 #[derive(Default)]
@@ -124,7 +126,7 @@ pub(super) struct Impacts {
     marks: Vec<ImpactMark>,
     colors: Vec<Range<usize>>,
     /// What a round is about, often little of all that could be hit.
-    active: Struck,
+    active: Active,
     touched: Touched,
     memory: Memory,
 }
@@ -147,10 +149,10 @@ struct IterationBudget {
 }
 
 impl IterationBudget {
-    fn visits(&self) -> usize {
+    fn iterations(&self) -> usize {
         let smallness = SMALL_ISLAND as Real / self.contacts as Real;
         let worth = self.restitution.max(smallness).min(1.0);
-        (VISITS as Real * worth).ceil() as usize
+        (ITERATIONS_MAX as Real * worth).ceil() as usize
     }
 }
 
@@ -158,7 +160,7 @@ impl IterationBudget {
 #[derive(Copy, Clone, Default)]
 struct EnergyBudget {
     /// Visits that are left in this substep.
-    visits: usize,
+    iterations: usize,
     is_active: bool,
     is_moving: bool,
     /// Sums over the contacts, see [`active::ActiveBlock`].
@@ -220,41 +222,41 @@ impl Impacts {
         &mut self,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        mut around: ImpactContext<'_>,
+        mut context: ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        if self.is_empty() && !around.links.0.bounce() {
+        if self.is_empty() && !context.links.0.bounce() {
             return;
         }
         bodies.swap_before();
-        let (links, place) = &mut around.links;
+        let (links, place) = &mut context.links;
         links.begin_impact(bodies, pass);
-        links.mark_struck(*place, bodies, |_| true, pass);
-        self.look(Stage::Begin, contacts, bodies, &around, pass);
+        links.mark_active(*place, bodies, |_| true, pass);
+        self.look(Stage::Begin, contacts, bodies, &context, pass);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
-        let hits = hits || around.links.0.active().next().is_some();
+        let hits = hits || context.links.0.active().next().is_some();
         if hits {
-            self.open_accounts(bodies, around.links.0);
-            let held = self.begin(bodies, &around);
-            while self.find_struck(contacts, around.links.0) {
-                self.solve_round(held, bodies, &mut around, pass);
-                let (links, place) = &mut around.links;
+            self.open_energy_budgets(bodies, context.links.0);
+            let held = self.begin(bodies, &context);
+            while self.find_active(contacts, context.links.0) {
+                self.solve_round(held, bodies, &mut context, pass);
+                let (links, place) = &mut context.links;
                 let energy_budgets = &self.memory.energy_budgets;
-                let has_visits = |island: u32| energy_budgets[island as usize].visits > 0;
-                links.mark_struck(*place, bodies, has_visits, pass);
-                self.look(Stage::Mark, contacts, bodies, &around, pass);
+                let has_iterations = |island: u32| energy_budgets[island as usize].iterations > 0;
+                links.mark_active(*place, bodies, has_iterations, pass);
+                self.look(Stage::Mark, contacts, bodies, &context, pass);
             }
         }
-        around.links.0.defer();
-        self.look(Stage::PutAside, contacts, bodies, &around, pass);
+        context.links.0.defer();
+        self.look(Stage::Defer, contacts, bodies, &context, pass);
         if hits {
-            self.begin_round(bodies, around.links.0);
-            around.links.0.rub_struck(&mut bodies.states);
-            self.look(Stage::Rub, contacts, bodies, &around, pass);
-            self.accept(bodies, &mut around, |_| 1.0, pass);
-            around.joints.forget_places();
+            self.begin_round(bodies, context.links.0);
+            context.links.0.solve_active_friction(&mut bodies.states);
+            self.look(Stage::Friction, contacts, bodies, &context, pass);
+            self.accept(bodies, &mut context, |_| 1.0, pass);
+            context.joints.forget_places();
         }
-        around.links.0.end_impact();
+        context.links.0.end_impact();
         bodies.swap_before();
     }
 
@@ -269,7 +271,7 @@ impl Impacts {
 
     /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
     /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
-    fn open_accounts(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
+    fn open_energy_budgets(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
         let Self { blocks, active, memory, .. } = self;
         let Memory { energy_budgets, iteration_budgets, .. } = memory;
         if iteration_budgets.is_empty() {
@@ -294,7 +296,7 @@ impl Impacts {
         }
         energy_budgets.clear();
         let energy_budget = |grant: &IterationBudget| EnergyBudget {
-            visits: grant.visits(),
+            iterations: grant.iterations(),
             ..EnergyBudget::default()
         };
         energy_budgets.extend(iteration_budgets.iter().map(energy_budget));
@@ -302,12 +304,12 @@ impl Impacts {
     }
 
     /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls. How many are they?
-    fn begin(&mut self, bodies: &SolverBodies, around: &ImpactContext<'_>) -> usize {
+    fn begin(&mut self, bodies: &SolverBodies, context: &ImpactContext<'_>) -> usize {
         self.touched.begin(bodies.states.len());
-        self.touched.add(around.joints.held());
+        self.touched.add(context.joints.held());
         let of_joints = self.touched.bodies.len();
         // What a multibody that is hit pushes can be anything.
-        if around.links.0.bounce() {
+        if context.links.0.bounce() {
             self.touched.add_all(bodies.moving());
         }
         self.touched.keep();
@@ -315,7 +317,7 @@ impl Impacts {
     }
 
     /// Finds the contacts that hit, in islands that have visits left. Is there any?
-    fn find_struck(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
+    fn find_active(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
         let Self { blocks, marks, colors, active, touched, memory } = self;
         let energy_budgets = &mut memory.energy_budgets;
         for island in active.islands.drain(..) {
@@ -342,16 +344,16 @@ impl Impacts {
         &mut self,
         held: usize,
         bodies: &mut SolverBodies,
-        around: &mut ImpactContext<'_>,
+        context: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        self.begin_round(bodies, around.links.0);
-        around.joints.forget_places();
-        around.joints.begin_blows();
-        for _ in 0..ROUND_VISITS {
-            around.links.0.visit_struck(&mut bodies.states);
-            self.iterate(Turn::Visit, bodies, around);
-            if !self.find_moving(around.links.0) {
+        self.begin_round(bodies, context.links.0);
+        context.joints.forget_places();
+        context.joints.begin_impact_impulses();
+        for _ in 0..ROUND_ITERATIONS {
+            context.links.0.iterate_active(&mut bodies.states);
+            self.iterate(Phase::Iterate, bodies, context);
+            if !self.find_moving(context.links.0) {
                 break;
             }
             let Memory { energy_budgets, sums, .. } = &mut self.memory;
@@ -367,11 +369,11 @@ impl Impacts {
                 states: &mut bodies.states,
                 poses: &bodies.poses,
             };
-            let ImpactContext { joints, joint_pass, simd, tasks, .. } = around;
+            let ImpactContext { joints, joint_pass, simd, tasks, .. } = context;
             joints.project(changes, is_moving, add_work, joint_pass, (*simd, *tasks));
         }
-        around.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
-        self.iterate(Turn::End, bodies, around);
+        context.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
+        self.iterate(Phase::End, bodies, context);
         let sums = &mut self.memory.sums;
         for block in &self.active.blocks {
             for lane in block.lanes() {
@@ -381,21 +383,21 @@ impl Impacts {
                 );
             }
         }
-        for contact in around.links.0.active() {
+        for contact in context.links.0.active() {
             sums.push(
                 contact.strike.island,
                 [contact.strike.dissipated, contact.strike.energy_gain],
             );
         }
-        around.joints.share_delays(&mut self.touched.delays);
-        self.commit_round(bodies, around, pass);
+        context.joints.share_delays(&mut self.touched.delays);
+        self.commit_round(bodies, context, pass);
     }
 
     /// Lets each island go the share of the round that its energy allows.
     fn commit_round(
         &mut self,
         bodies: &mut SolverBodies,
-        around: &mut ImpactContext<'_>,
+        context: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         let Memory { energy_budgets, sums, .. } = &mut self.memory;
@@ -407,7 +409,7 @@ impl Impacts {
         for &island in &self.active.islands {
             let energy_budget = &mut energy_budgets[island as usize];
             if energy_budget.share() == 0.0 {
-                energy_budget.visits = 0;
+                energy_budget.iterations = 0;
             }
         }
         let energy_budgets = &self.memory.energy_budgets;
@@ -415,22 +417,22 @@ impl Impacts {
             |island: u32| energy_budgets.get(island as usize).map_or(1.0, EnergyBudget::share);
         self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, share));
         let islands = &bodies.islands;
-        around.joints.commit_impact_impulses(|body| share(islands[body as usize]));
-        around.links.0.commit_round(share);
-        self.accept(bodies, around, share, pass);
+        context.joints.commit_impact_impulses(|body| share(islands[body as usize]));
+        context.links.0.commit_round(share);
+        self.accept(bodies, context, share, pass);
     }
 
     /// Bodies and multibodies take over what the round did, or the share of it for their island.
     fn accept(
         &self,
         bodies: &mut SolverBodies,
-        around: &mut ImpactContext<'_>,
+        context: &mut ImpactContext<'_>,
         share: impl Fn(u32) -> Real + Copy,
         pass: &ImpactPass,
     ) {
         let Touched { bodies: touched, start, delays, .. } = &self.touched;
         bodies.accept_impact(touched, start, delays, share);
-        around.links.0.accept_impact(pass.substep, share);
+        context.links.0.accept_impact(pass.substep, share);
     }
 
     /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
@@ -440,8 +442,8 @@ impl Impacts {
         let energy_budgets = &mut memory.energy_budgets;
         for &island in &active.islands {
             let energy_budget = &mut energy_budgets[island as usize];
-            energy_budget.visits =
-                energy_budget.visits.saturating_sub(usize::from(energy_budget.is_active));
+            energy_budget.iterations =
+                energy_budget.iterations.saturating_sub(usize::from(energy_budget.is_active));
             energy_budget.is_moving = false;
         }
         for block in &active.blocks {
@@ -486,33 +488,33 @@ impl Impacts {
         stage: Stage,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
-        around: &ImpactContext<'_>,
+        context: &ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
         let known = [&bodies.last[..], &bodies.before];
         let states = DisjointMut::new(&mut bodies.states);
         let impacts = DisjointMut::new(&mut self.blocks);
         let marks = DisjointMut::new(&mut self.marks);
-        let (simd, touched) = (around.simd, &self.touched);
+        let (simd, touched) = (context.simd, &self.touched);
         let all = 0..impacts.len();
         let (colors, grain) = match stage {
-            Stage::Rub => (&self.colors[..], BLOCKS_PER_TASK * RUBBED_SELDOM),
+            Stage::Friction => (&self.colors[..], BLOCKS_PER_TASK * FRICTION_INTERVAL),
             // They change no body: all blocks may be looked at at once.
             _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };
-        for_each_color(colors, (around.tasks, grain), |range| {
+        for_each_color(colors, (context.tasks, grain), |range| {
             simd.run(Look { stage, range, contacts, impacts, marks, states, known, touched, pass });
         });
     }
 
     /// Visits the blocks of the round.
-    fn iterate(&mut self, turn: Turn, bodies: &mut SolverBodies, around: &ImpactContext<'_>) {
+    fn iterate(&mut self, phase: Phase, bodies: &mut SolverBodies, context: &ImpactContext<'_>) {
         let (_, states) = bodies.shared();
-        let Self { active: Struck { blocks, colors, .. }, touched, .. } = self;
+        let Self { active: Active { blocks, colors, .. }, touched, .. } = self;
         let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
-        let simd = around.simd;
-        for_each_color(colors, (around.tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Round { turn, range, blocks, states, delays });
+        let simd = context.simd;
+        for_each_color(colors, (context.tasks, BLOCKS_PER_TASK), |range| {
+            simd.run(Round { phase, range, blocks, states, delays });
         });
     }
 }
@@ -527,8 +529,8 @@ pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
 enum Stage {
     Begin,
     Mark,
-    PutAside,
-    Rub,
+    Defer,
+    Friction,
 }
 
 /// A stage, for some blocks.
@@ -574,8 +576,8 @@ impl Look<'_> {
             let mark = self.marks.get_mut(index);
             let is_of_interest = match self.stage {
                 Stage::Begin | Stage::Mark => true,
-                Stage::PutAside => mark.waits(),
-                Stage::Rub => mark.was_active,
+                Stage::Defer => mark.waits(),
+                Stage::Friction => mark.was_active,
             };
             if !is_of_interest {
                 return;
@@ -598,8 +600,8 @@ impl Look<'_> {
                     let rows = NormalRows::<W>::gather(states, block);
                     impact.mark(mark, &rows, block, pass);
                 }
-                Stage::PutAside => impact.defer(mark, block),
-                Stage::Rub => impact.solve_friction::<W>(block, coulomb, states),
+                Stage::Defer => impact.defer(mark, block),
+                Stage::Friction => impact.solve_friction::<W>(block, coulomb, states),
             }
         }
     }

@@ -5,7 +5,8 @@
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::contact::{
-    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, rub_block, values_at,
+    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_block_friction,
+    values_at,
 };
 use crate::dim::math::MAX_MANIFOLD_POINTS;
 use crate::dim::state::{BodyState, gather_velocities};
@@ -112,7 +113,7 @@ pub unsafe fn solve_friction<W: Wide>(
     }
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
-    rub_block(block, fresh.as_mut(), &mut bodies);
+    solve_block_friction(block, fresh.as_mut(), &mut bodies);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
     let (normal, friction) = kept;

@@ -10,13 +10,13 @@ use crate::dim::state::BodyState;
 use crate::model::params::ImpactPass;
 
 /// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
-pub(in super::super) const BEND_MAX: Real = 0.25;
+pub(in super::super) const CURVATURE_ANGLE_MAX: Real = 0.25;
 /// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
 /// the speed below which nothing bounces. Rounding must not wake them.
-pub(in super::super) const NOTICED: Real = 0.01;
+pub(in super::super) const APPROACH_CHANGE_MIN: Real = 0.01;
 
 /// Where points are that are put aside: beyond the reach of all passes.
-pub(in super::super) const FAR: Real = 1.0e10;
+pub(in super::super) const COORDINATE_MODERATE_MAX: Real = 1.0e10;
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
@@ -135,7 +135,8 @@ impl ImpactBlock {
     pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {
-                row.separation.0[lane] = core::mem::replace(&mut point.separation.0[lane], FAR);
+                row.separation.0[lane] =
+                    core::mem::replace(&mut point.separation.0[lane], COORDINATE_MODERATE_MAX);
             }
         }
         mark.aside = mark.waiting;
@@ -154,7 +155,7 @@ impl ImpactBlock {
         let free = rows.velocities();
         let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
-        let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
+        let (noticed, fall) = (W::splat(pass.threshold * APPROACH_CHANGE_MIN), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
             let forced = free[k] - then[k];
             let support_velocity = (loaded[k] - free[k]).min(-forced).max(zero);
@@ -202,14 +203,14 @@ impl ImpactBlock {
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
             let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
-            let most = speed * W::splat(BEND_MAX);
-            let bend =
+            let most = speed * W::splat(CURVATURE_ANGLE_MAX);
+            let curvature =
                 W::load(&row.accelerated) * (time * W::splat(pass.inv_substep) - W::splat(0.5));
-            let bend = bend.max(-most).min(most);
-            let target = (restitution * (speed - bend) - bend).max(zero);
+            let curvature = curvature.max(-most).min(most);
+            let target = (restitution * (speed - curvature) - curvature).max(zero);
             let strike = &mut row.strike;
             mass.store(&mut strike.mass);
-            (bend + bend - speed).store(&mut strike.approach);
+            (curvature + curvature - speed).store(&mut strike.approach);
             target.store(&mut strike.target);
             time.store(&mut strike.time);
         }

@@ -42,7 +42,7 @@ pub(super) struct JointBlock {
     /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
     pub compliance: Lane,
     /// One for joints of taut components (see `geometric_stiffness.rs`), zero for others.
-    pub is_taut: Lane,
+    pub is_stiff: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
@@ -85,7 +85,7 @@ impl JointBlock {
             bias_rate: zero,
             is_spring: zero,
             compliance: zero,
-            is_taut: zero,
+            is_stiff: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,

@@ -7,7 +7,7 @@
 //! times as heavy are near that, and those under more are beyond. (Of a chain's swings, in which neighbours turn against
 //! each other, the fastest has four times the sum of `ω²` over the two bodies of a joint.)
 //!
-//! So where `(h ω)²`, summed over the two bodies of a joint, is above [`TAUT`], its whole component is solved by a
+//! So where `(h ω)²`, summed over the two bodies of a joint, is above [`STIFFNESS_MAX`], its whole component is solved by a
 //! method that loses energy instead (Müller et al., "Detailed rigid body simulation with extended position based
 //! dynamics", 2020; with all joints at once: Deul et al., "Direct position-based solver for stiff rods", 2018):
 //! starting without impulses, the bodies are led to where they would go freely, and from there projected on what
@@ -31,7 +31,7 @@
 //! But what pushes into a joint (a contact, a limit, a motor) starts with its impulses of the last substep, and without those
 //! with which the joints held against it, it throws what is light: a board of 1.4 kg between the ground and the 140 kg behind
 //! it would turn by 2 rad in a substep. The rows there say nothing of where it will be, Newton's steps from there wander, and a
-//! chain got 10⁹ times its energy from that. So a component with a body that is thrown by more than [`THROW`] is projected
+//! chain got 10⁹ times its energy from that. So a component with a body that is thrown by more than [`UNCONSTRAINED_ANGLE_MAX`] is projected
 //! where the bodies are, in one step and without a look ahead. Along rows that stay the same a projection is one exactly: of
 //! all velocities that the joints allow it finds the nearest (Gauss's principle of least constraint), and never adds energy
 //! whatever pushes. What it leaves of the curvature is undone as an error of the next substep.
@@ -52,7 +52,7 @@ use crate::dim::state::{BodyPose, BodyState};
 
 /// The `(h ω)²` above which a joint is taut: a quarter of what is stable in a chain. Pendulums of 2 cm and double pendulums
 /// of 10 cm are below at 240 substeps per second.
-const TAUT: Real = 0.25;
+const STIFFNESS_MAX: Real = 0.25;
 /// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
 const WHOLE: Real = 4.0;
 /// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
@@ -64,34 +64,34 @@ const LOOSE: Real = 0.01;
 const TUMBLING_TURN: Real = 0.15;
 /// By how much further (rad) a body may turn in a substep if joints let go what they hold against. Chains of boards of 1:10:100
 /// that fall on the ground keep to their energy with 0.05 to 1; with 2 they do not.
-const THROW: Real = 0.25;
+const UNCONSTRAINED_ANGLE_MAX: Real = 0.25;
 
 /// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
 fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
     let locked = (member.form.locked >> DIM).count_ones() as usize;
     let inertias = &blocks[member.block as usize].inertias;
-    (1..ANG_DIM).contains(&locked) && inertias.tumble(member.lane as usize)
+    (1..ANG_DIM).contains(&locked) && inertias.gyroscopic(member.lane as usize)
 }
 
 /// Is a body thrown about by what its joints held against, now that their impulses are forgotten? What it has got since it
 /// moved without any impulse says so: its own spin, however fast, throws nothing.
-pub(super) fn are_thrown(
+pub(super) fn have_large_displacement(
     members: &[DirectJoint],
     Moving { states, before, .. }: Moving<'_>,
     h: Real,
 ) -> bool {
     members.iter().flat_map(DirectJoint::movable).any(|(_, body)| {
         let [(_, now), (_, free)] = [states, before].map(|of| of[body as usize].velocity());
-        ang_length_squared(now - free) * (h * h) > THROW * THROW
+        ang_length_squared(now - free) * (h * h) > UNCONSTRAINED_ANGLE_MAX * UNCONSTRAINED_ANGLE_MAX
     })
 }
 
 /// The bodies that joints hold: by solver index.
 #[derive(Default)]
 pub(super) struct GeometricStiffness {
-    bodies: Vec<Held>,
+    bodies: Vec<JointedBody>,
     /// How often [`Self::turning`] was asked.
-    questions: u32,
+    evaluations: u32,
 }
 
 /// Where all bodies are, by solver index, and how they move before any impulse of the substep. (Those of the last one
@@ -105,7 +105,7 @@ pub(super) struct Moving<'a> {
 
 /// A body that joints hold.
 #[derive(Copy, Clone)]
-struct Held {
+struct JointedBody {
     inv_mass: Real,
     inv_inertia: AngularInertia,
     /// The last question for which it was counted.
@@ -115,10 +115,10 @@ struct Held {
 impl GeometricStiffness {
     /// Forgets all bodies.
     pub fn clear(&mut self, body_count: usize) {
-        let nobody = Held { inv_mass: 0.0, inv_inertia: zero_inertia(), counted: 0 };
-        self.questions = 0;
+        let none = JointedBody { inv_mass: 0.0, inv_inertia: zero_inertia(), counted: 0 };
+        self.evaluations = 0;
         self.bodies.clear();
-        self.bodies.resize(body_count, nobody);
+        self.bodies.resize(body_count, none);
     }
 
     /// Notes a body that a joint holds.
@@ -128,7 +128,7 @@ impl GeometricStiffness {
     }
 
     /// Do joints pull so hard that their component is taut?
-    pub fn is_taut(
+    pub fn is_stiff(
         &mut self,
         members: &[DirectJoint],
         blocks: &[JointBlock],
@@ -143,7 +143,7 @@ impl GeometricStiffness {
         }
         let turn = self.turning(members, moving) * h;
         let excess = swing - WHOLE * turn * turn;
-        excess > TAUT
+        excess > STIFFNESS_MAX
             || turn > TURN
             || (turn > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
     }
@@ -154,7 +154,7 @@ impl GeometricStiffness {
         let pull = block.applied.linear.lane(lane).length();
         let swings = member.movable().map(|(side, body)| {
             let arm = block.arms[side].lane(lane).length();
-            let Held { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
+            let JointedBody { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
             match inertia_about(inv_inertia) {
                 Some(inertia) if *inv_mass > 0.0 => pull * arm / (inertia + arm * arm / inv_mass),
                 _ => 0.0,
@@ -201,12 +201,12 @@ impl GeometricStiffness {
     }
 
     /// Visits the bodies with a mass that these joints hold, each once.
-    fn for_each(&mut self, members: &[DirectJoint], mut iterate: impl FnMut(usize, &Held)) {
-        self.questions += 1;
+    fn for_each(&mut self, members: &[DirectJoint], mut iterate: impl FnMut(usize, &JointedBody)) {
+        self.evaluations += 1;
         for body in members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize) {
             let held = &mut self.bodies[body];
-            if held.counted != self.questions && held.inv_mass > 0.0 {
-                held.counted = self.questions;
+            if held.counted != self.evaluations && held.inv_mass > 0.0 {
+                held.counted = self.evaluations;
                 iterate(body, held);
             }
         }

@@ -22,7 +22,7 @@ pub(super) struct Geometry<W> {
     /// Both frames.
     frames: [WideRotation<W>; 2],
     /// By how much the second body has turned more than the first since the step began.
-    turn: WideAngVector<W>,
+    rotvec: WideAngVector<W>,
 }
 
 impl<W: Wide> Geometry<W> {
@@ -49,7 +49,7 @@ impl<W: Wide> Geometry<W> {
             arms: [arm1 + separation, arm2],
             separation: along,
             frames: [frame1, frame2],
-            turn: d2.angular - d1.angular,
+            rotvec: d2.angular - d1.angular,
         }
     }
 
@@ -133,8 +133,8 @@ impl<W: Wide> Geometry<W> {
     pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
-        let turn = angular_to_frame(&self.axes, self.turn);
-        let (about, angle) = row.angle_tracker.measure(self.between(), turn);
+        let rotvec = angular_to_frame(&self.axes, self.rotvec);
+        let (about, angle) = row.angle_tracker.measure(self.between(), rotvec);
         let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
         (along, distance + angle)

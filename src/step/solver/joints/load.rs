@@ -2,7 +2,7 @@
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
 use super::direct::{DirectJoint, JacobianBlock};
-use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
+use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Lane;
@@ -27,7 +27,7 @@ use crate::step::solver::multibodies::SolverMultibodies;
 /// The least yield of joints that are solved in sweeps. A sweep leaves errors, and a chain that does not yield
 /// to them is pumped by its own corrections: see
 /// [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
-const SWEPT_YIELD: Real = 1.0 / 8.0;
+const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
 /// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
 const TURN_MIN: Real = 1.0e-4;
@@ -55,7 +55,7 @@ impl SolverJoints {
     ) {
         self.find_members(from, tasks);
         self.direct.build(&self.members, from.bodies.states.len());
-        self.give_seats();
+        self.assign_lane_slots();
         self.fill_blocks(joints, from, pass, tasks);
         self.note_exact_joints(from.bodies.states.len());
         self.point_to_point.load(joints, from, pass, tasks);
@@ -89,23 +89,24 @@ impl SolverJoints {
     }
 
     /// Decides how each joint is solved, and where.
-    fn give_seats(&mut self) {
+    fn assign_lane_slots(&mut self) {
         self.layout.clear();
         self.point_to_point.clear();
         let mut rest = self.members.as_slice();
         for &(color, count) in &self.colors {
             let (members, later) = rest.split_at(count);
-            let is_pin =
-                |member: &&DirectJoint| member.form.is_pin && !self.direct.contains(member.slot);
+            let is_point_to_point = |member: &&DirectJoint| {
+                member.form.is_point_to_point && !self.direct.contains(member.slot)
+            };
             let slots = |member: &DirectJoint| member.slot;
-            let seat =
-                |member: &DirectJoint| Seat { slot: member.slot, driven: member.form.driven };
-            self.point_to_point.add(color, members.iter().filter(is_pin).map(slots));
+            let lane_slot =
+                |member: &DirectJoint| LaneSlot { slot: member.slot, driven: member.form.driven };
+            self.point_to_point.add(color, members.iter().filter(is_point_to_point).map(slots));
             // Blocks that lock no rotation have half of the rows.
             let turning = members.iter().filter(|member| !member.form.locks_rotations());
-            let turning = turning.filter(|member| !is_pin(member));
+            let turning = turning.filter(|member| !is_point_to_point(member));
             let others = members.iter().filter(|member| member.form.locks_rotations());
-            self.layout.add(color, turning.chain(others).map(seat));
+            self.layout.add(color, turning.chain(others).map(lane_slot));
             rest = later;
         }
     }
@@ -120,9 +121,10 @@ impl SolverJoints {
     ) {
         self.first_rows.clear();
         let mut row_count = 0;
-        for seats in self.layout.blocks() {
+        for lane_slots in self.layout.blocks() {
             self.first_rows.push(row_count);
-            row_count += seats.iter().map(|seat| usize::from(seat.driven)).max().unwrap_or(0);
+            row_count +=
+                lane_slots.iter().map(|lane_slot| usize::from(lane_slot.driven)).max().unwrap_or(0);
         }
         self.first_rows.push(row_count);
         self.rows.resize(row_count, AxisRow::EMPTY);
@@ -139,12 +141,12 @@ impl SolverJoints {
                 *block = JointBlock::EMPTY;
                 (block.first_row, block.row_count) = (place.start, place.len());
                 rows.fill(AxisRow::EMPTY);
-                for (lane, seat) in layout.block(index).iter().enumerate() {
-                    let Some(link) = from.islands.joints.get(seat.slot) else { continue };
+                for (lane, lane_slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = from.islands.joints.get(lane_slot.slot) else { continue };
                     // SAFETY: each joint has one seat.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     load_lane(block, rows, lane, &mut entry.joint, from, pass);
-                    if direct.contains(seat.slot) {
+                    if direct.contains(lane_slot.slot) {
                         block.solve_exactly(lane, pass.softness.compliance());
                     } else {
                         block.has_swept = true;
@@ -162,8 +164,8 @@ impl SolverJoints {
         self.memory.resize(self.blocks.len(), JacobianBlock::EMPTY);
         self.tautness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
-            for (lane, seat) in self.layout.block(index).iter().enumerate() {
-                if !self.direct.place(seat.slot, [index, lane]) {
+            for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
+                if !self.direct.place(lane_slot.slot, [index, lane]) {
                     continue;
                 }
                 for side in 0..2 {
@@ -185,7 +187,7 @@ impl JointSources<'_> {
         let Self { bodies, multibodies, .. } = self;
         let link = self.islands.joints.get(slot)?;
         let slots = link.body_slots();
-        if !bodies.has_one_of(slots) || multibodies.claims(slots) {
+        if !bodies.has_one_of(slots) || multibodies.owns_joint(slots) {
             return None;
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
@@ -231,7 +233,7 @@ impl End {
 pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
-    turn_squared >= TURN_MIN * TURN_MIN && mprops.turns_freely() && !is_round(&mprops.inv_inertia)
+    turn_squared >= TURN_MIN * TURN_MIN && mprops.rotates_freely() && !is_round(&mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
@@ -279,7 +281,8 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     let compliance = softness.compliance().min(UNLIMITED);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
-    block.compliance.0[lane] = if is_spring { compliance } else { compliance.max(SWEPT_YIELD) };
+    block.compliance.0[lane] =
+        if is_spring { compliance } else { compliance.max(ITERATED_COMPLIANCE) };
     block.swept.0[lane] = 1.0;
     block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;

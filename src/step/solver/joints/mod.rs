@@ -73,7 +73,7 @@ mod rows;
 mod store;
 mod geometric_stiffness;
 
-pub(super) use substep_end::BEND_MAX;
+pub(super) use substep_end::CURVATURE_ANGLE_MAX;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
@@ -86,10 +86,10 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, Question};
-use geometric_stiffness::{GeometricStiffness, Moving, are_thrown};
+use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
+use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointSources;
-use point_to_point::Pins;
+use point_to_point::PointToPointJoints;
 pub(super) use store::break_if_overloaded;
 
 /// All joint constraints of a step.
@@ -100,14 +100,14 @@ pub(super) struct SolverJoints {
     /// The rows of free axes, those of one block together.
     rows: Vec<AxisRow>,
     /// The joints of each block.
-    layout: Layout<Seat>,
+    layout: Layout<LaneSlot>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
     memory: Vec<JacobianBlock>,
     /// By block, while a round of an impact lasts.
-    blows: Vec<ImpactImpulse>,
+    impact_impulses: Vec<ImpactImpulse>,
     /// Those that only hold two points together, and are not.
-    point_to_point: Pins,
+    point_to_point: PointToPointJoints,
     /// All joints in the order of their colours, and how many of them each colour has.
     members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
@@ -120,7 +120,7 @@ pub(super) struct SolverJoints {
 
 /// A joint in a block.
 #[derive(Copy, Clone, Debug)]
-struct Seat {
+struct LaneSlot {
     /// Its slot in the islands' list.
     slot: u32,
     /// How many rows of free axes it has.
@@ -183,8 +183,8 @@ impl SolverJoints {
         let Self { blocks, direct, tautness, .. } = self;
         let moving = moving(bodies);
         direct.select_method(|members| {
-            let geometric_stiffness = tautness.is_taut(members, blocks, moving, pass.substep);
-            note_taut(members, blocks, geometric_stiffness);
+            let geometric_stiffness = tautness.is_stiff(members, blocks, moving, pass.substep);
+            note_stiff(members, blocks, geometric_stiffness);
             geometric_stiffness
         });
     }
@@ -234,7 +234,7 @@ impl SolverJoints {
         if AHEAD {
             let Self { memory, direct, tautness, blocks, .. } = self;
             let ask = answers(tautness, blocks, bodies, pass);
-            direct.find_thrown(memory, ask);
+            direct.find_large_displacements(memory, ask);
         }
         self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
         while AHEAD && self.go_on(bodies, pass) {
@@ -290,9 +290,9 @@ impl SolverJoints {
         };
         self.direct.solve(&mut self.memory, states, is_wanted, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
-        let blows = DisjointMut::new(&mut self.blows);
+        let impact_impulses = DisjointMut::new(&mut self.impact_impulses);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Count { range, blocks, memory, blows });
+            simd.run(Count { range, blocks, memory, impact_impulses });
         });
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for lane in 0..self.layout.block(index).len() {
@@ -305,20 +305,22 @@ impl SolverJoints {
     }
 
     /// Begins a round of an impact, in which joints have given nothing yet.
-    pub fn begin_blows(&mut self) {
-        self.blows.clear();
+    pub fn begin_impact_impulses(&mut self) {
+        self.impact_impulses.clear();
         if !self.direct.is_empty() {
-            self.blows.resize(self.blocks.len(), ImpactImpulse::NONE);
+            self.impact_impulses.resize(self.blocks.len(), ImpactImpulse::NONE);
         }
     }
 
     /// Ends it: what joints gave counts as borne in this step, or as much of it as the bodies got: a `share` for the island of each
     /// body.
     pub fn commit_impact_impulses(&mut self, share: impl Fn(u32) -> Real) {
-        for (index, (block, blow)) in self.blocks.iter_mut().zip(&self.blows).enumerate() {
+        for (index, (block, impact_impulse)) in
+            self.blocks.iter_mut().zip(&self.impact_impulses).enumerate()
+        {
             if block.has_exact {
                 for lane in 0..self.layout.block(index).len() {
-                    blow.commit(block, lane, share(block.movable(lane)));
+                    impact_impulse.commit(block, lane, share(block.movable(lane)));
                 }
             }
         }
@@ -357,7 +359,7 @@ impl SolverJoints {
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
-        let is_last = !AHEAD && pass.is_last_visit;
+        let is_last = !AHEAD && pass.is_last_iteration;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, is_last });
         });
@@ -374,21 +376,21 @@ fn answers(
     blocks: &mut [JointBlock],
     bodies: &SolverBodies,
     pass: &JointPass,
-) -> impl FnMut(&[DirectJoint], Question) -> bool {
+) -> impl FnMut(&[DirectJoint], StiffnessTest) -> bool {
     let moving = moving(bodies);
-    move |members, question| match question {
-        Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
-        Question::IsThrown => {
-            note_taut(members, blocks, true);
-            are_thrown(members, moving, pass.substep)
+    move |members, test| match test {
+        StiffnessTest::IsStiff => tautness.is_stiff(members, blocks, moving, pass.substep),
+        StiffnessTest::HasLargeDisplacement => {
+            note_stiff(members, blocks, true);
+            have_large_displacement(members, moving, pass.substep)
         }
     }
 }
 
 /// Notes whether the joints of a component are taut.
-fn note_taut(members: &[DirectJoint], blocks: &mut [JointBlock], geometric_stiffness: bool) {
+fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], geometric_stiffness: bool) {
     for member in members {
-        let lanes = &mut blocks[member.block as usize].is_taut;
+        let lanes = &mut blocks[member.block as usize].is_stiff;
         lanes.0[member.lane as usize] = if geometric_stiffness { 1.0 } else { 0.0 };
     }
 }
@@ -508,7 +510,7 @@ struct Count<'a> {
     range: Range<usize>,
     blocks: &'a [JointBlock],
     memory: &'a [JacobianBlock],
-    blows: DisjointMut<'a, ImpactImpulse>,
+    impact_impulses: DisjointMut<'a, ImpactImpulse>,
 }
 
 impl Kernel for Count<'_> {
@@ -518,8 +520,12 @@ impl Kernel for Count<'_> {
     fn run<W: Wide>(self) {
         for index in self.range.filter(|&index| self.blocks[index].has_exact) {
             // SAFETY: the blow of each block belongs to one task.
-            let blow = unsafe { self.blows.get_mut(index) };
-            direct::count::<W>(blow, &self.memory[index], self.blocks[index].locks_rotations);
+            let impact_impulse = unsafe { self.impact_impulses.get_mut(index) };
+            direct::count::<W>(
+                impact_impulse,
+                &self.memory[index],
+                self.blocks[index].locks_rotations,
+            );
         }
     }
 }

@@ -119,8 +119,8 @@ pub(super) unsafe fn warm_start<W: Wide>(
 /// # Safety
 /// Nobody else may touch the block's rows meanwhile.
 #[inline(always)]
-unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
-    let kept = W::splat(1.0) - W::load(&block.is_taut);
+unsafe fn forget_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
+    let kept = W::splat(1.0) - W::load(&block.is_stiff);
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
     }
@@ -205,7 +205,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     if AHEAD {
         // SAFETY: the caller's promise.
         let turned = unsafe {
-            forget_taut::<W>(block, rows);
+            forget_stiff::<W>(block, rows);
             wrench_of(block, rows, &geometry, &locked)
         };
         bodies.velocities = give_instead(block, &masses, &turned, bodies.velocities);
@@ -216,8 +216,8 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
         let coupling = masses.coupling(&locked.rows, &locked.locked);
         let substep_end = if AHEAD && block.looks_ahead() {
             let substep_end = SubstepEnd::new(block, &bodies, pass);
-            let bends = substep_end.locked_bends(block, &geometry, &locked.rows, pass);
-            Some((substep_end, bends))
+            let curvatures = substep_end.locked_curvatures(block, &geometry, &locked.rows, pass);
+            Some((substep_end, curvatures))
         } else {
             None
         };
@@ -230,7 +230,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
 
     wrench.store(&mut block.applied);
     note_turned(block, masses.turned(&wrench.minus(&before)));
-    if !AHEAD && pass.is_last_visit {
+    if !AHEAD && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
@@ -329,10 +329,10 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
     let mut curvature = W::zero();
-    if let Some((substep_end, bends)) = joint.substep_end {
+    if let Some((substep_end, curvatures)) = joint.substep_end {
         curvature = substep_end.curvature((block, row), joint.geometry, (&along, position), pass);
         for k in 0..N {
-            curvature = curvature - bends[k] * shares[k];
+            curvature = curvature - curvatures[k] * shares[k];
         }
     }
     if !AHEAD {

@@ -36,8 +36,8 @@ impl SolverJoints {
             for index in range {
                 let block = &blocks[index];
                 let rows = &all_rows[block.first_row..block.first_row + block.row_count];
-                for (lane, seat) in layout.block(index).iter().enumerate() {
-                    let Some(link) = islands.joints.get(seat.slot) else { continue };
+                for (lane, lane_slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = islands.joints.get(lane_slot.slot) else { continue };
                     // SAFETY: each joint has one seat.
                     let Some(entry) = (unsafe { shared.get_mut(link.handle.0) }) else { continue };
                     store_lane(block, rows, lane, &mut entry.joint, inv_dt);
@@ -58,7 +58,8 @@ impl SolverJoints {
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        let slots = self.point_to_point.slots().chain(self.layout.iter().map(|seat| seat.slot));
+        let slots =
+            self.point_to_point.slots().chain(self.layout.iter().map(|lane_slot| lane_slot.slot));
         for handle in slots.filter_map(|slot| Some(islands.joints.get(slot)?.handle)) {
             let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
             if let Some(event) = break_if_overloaded(handle, joint) {

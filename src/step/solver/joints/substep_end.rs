@@ -6,14 +6,14 @@ use super::passes::Bodies;
 use super::rows::Row;
 use crate::base::wide::Wide;
 use crate::dim::math::Real;
+use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{WideDisplacement, WideMotion};
-use crate::dim::turn::turned_further;
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
 
 /// How much of its speed a free axis may bend in a substep. A circle bends by half of the angle that is gone: so this is half a
 /// radian, up to which one step towards the end of the way leads there.
-pub(in crate::step::solver) const BEND_MAX: Real = 0.25;
+pub(in crate::step::solver) const CURVATURE_ANGLE_MAX: Real = 0.25;
 
 /// Where the joints of a block would be by the end of the substep.
 pub(super) struct SubstepEnd<W> {
@@ -42,7 +42,7 @@ impl<W: Wide> SubstepEnd<W> {
         now: &Geometry<W>,
         pass: &JointPass,
     ) -> [W; N] {
-        let taut = W::zero().lt(W::load(&block.is_taut));
+        let taut = W::zero().lt(W::load(&block.is_stiff));
         let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
         let seen_from_now = self.then.errors_seen_from::<N>(now, block);
         for (then, seen) in then.iter_mut().zip(seen_from_now) {
@@ -61,16 +61,16 @@ impl<W: Wide> SubstepEnd<W> {
     /// What bending adds to the rates of locked axes over the substep, from where the joints are `now`: of those that are
     /// solved exactly. Who comes before them in the substep must reckon with what they will do about it.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn locked_bends<const N: usize>(
+    pub fn locked_curvatures<const N: usize>(
         &self,
         block: &JointBlock,
         now: &Geometry<W>,
         rows: &[Row<W>; N],
         pass: &JointPass,
     ) -> [W; N] {
-        let mut bends = [W::zero(); N];
+        let mut curvatures = [W::zero(); N];
         if !block.has_exact {
-            return bends;
+            return curvatures;
         }
         let (exact, zero) = (Self::bent(block), W::zero());
         let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
@@ -78,13 +78,13 @@ impl<W: Wide> SubstepEnd<W> {
             let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
             let straight = rows[k].rate(&self.velocities);
             let bent = zero.lt(exact * W::load(&block.locked[k]));
-            bends[k] = W::select(bent, changes - straight, zero);
+            curvatures[k] = W::select(bent, changes - straight, zero);
         }
-        bends
+        curvatures
     }
 
     /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
-    /// a cone, leaves along a tangent. No more than [`BEND_MAX`]. Angles of joints that are swept are left out: most of these are
+    /// a cone, leaves along a tangent. No more than [`CURVATURE_ANGLE_MAX`]. Angles of joints that are swept are left out: most of these are
     /// the limbs of ragdolls, which no one sees bend.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
@@ -98,9 +98,9 @@ impl<W: Wide> SubstepEnd<W> {
         let curvature =
             (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
         let is_translation = Self::is_translation(along);
-        let bound = W::splat(BEND_MAX) * self.speed(now, is_translation);
+        let bound = W::splat(CURVATURE_ANGLE_MAX) * self.speed(now, is_translation);
         let bent = W::zero().lt(Self::bent(block));
-        let loose = W::load(&block.is_taut).lt(W::splat(0.5));
+        let loose = W::load(&block.is_stiff).lt(W::splat(0.5));
         let bent = bent | (is_translation & loose);
         W::select(bent, curvature.min(bound).max(-bound), W::zero())
     }
@@ -109,7 +109,7 @@ impl<W: Wide> SubstepEnd<W> {
     #[inline(always)]
     fn bent(block: &JointBlock) -> W {
         let one = W::splat(1.0);
-        (one - W::load(&block.swept)) * (one - W::load(&block.is_taut))
+        (one - W::load(&block.swept)) * (one - W::load(&block.is_stiff))
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 //! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
 //! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
 
-use super::bounce::{ImpactImpulse, LinkImpact};
+use super::impacts::{ImpactImpulse, LinkImpact};
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{
@@ -25,7 +25,7 @@ use arrayvec::ArrayVec;
 /// that the same impulse gives. Twenty capsules in a row, hinged end to end with limits, threw each other to 10¹⁸ J in half a second.
 /// With a lever of a fifth of the radius of gyration or more nothing changes; with a shorter one the contact is obeyed more
 /// slowly, and what overlaps meanwhile is as small as the lever.
-const LEAST_YIELD: Real = 0.02;
+const COMPLIANCE_MIN: Real = 0.02;
 
 /// One contact point.
 #[derive(Copy, Clone, Debug)]
@@ -204,7 +204,7 @@ impl SolverMultibodies {
             self.side_now(slots[0], dominance <= 0, world, bodies),
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
-        let ways = [0, 1].map(|side| sides[side].way_since(world, slots[side]));
+        let ways = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
         let separations = Geometry::of(&sides, &pair.anchor_frame, manifold, normal).points;
         let along = tangents(normal);
         self.jacobians.rewrite_from(first_number);
@@ -268,7 +268,7 @@ impl SolverMultibodies {
         let [first, second] = points;
         let wrenches = [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)];
         let row = self.row_of_wrenches(sides, wrenches);
-        row.yielding_at_least(LEAST_YIELD * self.yield_without_joint(sides))
+        row.with_compliance_min(COMPLIANCE_MIN * self.yield_without_joint(sides))
     }
 
     /// How much a link and its parent would yield to an impulse through their centres if no joint held them. Zero for other pairs.
@@ -338,7 +338,7 @@ impl Side<'_> {
     }
 
     /// How far its centre of mass has gone since the step began.
-    fn way_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
+    fn displacement_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
         let start = world.at_slot(slot).map(|(_, body)| body.mprops.world_com);
         self.center.zip(start).map_or(Vector::ZERO, |(now, start)| now - start)
     }

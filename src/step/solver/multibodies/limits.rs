@@ -23,7 +23,7 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
-use crate::step::solver::joints::BEND_MAX;
+use crate::step::solver::joints::CURVATURE_ANGLE_MAX;
 
 /// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -230,9 +230,9 @@ impl JointRows {
         }
         for limit in &mut self.limits {
             let moved = jacobians.displacement(&limit.row, states);
-            let bend = if bias { limit.bend(states, pass.inv_substep) } else { 0.0 };
+            let curvature = if bias { limit.curvature(states, pass.inv_substep) } else { 0.0 };
             for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-                let velocity = (jacobians.velocity(&limit.row, states) + bend) * sign;
+                let velocity = (jacobians.velocity(&limit.row, states) + curvature) * sign;
                 let room = limit.room[side] + moved * sign;
                 let old = limit.impulses[side];
                 let new = pass.solve(velocity, room, limit.row.mass, old, bias);
@@ -324,7 +324,7 @@ impl Limit {
     }
 
     /// What bending adds to the rate of a ball's angle over the substep.
-    fn bend(&self, states: &ConstrainedStates<'_>, inv_substep: Real) -> Real {
+    fn curvature(&self, states: &ConstrainedStates<'_>, inv_substep: Real) -> Real {
         let Owner::Link { multibody, link } = self.owner else { return 0.0 };
         if !self.is_followed || inv_substep <= 0.0 {
             return 0.0;
@@ -338,9 +338,9 @@ impl Limit {
         let [Some((now, gradient)), Some((then, _))] = angles else { return 0.0 };
         let turn = &rates[rates.len() - ANG_DIM..];
         let straight = (0..ANG_DIM).map(|k| gradient[DIM + k] * turn[k]).sum::<Real>();
-        let bound = BEND_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
-        let bend = (then - now) * inv_substep - straight;
-        bend.min(bound).max(-bound)
+        let bound = CURVATURE_ANGLE_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
+        let curvature = (then - now) * inv_substep - straight;
+        curvature.min(bound).max(-bound)
     }
 }
 

@@ -1,6 +1,6 @@
 //! From multibodies and their bodies to what the solver moves.
 
-use super::{Claim, Moving, NOT_SOLVED, SolverMultibodies};
+use super::{Moving, NOT_SOLVED, Registration, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -13,7 +13,7 @@ impl SolverMultibodies {
     /// Lays claim to the links of all multibodies that are awake and act.
     pub fn register_links(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
         for slot in self.listed.drain(..) {
-            self.claims[slot as usize] = None;
+            self.registrations[slot as usize] = None;
         }
         self.positions.clear();
         self.positions.resize(set.index_bound() as usize, NOT_SOLVED);
@@ -24,21 +24,22 @@ impl SolverMultibodies {
                 continue;
             }
             if acts(multibody, bodies) {
-                self.claim_links(owner, multibody, bodies);
+                self.register_tree(owner, multibody, bodies);
             } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
                 set.note(index);
             }
         }
     }
 
-    fn claim_links(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
+    fn register_tree(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
         for link in &multibody.links {
             let slot = link.body.into_raw_parts().0;
-            if slot as usize >= self.claims.len() {
-                self.claims.resize(slot as usize + 1, None);
+            if slot as usize >= self.registrations.len() {
+                self.registrations.resize(slot as usize + 1, None);
             }
             let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
-            self.claims[slot as usize] = Some(Claim { owner, link: link.id, is_moved });
+            self.registrations[slot as usize] =
+                Some(Registration { owner, link: link.id, is_moved });
             self.listed.push(slot);
         }
     }
@@ -51,12 +52,12 @@ impl SolverMultibodies {
         bodies: &RigidBodySet,
     ) {
         self.left_out.clear();
-        if self.move_nobody() {
+        if self.move_no_body() {
             return;
         }
         for member in members {
             let register_links = self
-                .claim_on(member.into_raw_parts().0)
+                .registration(member.into_raw_parts().0)
                 .filter(|register_links| register_links.is_moved);
             let Some(owner) = register_links.map(|register_links| register_links.owner) else {
                 continue;

@@ -204,9 +204,9 @@ impl SolverMultibodies {
     ) -> Side<'a> {
         let mut side = self.side(slot, gives_way, world, bodies);
         if let Some((_, index)) = side.body {
-            let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
+            let (shift, rotvec) = bodies.states[(index & !READ_ONLY) as usize].displacement();
             side.center = side.center.map(|center| center + shift);
-            side.rotation = integrate_rotation(side.rotation, turn);
+            side.rotation = integrate_rotation(side.rotation, rotvec);
         }
         side
     }

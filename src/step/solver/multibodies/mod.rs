@@ -7,7 +7,7 @@
 //! As bodies do, multibodies start a substep with the last one's impulses, without visiting them: what the impulses did to the
 //! rates is kept ([`Moving::pushed`]) and added.
 
-mod bounce;
+mod impacts;
 mod contacts;
 mod gears;
 mod limits;
@@ -29,9 +29,9 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
 use crate::multibody::Motion;
-use bounce::BeforeBlow;
 use contacts::LinkContacts;
 use gears::Gears;
+use impacts::BeforeImpact;
 use limits::JointRows;
 use loops::Loops;
 use rows::{ConstrainedStates, JacobianPool};
@@ -60,7 +60,7 @@ pub(super) struct Moving {
     shift: Vec<Real>,
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
-    before_blow: BeforeBlow,
+    before_impact: BeforeImpact,
     /// Has it contacts?
     touches: bool,
     /// Do links turn so far in a step that its contacts must be followed from substep to substep? Not if it has none: what flies
@@ -80,7 +80,7 @@ pub(super) struct Moving {
 
 /// A link that somebody in the solver may meet.
 #[derive(Copy, Clone, Debug)]
-struct Claim {
+struct Registration {
     /// The multibody's position in its set.
     owner: u32,
     link: usize,
@@ -108,7 +108,7 @@ pub(super) struct SolverMultibodies {
     /// Buffers of those that were awake before.
     spare: Vec<Moving>,
     /// By body slot: the link that is there.
-    claims: Vec<Option<Claim>>,
+    registrations: Vec<Option<Registration>>,
     /// The slots where there is one, to be cleared by the next step.
     listed: Vec<u32>,
     /// Manifolds of links, left out of the lanes.
@@ -179,23 +179,23 @@ impl SoftPass {
 
 impl SolverMultibodies {
     /// Is no multibody awake?
-    pub fn move_nobody(&self) -> bool {
+    pub fn move_no_body(&self) -> bool {
         self.listed.is_empty()
     }
 
     /// Are a pair's contacts left to us?
-    pub fn claims(&self, slots: [u32; 2]) -> bool {
+    pub fn owns_joint(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.moves(slot))
     }
 
     /// Is a body moved by its multibody?
     pub fn moves(&self, slot: u32) -> bool {
-        self.claim_on(slot).is_some_and(|register_links| register_links.is_moved)
+        self.registration(slot).is_some_and(|register_links| register_links.is_moved)
     }
 
     /// Takes over a manifold if one of its bodies is a link. True: it must be left out of the lanes.
-    pub fn take_over(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
-        let is_ours = self.claims(slots);
+    pub fn adopt(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
+        let is_ours = self.owns_joint(slots);
         if is_ours && self.solves_one_of(slots) {
             self.left_out.push(manifold);
         }
@@ -207,12 +207,12 @@ impl SolverMultibodies {
         slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
     }
 
-    fn claim_on(&self, slot: u32) -> Option<Claim> {
-        self.claims.get(slot as usize).copied().flatten()
+    fn registration(&self, slot: u32) -> Option<Registration> {
+        self.registrations.get(slot as usize).copied().flatten()
     }
 
     fn place(&self, slot: u32) -> Option<LinkPlace> {
-        let Claim { owner, link, is_moved } = self.claim_on(slot)?;
+        let Registration { owner, link, is_moved } = self.registration(slot)?;
         let multibody = self.positions.get(owner as usize).copied()?;
         (multibody != NOT_SOLVED).then_some(LinkPlace { multibody, link, is_moved })
     }
@@ -257,7 +257,7 @@ impl SolverMultibodies {
             moving.measure(params.dt);
             moving.add_pushed(1.0);
             moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warm_start_coefficient);
-            moving.motion.note_outside(&moving.root_pushed, 1.0);
+            moving.motion.note_external_impulse(&moving.root_pushed, 1.0);
         });
         if warm_start_coefficient != 1.0 {
             self.scale_impulses(|_| warm_start_coefficient);
@@ -300,7 +300,7 @@ impl SolverMultibodies {
         let Self { jacobians, joints, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         contacts.solve_friction(jacobians, &mut states);
-        if pass.is_last_visit {
+        if pass.is_last_iteration {
             joints.count();
             loops.count();
             contacts.count();

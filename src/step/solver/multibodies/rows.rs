@@ -35,7 +35,7 @@ pub struct Row {
 
 impl Row {
     /// The same row, taken to yield to an impulse by no less than this.
-    pub fn yielding_at_least(self, k: Real) -> Self {
+    pub fn with_compliance_min(self, k: Real) -> Self {
         Self { mass: if k > 0.0 { self.mass.min(1.0 / k) } else { self.mass }, ..self }
     }
 
@@ -237,8 +237,8 @@ impl JacobianPool {
                 product(&self.jacobians[start + first..start + behind], &shift[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
-                let (shift, turn) = states.states[at(*index)].displacement();
-                product(jacobian, &join(shift, turn))
+                let (shift, rotvec) = states.states[at(*index)].displacement();
+                product(jacobian, &join(shift, rotvec))
             }
         })
     }
@@ -252,7 +252,7 @@ impl JacobianPool {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.note_push(jacobian, response, impulse);
-            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+            moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
@@ -260,7 +260,7 @@ impl JacobianPool {
     pub fn strike(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
-            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+            moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
@@ -283,14 +283,14 @@ impl JacobianPool {
         for (part, other) in [(first, second), (second, first)] {
             if let Part::Links { multibody, gives_way: true, .. } = part {
                 let may_gain = gains || !matches!(other, Part::Nothing);
-                states.multibodies[*multibody].before_blow.note(time, may_gain);
+                states.multibodies[*multibody].before_impact.note(time, may_gain);
             }
         }
     }
 
     /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
     /// of a velocity.
-    pub fn note_blow(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
+    pub fn note_impulse(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
         for part in &row.parts {
             match part {
                 Part::Body { index, .. } if index & READ_ONLY == 0 => {

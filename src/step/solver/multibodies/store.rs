@@ -1,7 +1,7 @@
 //! From what the solver moved back to multibodies and their bodies.
 
 use super::{Moving, NOT_SOLVED, SolverMultibodies};
-use crate::base::measure::{CALM, FAR, is_coordinate};
+use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX, is_coordinate};
 use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -36,18 +36,23 @@ impl SolverMultibodies {
     ///
     /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
     /// where their joints are.
-    pub fn finish(&mut self, lost: &mut Vec<Diverged>, h: Real) -> bool {
-        let mut calm = true;
+    pub fn finish(&mut self, diverged: &mut Vec<Diverged>, h: Real) -> bool {
+        let mut is_moderate = true;
         for moving in &mut self.moving {
             moving.motion.finish();
             if !moving.is_sound() {
-                lost.extend(moving.first_lost());
+                diverged.extend(moving.first_diverged());
             }
-            let near = moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
-            calm &= near
-                && moving.motion.link_velocities().iter().all(|velocity| link_is_calm(velocity, h));
+            let near = moving.multibody.links[0].pose.translation.abs().max_element()
+                <= COORDINATE_MODERATE_MAX;
+            is_moderate &= near
+                && moving
+                    .motion
+                    .link_velocities()
+                    .iter()
+                    .all(|velocity| link_is_moderate(velocity, h));
         }
-        calm
+        is_moderate
     }
 
     /// Puts the multibodies back into their set as they were when the step began, but for impulses that were made to fit
@@ -86,9 +91,9 @@ impl SolverMultibodies {
     }
 }
 
-fn link_is_calm(velocity: &SpatialVector, h: Real) -> bool {
+fn link_is_moderate(velocity: &SpatialVector, h: Real) -> bool {
     let turn_squared = ang_length_squared(angular(velocity)) * h * h;
-    linear(velocity).abs().max_element() <= CALM && turn_squared <= 1.0
+    linear(velocity).abs().max_element() <= MODERATE_MAX && turn_squared <= 1.0
 }
 
 /// Adds to the ways and angles of links what they go in `h` seconds.
@@ -164,10 +169,10 @@ impl Moving {
             body.update_world_mass_properties();
             // As for other bodies: far from the origin a position moves by whole steps of rounding or not at all.
             let rounded = (body.mprops.world_com - old_center).length();
-            let [way, turn] = self.travel[id];
-            let bound = rounded.max(way) + turn * body.extent;
+            let [displacement, rotvec] = self.travel[id];
+            let bound = rounded.max(displacement) + rotvec * body.extent;
             islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
-            let (shift, turn) = (body.mprops.world_com - old_center, ANG_ZERO);
+            let (shift, rotvec) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);
             let acceleration = force * body.mprops.local_mprops.inv_mass;
             let motion = FastMotion {
@@ -175,7 +180,7 @@ impl Moving {
                 start,
                 center: old_center,
                 shift,
-                turn,
+                rotvec,
                 acceleration,
                 link: None,
             };
@@ -216,12 +221,12 @@ impl Moving {
 
     /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
     /// itself.
-    fn first_lost(&mut self) -> Option<Diverged> {
+    fn first_diverged(&mut self) -> Option<Diverged> {
         let velocities = self.motion.link_velocities();
         let velocity =
             |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
-        let is_lost = |id: &usize| !velocity(*id).is_usable();
-        let id = (0..velocities.len()).find(is_lost).unwrap_or(1.min(velocities.len() - 1));
+        let has_diverged = |id: &usize| !velocity(*id).is_usable();
+        let id = (0..velocities.len()).find(has_diverged).unwrap_or(1.min(velocities.len() - 1));
         let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
         Some(Diverged { body, velocity, is_link: true })
     }

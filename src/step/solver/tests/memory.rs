@@ -231,8 +231,8 @@ impl Moved {
     }
 
     /// The block of contacts that were placed before the bodies moved.
-    fn prepared(&self, held_turn: Real) -> Scene {
-        let mut scene = Scene::new(self.before, &Contact { held_turn, ..self.placed.clone() });
+    fn prepared(&self, frozen_angle: Real) -> Scene {
+        let mut scene = Scene::new(self.before, &Contact { frozen_angle, ..self.placed.clone() });
         for (side, body) in self.after.iter().enumerate() {
             let Some(body) = body else { continue };
             let index = scene.input.bodies[side][LANE] as usize;
@@ -273,7 +273,7 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
     let mut random = Random(29);
     for _ in 0..50 {
         let moved = Moved::random(&mut random);
-        let held = Contact { held_turn: 2.0, ..moved.placed.clone() };
+        let held = Contact { frozen_angle: 2.0, ..moved.placed.clone() };
         let mut placed = Scene::new(moved.before, &held);
         placed.prepare();
         let found = moved.prepared(2.0);
@@ -334,8 +334,8 @@ fn totals_count_each_substep_once() {
         scene.begin_substep(-Vector::Y * 10.0);
         scene.bounce();
         scene.solve();
-        for is_last_visit in [false, false, true] {
-            scene.pass.is_last_visit = is_last_visit;
+        for is_last_iteration in [false, false, true] {
+            scene.pass.is_last_iteration = is_last_iteration;
             scene.relax();
         }
     }

@@ -110,7 +110,7 @@ pub struct Contact {
     pub restitution: Real,
     pub tangent_velocity: Vector,
     /// How far (rad) bodies may have turned since.
-    pub held_turn: Real,
+    pub frozen_angle: Real,
 }
 
 impl Contact {
@@ -122,7 +122,7 @@ impl Contact {
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
-            held_turn: 0.0,
+            frozen_angle: 0.0,
         }
     }
 
@@ -163,7 +163,7 @@ impl Scene {
                 softness: Softness::RIGID,
                 push_velocity_max: 4.0,
                 allowed_error: 0.0,
-                is_last_visit: true,
+                is_last_iteration: true,
             },
             prediction: PREDICTION,
             simd: Simd::detect(),
@@ -194,7 +194,7 @@ impl Scene {
             centers: x2.unwrap_or_default() - x1.unwrap_or_default(),
             may_freeze: true,
         };
-        self.input.anchor_frame.set_lane(lane, &anchor_frame, contact.normal, contact.held_turn);
+        self.input.anchor_frame.set_lane(lane, &anchor_frame, contact.normal, contact.frozen_angle);
         self.input.anchor_frame.set_near_rest(lane, true);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
             self.input.arms[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());

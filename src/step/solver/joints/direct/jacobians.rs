@@ -59,7 +59,7 @@ impl<const N: usize> Rows<N> {
     }
 
     /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
-    pub fn without_levers(&self, row: usize) -> f64 {
+    pub fn without_arms(&self, row: usize) -> f64 {
         let share = |components: core::ops::Range<usize>| {
             let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
                 components.clone().map(move |k| j[k][row] * response[row][k])

@@ -294,7 +294,7 @@ impl<const N: usize> Matrix<N> {
             for row in 0..size {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
+                    SHARING * self.rows[at].without_arms(row).max(SHARE_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };

@@ -244,22 +244,25 @@ fn finish_first_rows<W: Wide, const N: usize>(
 /// the joints allow: so what the joints give in a round is the sum over its visits.
 #[inline(always)]
 pub(in super::super) fn count<W: Wide>(
-    blow: &mut ImpactImpulse,
+    impact_impulse: &mut ImpactImpulse,
     memory: &JacobianBlock,
     locks_rotations: bool,
 ) {
     match locks_rotations {
-        true => count_first_rows::<W, SPATIAL_DIM>(blow, memory),
-        false => count_first_rows::<W, DIM>(blow, memory),
+        true => count_first_rows::<W, SPATIAL_DIM>(impact_impulse, memory),
+        false => count_first_rows::<W, DIM>(impact_impulse, memory),
     }
 }
 
 /// As [`count`], for a block whose first `N` axes alone may be locked.
 #[inline(always)]
-fn count_first_rows<W: Wide, const N: usize>(blow: &mut ImpactImpulse, memory: &JacobianBlock) {
+fn count_first_rows<W: Wide, const N: usize>(
+    impact_impulse: &mut ImpactImpulse,
+    memory: &JacobianBlock,
+) {
     let rows = rows_of::<W, N>(memory);
     let added = added(memory, &rows);
-    add_to_totals((&mut blow.impulse, &mut blow.moment), memory, &rows, &added);
+    add_to_totals((&mut impact_impulse.impulse, &mut impact_impulse.moment), memory, &rows, &added);
 }
 
 #[inline(always)]

@@ -56,7 +56,7 @@ use pattern::Pattern;
 /// where bodies turn by much in a substep.
 const ROUNDS: usize = 8;
 /// The same for taut components, which are projected from afar.
-const TAUT_ROUNDS: usize = 4;
+const STIFF_ROUNDS_MAX: usize = 4;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -90,13 +90,14 @@ struct SolveState {
 
 impl SolveState {
     /// It is taut.
-    fn hold(&mut self, is_thrown: bool) {
-        self.linearization = if is_thrown { Linearization::Here } else { Linearization::There };
+    fn hold(&mut self, has_large_displacement: bool) {
+        self.linearization =
+            if has_large_displacement { Linearization::Here } else { Linearization::There };
     }
 
     /// What follows a round of a taut component.
-    fn next_if_taut(&self) -> Next {
-        if self.linearization == Linearization::There && self.rounds < TAUT_ROUNDS {
+    fn next_if_stiff(&self) -> Next {
+        if self.linearization == Linearization::There && self.rounds < STIFF_ROUNDS_MAX {
             Next::Solve
         } else {
             Next::Nothing
@@ -106,11 +107,11 @@ impl SolveState {
 
 /// What is asked about the members of a component.
 #[derive(Copy, Clone, Debug)]
-pub(super) enum Question {
+pub(super) enum StiffnessTest {
     /// Do the pulls that were found make it taut?
-    IsTaut,
+    IsStiff,
     /// It is, and has no impulses: are its bodies thrown so far that they must be held where they are?
-    IsThrown,
+    HasLargeDisplacement,
 }
 
 /// What happens to a component in the next round.
@@ -173,16 +174,16 @@ impl Direct {
         }
     }
 
-    /// Begins to look ahead: finds out which of the taut components are thrown, as `ask` knows.
-    pub fn find_thrown(
+    /// Begins to look ahead: finds out which of the taut components are thrown, as `test` knows.
+    pub fn find_large_displacements(
         &mut self,
         rows: &mut [JacobianBlock],
-        mut ask: impl FnMut(&[DirectJoint], Question) -> bool,
+        mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) {
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
             if solve_state.linearization == Linearization::There {
-                solve_state.hold(ask(members, Question::IsThrown));
+                solve_state.hold(test(members, StiffnessTest::HasLargeDisplacement));
             }
             note_manner(members, rows, solve_state.linearization);
         }
@@ -203,13 +204,13 @@ impl Direct {
         }
     }
 
-    /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `ask` knows, by its
+    /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `test` knows, by its
     /// members.
     pub fn go_on(
         &mut self,
         rows: &mut [JacobianBlock],
         inv_h: Real,
-        mut ask: impl FnMut(&[DirectJoint], Question) -> bool,
+        mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) -> bool {
         let mut goes_on = false;
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
@@ -220,16 +221,17 @@ impl Direct {
                 Next::Rollback => {
                     factor.forget();
                     solve_state.rounds = 0;
-                    solve_state.hold(ask(component.members, Question::IsThrown));
+                    solve_state.hold(test(component.members, StiffnessTest::HasLargeDisplacement));
                     note_manner(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
                 Next::Solve if solve_state.linearization != Linearization::Ahead => {
-                    solve_state.next_if_taut()
+                    solve_state.next_if_stiff()
                 }
                 Next::Solve if solve_state.rounds == 1 => Next::Solve,
                 Next::Solve
-                    if solve_state.rounds == 2 && ask(component.members, Question::IsTaut) =>
+                    if solve_state.rounds == 2
+                        && test(component.members, StiffnessTest::IsStiff) =>
                 {
                     Next::Rollback
                 }

@@ -19,8 +19,8 @@ const NET_JOINTS: usize = 6;
 /// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
 /// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
 /// Fewer joints cost little, and keep the energy of what turns about itself.
-const LOOSE: RangeInclusive<usize> = 6..=24;
-const EVEN: Real = 32.0;
+const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
+const MASS_RATIO_MAX: Real = 32.0;
 
 /// A joint as the factorisation knows it.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl DirectJoint {
         lane: 0,
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
-        form: JointForm { locked: 0, driven: 0, is_pin: false },
+        form: JointForm { locked: 0, driven: 0, is_point_to_point: false },
     };
 
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
@@ -281,13 +281,15 @@ impl Search {
     /// Is the component as well off in the sweeps?
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_loose = self.component(members).all(|member| member.movable().count() == 2);
-        LOOSE.contains(&self.order.len()) && is_loose && self.is_even(members)
+        FREE_JOINTS.contains(&self.order.len()) && is_loose && self.is_even(members)
     }
 
     /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
     fn is_net(&self, members: &[DirectJoint]) -> bool {
         let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
-        is_wide && self.component(members).all(|member| member.form.is_pin) && self.is_even(members)
+        is_wide
+            && self.component(members).all(|member| member.form.is_point_to_point)
+            && self.is_even(members)
     }
 
     fn is_even(&self, members: &[DirectJoint]) -> bool {
@@ -297,7 +299,7 @@ impl Search {
         let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
             [inv_mass.min(least), inv_mass.max(most)]
         });
-        most <= EVEN * least
+        most <= MASS_RATIO_MAX * least
     }
 
     /// Has it loops? All that cannot move is one body here. A connected graph without loops

@@ -42,7 +42,7 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            let form = JointForm { locked, driven: 0, is_pin: false };
+            let form = JointForm { locked, driven: 0, is_point_to_point: false };
             DirectJoint { slot, block, lane, bodies, inv_masses, form }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));

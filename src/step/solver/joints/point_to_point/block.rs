@@ -13,11 +13,11 @@ use crate::dim::wide::{
 use crate::model::params::JointPass;
 
 /// The least yield of pins: half that of other joints in sweeps. In a net of 100 × 100 a quarter of it pumps.
-const PIN_YIELD: Real = 1.0 / 16.0;
+const POINT_COMPLIANCE: Real = 1.0 / 16.0;
 
 /// [`LANES`] pins of one colour.
 #[derive(Clone, Debug)]
-pub(super) struct PinBlock {
+pub(super) struct PointToPointBlock {
     pub bodies: [[u32; LANES]; 2],
     pub inv_mass: [WideVector<Lane>; 2],
     pub inertias: JointedInertias,
@@ -38,7 +38,7 @@ pub(super) struct PinBlock {
     pub frame: WideRotation<Lane>,
 }
 
-impl PinBlock {
+impl PointToPointBlock {
     /// No joint in any lane.
     pub const EMPTY: Self = Self {
         bodies: [[READ_ONLY; LANES]; 2],
@@ -66,22 +66,22 @@ impl PinBlock {
 
 /// How all pins of a substep are softened.
 #[derive(Copy, Clone)]
-pub(super) struct PinPass {
+pub(super) struct PointToPointPass {
     bias_rate: Real,
     mass_scale: Real,
     impulse_scale: Real,
-    is_last_visit: bool,
+    is_last_iteration: bool,
 }
 
-impl PinPass {
+impl PointToPointPass {
     pub fn new(pass: &JointPass) -> Self {
-        let compliance = pass.softness.compliance().max(PIN_YIELD);
+        let compliance = pass.softness.compliance().max(POINT_COMPLIANCE);
         let mass_scale = 1.0 / (1.0 + compliance);
         Self {
             bias_rate: pass.softness.bias_rate,
             mass_scale,
             impulse_scale: compliance * mass_scale,
-            is_last_visit: pass.is_last_visit,
+            is_last_iteration: pass.is_last_iteration,
         }
     }
 }
@@ -94,7 +94,7 @@ struct Masses<W> {
 
 impl<W: Wide> Masses<W> {
     #[inline(always)]
-    fn load(block: &PinBlock) -> Self {
+    fn load(block: &PointToPointBlock) -> Self {
         Self { linear: load_both(&block.inv_mass), angular: block.inertias.load() }
     }
 
@@ -145,7 +145,10 @@ fn moments_of<W: Wide>(arms: &[WideVector<W>; 2], impulse: WideVector<W>) -> [Wi
 /// # Safety
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
-pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &DisjointMut<BodyState>) {
+pub(super) unsafe fn warm_start<W: Wide>(
+    block: &mut PointToPointBlock,
+    states: &DisjointMut<BodyState>,
+) {
     // SAFETY: the caller's promise.
     let ((v1, d1), (v2, d2)) = unsafe {
         (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
@@ -170,9 +173,9 @@ pub(super) unsafe fn warm_start<W: Wide>(block: &mut PinBlock, states: &Disjoint
 /// Nobody else may touch the states of the block's bodies meanwhile.
 #[inline(always)]
 pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
-    block: &mut PinBlock,
+    block: &mut PointToPointBlock,
     states: &DisjointMut<BodyState>,
-    pass: &PinPass,
+    pass: &PointToPointPass,
 ) {
     // SAFETY: the caller's promise.
     let ((v1, d1), (v2, d2)) = unsafe {
@@ -214,7 +217,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     let impulse = impulse + change;
     impulse.store(&mut block.impulse);
     store_turned([turned[0] + added[0], turned[1] + added[1]], block);
-    if !BIASED && pass.is_last_visit {
+    if !BIASED && pass.is_last_iteration {
         (WideVector::load(&block.total) + impulse).store(&mut block.total);
     }
     let [v1, v2] = velocities;
@@ -230,7 +233,10 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
 /// # Safety
 /// Nobody may write the states of the block's first bodies meanwhile.
 #[inline(always)]
-pub(super) unsafe fn turn_back<W: Wide>(block: &mut PinBlock, states: &DisjointMut<BodyState>) {
+pub(super) unsafe fn turn_back<W: Wide>(
+    block: &mut PointToPointBlock,
+    states: &DisjointMut<BodyState>,
+) {
     // SAFETY: the caller's promise.
     let (_, moved) = unsafe { gather_states::<W>(states, &block.bodies[0]) };
     let impulse = WideVector::<W>::load(&block.impulse);
@@ -249,7 +255,7 @@ fn load_both<W: Wide>(both: &[WideVector<Lane>; 2]) -> [WideVector<W>; 2] {
 }
 
 #[inline(always)]
-fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PinBlock) {
+fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PointToPointBlock) {
     store_ang(first, &mut block.turned[0]);
     store_ang(second, &mut block.turned[1]);
 }

@@ -1,7 +1,7 @@
 //! From joints to pins: once per step.
 
 use super::super::load::is_gyroscopic;
-use super::block::PinBlock;
+use super::block::PointToPointBlock;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::state::READ_ONLY;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -11,7 +11,7 @@ use crate::step::solver::bodies::SolverBodies;
 
 /// Fills one lane of a block.
 pub(super) fn load_lane(
-    block: &mut PinBlock,
+    block: &mut PointToPointBlock,
     lane: usize,
     joint: &ImpulseJoint,
     set: &RigidBodySet,
@@ -35,7 +35,7 @@ pub(super) fn load_lane(
 
 /// Fills what a lane knows of one of its bodies; returns the lever.
 fn load_end(
-    block: &mut PinBlock,
+    block: &mut PointToPointBlock,
     side: usize,
     lane: usize,
     (handle, body): (RigidBodyHandle, &RigidBody),

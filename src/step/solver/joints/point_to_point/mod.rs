@@ -32,14 +32,14 @@ use crate::dim::state::BodyState;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
-use block::{PinBlock, PinPass};
+use block::{PointToPointBlock, PointToPointPass};
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 /// All pins of a step.
 #[derive(Default)]
-pub(super) struct Pins {
-    blocks: Vec<PinBlock>,
+pub(super) struct PointToPointJoints {
+    blocks: Vec<PointToPointBlock>,
     /// The joints of each block, by their slots in the islands' list.
     layout: Layout<u32>,
 }
@@ -47,7 +47,7 @@ pub(super) struct Pins {
 /// Blocks that are worth being filled by another thread.
 const FILLED_PER_TASK: usize = 16;
 
-impl Pins {
+impl PointToPointJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
         self.layout.len()
@@ -78,9 +78,9 @@ impl Pins {
     ) {
         let JointSources { islands, world, bodies, .. } = from;
         let layout = &self.layout;
-        self.blocks.resize(layout.block_count(), PinBlock::EMPTY);
+        self.blocks.resize(layout.block_count(), PointToPointBlock::EMPTY);
         tasks.par_fill(&mut self.blocks, FILLED_PER_TASK, |index| {
-            let mut block = PinBlock::EMPTY;
+            let mut block = PointToPointBlock::EMPTY;
             for &slot in layout.block_or_none(index + 1) {
                 joints.prefetch(slot);
                 if let Some(link) = islands.joints.get(slot) {
@@ -118,7 +118,7 @@ impl Pins {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let pass = PinPass::new(pass);
+        let pass = PointToPointPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<BIASED> { range, blocks, states, pass });
@@ -165,7 +165,7 @@ impl Pins {
 /// See [`block::warm_start`].
 struct WarmStart<'a> {
     range: Range<usize>,
-    blocks: DisjointMut<'a, PinBlock>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
     states: DisjointMut<'a, BodyState>,
 }
 
@@ -185,9 +185,9 @@ impl Kernel for WarmStart<'_> {
 /// See [`block::iterate`].
 struct Visit<'a, const BIASED: bool> {
     range: Range<usize>,
-    blocks: DisjointMut<'a, PinBlock>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
     states: DisjointMut<'a, BodyState>,
-    pass: PinPass,
+    pass: PointToPointPass,
 }
 
 impl<const BIASED: bool> Kernel for Visit<'_, BIASED> {
@@ -208,7 +208,7 @@ impl<const BIASED: bool> Kernel for Visit<'_, BIASED> {
 /// See [`block::turn_back`].
 struct TurnBack<'a> {
     range: Range<usize>,
-    blocks: DisjointMut<'a, PinBlock>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
     states: DisjointMut<'a, BodyState>,
 }
 

@@ -10,21 +10,21 @@ use core::f64::consts::TAU;
 /// Up to which angle [`turned_further`] takes the series (rad).
 const SERIES_MAX: Real = 0.5;
 /// A rotation vector that is shorter than this has no direction of its own.
-const DIRECTED: Real = 1.0e-3;
+const ANGLE_MIN: Real = 1.0e-3;
 
 /// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its real part. See
 /// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
 #[inline(always)]
-pub(crate) fn wide_unit_quaternion<W: Wide>(turn: WideAngVector<W>) -> (W, W) {
-    let square = turn.dot(turn);
+pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) {
+    let square = rotvec.dot(rotvec);
     let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
     let scale = W::splat(1.0) / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
 }
 
 /// The same of one body.
-pub(crate) fn unit_quaternion(turn: AngVector) -> (Real, Real) {
-    let square = turn.length_squared();
+pub(crate) fn unit_quaternion(rotvec: AngVector) -> (Real, Real) {
+    let square = rotvec.length_squared();
     let (cosine, sine) = cosine_and_sine::<2>(square.min(TURN_MAX));
     let scale = 1.0 / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
@@ -34,16 +34,16 @@ pub(crate) fn unit_quaternion(turn: AngVector) -> (Real, Real) {
 #[inline(always)]
 pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
-    turn: WideAngVector<W>,
+    rotvec: WideAngVector<W>,
 ) -> WideRotation<W> {
-    rotation_by(turn).times(frame)
+    rotation_by(rotvec).times(frame)
 }
 
 /// The rotation that a rotation vector makes.
 #[inline(always)]
-fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
-    let (scale, real) = wide_unit_quaternion(turn);
-    let WideVector { x, y, z } = turn * scale;
+fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> {
+    let (scale, real) = wide_unit_quaternion(rotvec);
+    let WideVector { x, y, z } = rotvec * scale;
     WideRotation { x, y, z, w: real }
 }
 
@@ -74,22 +74,22 @@ pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
-/// The rotation vector of a turn by `turn` and then by `by`. Rotation vectors just added are off by half of `by × turn`, and a joint
+/// The rotation vector of a turn by `rotvec` and then by `by`. Rotation vectors just added are off by half of `by × rotvec`, and a joint
 /// that holds bodies where these say is torn when the bodies are put where they are.
 ///
 /// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it is of no use
 /// (a wheel that turned by a radian in each substep shook itself off its axle), and the rotations themselves are composed.
 #[inline(always)]
 pub(crate) fn turned_further<W: Wide>(
-    turn: WideAngVector<W>,
+    rotvec: WideAngVector<W>,
     by: WideAngVector<W>,
 ) -> WideAngVector<W> {
-    let across = cross(by, turn);
-    let correction = across * W::splat(0.5) + cross(by - turn, across) * W::splat(1.0 / 12.0);
-    let sum = turn + by;
+    let across = cross(by, rotvec);
+    let correction = across * W::splat(0.5) + cross(by - rotvec, across) * W::splat(1.0 / 12.0);
+    let sum = rotvec + by;
     let is_far = W::splat(SERIES_MAX * SERIES_MAX).lt(sum.dot(sum));
     if W::any(is_far) {
-        WideVector::select(is_far, composed(turn, by), sum + correction)
+        WideVector::select(is_far, composed(rotvec, by), sum + correction)
     } else {
         sum + correction
     }
@@ -97,15 +97,15 @@ pub(crate) fn turned_further<W: Wide>(
 
 /// The same for turns of any size: of all rotation vectors that lead there the one that is nearest to the sum.
 #[inline(always)]
-fn composed<W: Wide>(turn: WideAngVector<W>, by: WideAngVector<W>) -> WideAngVector<W> {
+fn composed<W: Wide>(rotvec: WideAngVector<W>, by: WideAngVector<W>) -> WideAngVector<W> {
     let (one, whole) = (W::splat(1.0), W::splat(TAU as Real));
     let direction_of = |vector: WideVector<W>, otherwise: WideVector<W>| {
         let length = vector.dot(vector).sqrt();
-        let has_one = W::splat(DIRECTED).lt(length);
+        let has_one = W::splat(ANGLE_MIN).lt(length);
         WideVector::select(has_one, vector * (one / length), otherwise)
     };
-    let sum = turn + by;
-    let once = rotation_vector(rotation_by(by).times(rotation_by(turn)));
+    let sum = rotvec + by;
+    let once = rotation_vector(rotation_by(by).times(rotation_by(rotvec)));
     let along = direction_of(once, direction_of(sum, WideVector::zero()));
     let missing = (sum - once).dot(along);
     once + along * (nearest_whole(missing * (one / whole)) * whole)
@@ -156,7 +156,7 @@ mod tests {
 
     /// A turn, a further one, and what is turned.
     struct Turns {
-        turn: WideVector<Lane>,
+        rotvec: WideVector<Lane>,
         by: WideVector<Lane>,
         arm: WideVector<Lane>,
         inertia: WideSymmetric<Lane>,
@@ -166,12 +166,12 @@ mod tests {
         type Output = ();
         #[inline(always)]
         fn run<W: Wide>(self) {
-            let (turn, by) = (WideVector::<W>::load(&self.turn), WideVector::load(&self.by));
-            let rotation = WideDisplacement::new(WideVector::zero(), turn).rotation();
+            let (rotvec, by) = (WideVector::<W>::load(&self.rotvec), WideVector::load(&self.by));
+            let rotation = WideDisplacement::new(WideVector::zero(), rotvec).rotation();
             rotation.rotate(WideVector::load(&self.arm)).store(&mut self.arm);
             let inertia = turned_inertia(load_symmetric::<W>(&self.inertia), rotation);
             store_symmetric(inertia, &mut self.inertia);
-            turned_further(turn, by).store(&mut self.turn);
+            turned_further(rotvec, by).store(&mut self.rotvec);
         }
     }
 
@@ -184,21 +184,21 @@ mod tests {
     #[test]
     fn lanes_turn_as_single_bodies_do() {
         let mut random = Random(31);
-        let (turn, by) = (vector(&mut random, 0.2), vector(&mut random, 0.02));
+        let (rotvec, by) = (vector(&mut random, 0.2), vector(&mut random, 0.02));
         let arm = vector(&mut random, 1.0);
         let (m, n) = (vector(&mut random, 1.0), vector(&mut random, 1.0));
         let inertia = AngularInertia { m11: m.x, m12: m.y, m13: m.z, m22: n.x, m23: n.y, m33: n.z };
         let zero = WideVector::ZERO;
-        let mut turns = Turns { turn: zero, by: zero, arm: zero, inertia: Default::default() };
+        let mut turns = Turns { rotvec: zero, by: zero, arm: zero, inertia: Default::default() };
         for lane in 0..LANES {
-            turns.turn.set_lane(lane, turn);
+            turns.rotvec.set_lane(lane, rotvec);
             turns.by.set_lane(lane, by);
             turns.arm.set_lane(lane, arm);
             set_symmetric_lane(&mut turns.inertia, lane, &inertia);
         }
         Simd::detect().run(&mut turns);
 
-        let rotation = integrate_rotation(Rotation::IDENTITY, turn);
+        let rotation = integrate_rotation(Rotation::IDENTITY, rotvec);
         assert!(turns.arm.lane(1).abs_diff_eq(rotation * arm, 1.0e-6));
         let turned = symmetric_lane(&turns.inertia, 1);
         let torque: AngVector = vector(&mut random, 1.0);
@@ -206,8 +206,8 @@ mod tests {
         assert!(turned.mul_vec(torque).abs_diff_eq(expected, 1.0e-6));
 
         let composed = integrate_rotation(rotation, by);
-        let further = integrate_rotation(Rotation::IDENTITY, turns.turn.lane(1));
-        let added = integrate_rotation(Rotation::IDENTITY, turn + by);
+        let further = integrate_rotation(Rotation::IDENTITY, turns.rotvec.lane(1));
+        let added = integrate_rotation(Rotation::IDENTITY, rotvec + by);
         let [missed, added] =
             [further, added].map(|found| rotation_to_angle(&(composed * found.inverse())).length());
         assert!(missed < 2.0e-5 && added > 20.0 * missed, "{missed} rad, added {added} rad");
@@ -220,7 +220,8 @@ mod tests {
         let mut random = Random(32);
         for size in [0.1, 0.6, 1.0, 2.0, 3.0] {
             let zero = WideVector::ZERO;
-            let mut turns = Turns { turn: zero, by: zero, arm: zero, inertia: Default::default() };
+            let mut turns =
+                Turns { rotvec: zero, by: zero, arm: zero, inertia: Default::default() };
             let (mut expected, mut sum) = (Rotation::IDENTITY, Vector::ZERO);
             for _ in 0..3 {
                 let by = Vector::X * size + vector(&mut random, 0.01);
@@ -228,12 +229,12 @@ mod tests {
                 Simd::detect().run(&mut turns);
                 (expected, sum) = (integrate_rotation(expected, by), sum + by);
             }
-            let turn = turns.turn.lane(2);
-            let missed = expected.inverse() * integrate_rotation(Rotation::IDENTITY, turn);
+            let rotvec = turns.rotvec.lane(2);
+            let missed = expected.inverse() * integrate_rotation(Rotation::IDENTITY, rotvec);
             let missed = rotation_to_angle(&missed).length();
             assert!(missed < 5.0e-4, "{missed} rad off after {sum}");
             // Near a whole turn a little aside is far aside.
-            assert!((turn.x - sum.x).abs() < 0.15, "{turn}, not about {sum}");
+            assert!((rotvec.x - sum.x).abs() < 0.15, "{rotvec}, not about {sum}");
         }
     }
 }

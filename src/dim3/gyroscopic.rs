@@ -22,7 +22,7 @@
 //! and lose their digits where two moments are nearly the same.
 
 use super::math::TURN_MAX;
-use super::turn::wide_unit_quaternion;
+use super::rotation_vector::wide_unit_quaternion;
 use super::wide::{WideRotation, WideVector};
 use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
@@ -81,7 +81,7 @@ mod tests {
     use crate::base::random::Random;
     use crate::base::wide::{Kernel, Simd};
     use crate::dim3::math::{Real, Rotation, Vector, integrate_rotation};
-    use crate::dim3::turn::rotation_vector;
+    use crate::dim3::rotation_vector::rotation_vector;
 
     /// One body that turns freely.
     struct Turn {

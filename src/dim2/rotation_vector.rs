@@ -7,10 +7,10 @@ use crate::base::wide::Wide;
 
 /// The rotation that [`integrate_rotation`](crate::dim2::math::integrate_rotation) turns by.
 #[inline(always)]
-pub(crate) fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
-    let square = (turn * turn).min(W::splat(TURN_MAX));
+pub(crate) fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> {
+    let square = (rotvec * rotvec).min(W::splat(TURN_MAX));
     let (cosine, sine) = wide_cosine_and_sine::<W, 3>(square);
-    let sine = turn * sine;
+    let sine = rotvec * sine;
     let scale = W::splat(1.0) / (cosine * cosine + sine * sine).sqrt();
     WideRotation { re: cosine * scale, im: sine * scale }
 }
@@ -18,8 +18,8 @@ pub(crate) fn rotation_by<W: Wide>(turn: WideAngVector<W>) -> WideRotation<W> {
 /// The angle after a further turn.
 #[inline(always)]
 pub(crate) fn turned_further<W: Wide>(
-    turn: WideAngVector<W>,
+    rotvec: WideAngVector<W>,
     by: WideAngVector<W>,
 ) -> WideAngVector<W> {
-    turn + by
+    rotvec + by
 }

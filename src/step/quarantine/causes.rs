@@ -25,29 +25,29 @@ use crate::step::notes::Diverged;
 const ROUNDS: usize = 4;
 
 /// A body and why it was taken out.
-type Culprit = (RigidBodyHandle, QuarantineCause);
+type Cause = (RigidBodyHandle, QuarantineCause);
 
 /// A failed step.
-pub(super) struct Culprits<'a> {
+pub(super) struct Causes<'a> {
     pub world: &'a World<'a>,
     pub conditions: StepConditions<'a>,
-    pub lost: &'a [Diverged],
+    pub diverged: &'a [Diverged],
 }
 
-impl Culprits<'_> {
+impl Causes<'_> {
     /// Adds those to be taken out, once the step has failed `failures` times before.
-    pub fn find(&self, failures: usize, taken: &mut Vec<Culprit>) {
+    pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
         let known = taken.len();
         if failures >= 2 * ROUNDS {
             let awake = self.world.islands.awake.iter();
             let at_rest = RigidBodyVelocity::zero();
             let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
-            return all.for_each(|lost| self.take(&lost, taken));
+            return all.for_each(|diverged| self.take(&diverged, taken));
         }
-        for lost in self.lost {
+        for diverged in self.diverged {
             // Of a multibody, nobody knows any more who was lost first.
-            let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
-            let suspects = core::iter::once(&lost.body).chain(links);
+            let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
+            let suspects = core::iter::once(&diverged.body).chain(links);
             let mut causes = suspects.filter_map(|&suspect| {
                 Some((suspect, self.cause_in(self.world.bodies.get(suspect)?)?))
             });
@@ -59,23 +59,23 @@ impl Culprits<'_> {
             return;
         }
         if failures >= ROUNDS {
-            return self.lost.iter().for_each(|lost| self.take(lost, taken));
+            return self.diverged.iter().for_each(|diverged| self.take(diverged, taken));
         }
-        for lost in self.most_strained() {
-            self.take(lost, taken);
+        for diverged in self.most_stressed() {
+            self.take(diverged, taken);
         }
     }
 
-    fn body(&self, lost: &Diverged) -> Option<&RigidBody> {
-        self.world.bodies.get(lost.body)
+    fn body(&self, diverged: &Diverged) -> Option<&RigidBody> {
+        self.world.bodies.get(diverged.body)
     }
 
-    fn take(&self, lost: &Diverged, taken: &mut Vec<Culprit>) {
-        let cause = match lost.is_link {
-            true => QuarantineCause::Multibody(lost.velocity),
-            false => QuarantineCause::Constraints(lost.velocity),
+    fn take(&self, diverged: &Diverged, taken: &mut Vec<Cause>) {
+        let cause = match diverged.is_link {
+            true => QuarantineCause::Multibody(diverged.velocity),
+            false => QuarantineCause::Constraints(diverged.velocity),
         };
-        self.take_with_group(lost.body, cause, taken);
+        self.take_with_group(diverged.body, cause, taken);
     }
 
     /// Takes a body, and with a link all links that move: what is left of a multibody would fall apart.
@@ -83,7 +83,7 @@ impl Culprits<'_> {
         &self,
         body: RigidBodyHandle,
         cause: QuarantineCause,
-        taken: &mut Vec<Culprit>,
+        taken: &mut Vec<Cause>,
     ) {
         let moves = |link: &&RigidBodyHandle| {
             self.world.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
@@ -132,38 +132,38 @@ impl Culprits<'_> {
     }
 
     /// The most strained of each island.
-    fn most_strained(&self) -> Vec<&Diverged> {
-        let ranked = self.lost.iter().filter_map(|lost| {
-            let body = self.body(lost)?;
-            Some((body.link.island, self.strain_of(lost), lost))
+    fn most_stressed(&self) -> Vec<&Diverged> {
+        let ranked = self.diverged.iter().filter_map(|diverged| {
+            let body = self.body(diverged)?;
+            Some((body.link.island, self.stress_of(diverged), diverged))
         });
         let mut ranked: Vec<_> = ranked.collect();
         // Stable: of equals the first that the solver had.
         ranked.sort_by(|a, b| a.0.cmp(&b.0).then_with(|| b.1.total_cmp(&a.1)));
         ranked.dedup_by_key(|(island, ..)| *island);
-        ranked.into_iter().map(|(.., lost)| lost).collect()
+        ranked.into_iter().map(|(.., diverged)| diverged).collect()
     }
 
     /// The strain of a body, or of the most strained link of a multibody.
-    fn strain_of(&self, lost: &Diverged) -> Real {
-        let links = if lost.is_link { self.group_of(lost.body) } else { &[] };
-        let strains = core::iter::once(&lost.body).chain(links).filter_map(|&handle| {
-            Some(self.strain_of_body(handle, self.world.bodies.get(handle)?))
+    fn stress_of(&self, diverged: &Diverged) -> Real {
+        let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
+        let strains = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
+            Some(self.stress_of_body(handle, self.world.bodies.get(handle)?))
         });
         strains.fold(0.0, larger)
     }
 
     /// How far (length units) what acts on a body would carry a point of it within a step: the most that one thing would.
-    fn strain_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
+    fn stress_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
         let dt = self.conditions.params.dt;
         let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
         let by_motors = self.pull_of_motors(handle) * body.mprops.local_mprops.inv_mass;
         let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
         let speeds = [body.linvel.length(), length(body.angvel)];
         let pulls = [(fall + push).length(), length(twist), by_motors];
-        let ways = speeds.map(|speed| speed * dt).into_iter();
-        let ways = ways.chain(pulls.map(|pull| pull * dt * dt));
-        ways.fold(0.0, larger)
+        let displacements = speeds.map(|speed| speed * dt).into_iter();
+        let displacements = displacements.chain(pulls.map(|pull| pull * dt * dt));
+        displacements.fold(0.0, larger)
     }
 
     /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.

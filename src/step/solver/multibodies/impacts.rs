@@ -32,7 +32,10 @@ use crate::model::contact::NarrowPhase;
 use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::impacts::{BEND_MAX, FAR, NOTICED, SETTLED, SWEEPS};
+use crate::step::solver::impacts::{
+    APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX,
+    SWEEPS,
+};
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
 #[derive(Copy, Clone, Debug, Default)]
@@ -79,7 +82,7 @@ pub struct LinkImpact {
 
 /// What a multibody remembers of the beginning of a round.
 #[derive(Debug, Default)]
-pub struct BeforeBlow {
+pub struct BeforeImpact {
     rates: Vec<Real>,
     external_impulse: SpatialVector,
     /// The sum of the times (s) at which it is hit in this round, and how many they are.
@@ -90,7 +93,7 @@ pub struct BeforeBlow {
     may_gain: bool,
 }
 
-impl BeforeBlow {
+impl BeforeImpact {
     /// Notes that a blow comes at a time, and whether it may give energy.
     pub fn note(&mut self, time: Real, may_gain: bool) {
         self.may_gain |= may_gain;
@@ -177,7 +180,7 @@ impl SolverMultibodies {
 
     /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands whose impact has ended stay as they are: to move there
     /// and back leaves rounding errors, as often as other islands need another round.
-    pub fn mark_struck(
+    pub fn mark_active(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),
         bodies: &mut SolverBodies,
@@ -206,7 +209,7 @@ impl SolverMultibodies {
             }
             contact.strike.was_active |= contact.strike.active;
         }
-        self.go_where_struck(place, bodies, pass.substep);
+        self.move_to_impact(place, bodies, pass.substep);
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
             for Point { normal, impact_impulse, .. } in &mut contact.points {
@@ -221,14 +224,14 @@ impl SolverMultibodies {
     }
 
     /// Moves the multibodies that are hit to where they are then, and makes the rows of their blows there.
-    fn go_where_struck(
+    fn move_to_impact(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),
         bodies: &mut SolverBodies,
         h: Real,
     ) {
         for moving in &mut self.moving {
-            let [sum, count] = core::mem::take(&mut moving.before_blow.times);
+            let [sum, count] = core::mem::take(&mut moving.before_impact.times);
             if count > 0.0 {
                 moving.move_on(sum / count, h);
             }
@@ -241,7 +244,7 @@ impl SolverMultibodies {
     }
 
     /// Visits the points that hit, in turn: pushes until they part as they are to.
-    pub fn visit_struck(&mut self, states: &mut [BodyState]) {
+    pub fn iterate_active(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
             contact.strike.moving = false;
@@ -254,7 +257,8 @@ impl SolverMultibodies {
                     let change = new - impact_impulse.impulse;
                     impact_impulse.impulse = new;
                     jacobians.strike(normal, change, &mut states);
-                    let little = -(impact_impulse.mass * impact_impulse.approach * SETTLED);
+                    let little =
+                        -(impact_impulse.mass * impact_impulse.approach * CONVERGENCE_TOLERANCE);
                     contact.strike.moving |= sweep == 0 && change.abs() > little;
                 }
             }
@@ -273,7 +277,11 @@ impl SolverMultibodies {
                 contact.strike.dissipated += impact_impulse.impulse * impact_impulse.approach;
                 contact.strike.energy_gain +=
                     impact_impulse.impulse * (velocity + allowed * impact_impulse.approach) * 0.5;
-                jacobians.note_blow(normal, [impact_impulse.impulse, impact_impulse.time], delays);
+                jacobians.note_impulse(
+                    normal,
+                    [impact_impulse.impulse, impact_impulse.time],
+                    delays,
+                );
             }
         }
     }
@@ -296,7 +304,7 @@ impl SolverMultibodies {
     }
 
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
-    pub fn rub_struck(&mut self, states: &mut [BodyState]) {
+    pub fn solve_active_friction(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.was_active) {
             for point in contact.points.iter_mut().filter(|point| point.impact_impulse.given > 0.0)
@@ -304,8 +312,8 @@ impl SolverMultibodies {
                 point.total += point.impact_impulse.given;
                 let most = contact.friction * point.impact_impulse.given;
                 let none = [0.0; DIM - 1];
-                let rubbed = point.friction_under(most, none, jacobians, &states);
-                for (row, impulse) in point.tangents.iter().zip(rubbed) {
+                let friction_solved = point.friction_under(most, none, jacobians, &states);
+                for (row, impulse) in point.tangents.iter().zip(friction_solved) {
                     jacobians.strike(row, impulse, &mut states);
                 }
             }
@@ -315,7 +323,7 @@ impl SolverMultibodies {
     /// Remembers how the multibodies move when a round begins.
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
-            let BeforeBlow { rates, external_impulse, .. } = &mut moving.before_blow;
+            let BeforeImpact { rates, external_impulse, .. } = &mut moving.before_impact;
             rates.clone_from(&moving.motion.rates);
             *external_impulse = moving.motion.external_impulse();
         }
@@ -366,7 +374,7 @@ impl LinkContact {
 impl Point {
     /// Where it is for all passes but those of impacts.
     pub fn shown_separation(&self) -> Real {
-        if self.is_aside { FAR } else { self.separation }
+        if self.is_aside { COORDINATE_MODERATE_MAX } else { self.separation }
     }
 }
 
@@ -377,7 +385,8 @@ impl ImpactImpulse {
         self.support_velocity = (self.loaded - free).min(-forced).max(0.0);
         let now = free + self.support_velocity;
         let is_at_rest = now.max(self.last) >= -pass.threshold;
-        self.limit = if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * NOTICED;
+        self.limit =
+            if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * APPROACH_CHANGE_MIN;
         self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
         self.given = 0.0;
     }
@@ -399,14 +408,14 @@ impl ImpactImpulse {
         if velocity >= self.limit {
             // It has parted by then, and only turns back on its way to the substep's middle, as it would in each further round.
             self.mass = 0.0;
-            self.limit = self.middle - pass.threshold * NOTICED;
+            self.limit = self.middle - pass.threshold * APPROACH_CHANGE_MIN;
         }
         let speed = (-velocity).max(0.0);
-        let most = speed * BEND_MAX;
-        let bend = self.accelerated * (self.time * pass.inv_substep - 0.5);
-        let bend = bend.max(-most).min(most);
-        self.approach = bend + bend - speed;
-        self.target = (restitution * (speed - bend) - bend).max(0.0);
+        let most = speed * CURVATURE_ANGLE_MAX;
+        let curvature = self.accelerated * (self.time * pass.inv_substep - 0.5);
+        let curvature = curvature.max(-most).min(most);
+        self.approach = curvature + curvature - speed;
+        self.target = (restitution * (speed - curvature) - curvature).max(0.0);
     }
 }
 
@@ -422,20 +431,20 @@ impl Moving {
         self.displace(&rates, time);
         self.motion.resist(h);
         self.motion.fly_back(self.motion.middle(h) - time);
-        self.before_blow.ahead = Some(time);
+        self.before_impact.ahead = Some(time);
     }
 
     /// Ends a round of a substep of `h` seconds.
     fn accept_impact(&mut self, h: Real, share: Real) {
-        let ahead = self.before_blow.ahead.take();
-        let BeforeBlow { rates: before, external_impulse, .. } = &self.before_blow;
+        let ahead = self.before_impact.ahead.take();
+        let BeforeImpact { rates: before, external_impulse, .. } = &self.before_impact;
         if *before != self.motion.rates {
             let energy = self.motion.energy_at(before);
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
                 *rate = *old + (*rate - *old) * share;
             }
             self.motion.share_external_impulse(external_impulse, share);
-            self.note_blow_energy(energy);
+            self.note_impulse_energy(energy);
         }
         if let Some(time) = ahead {
             self.motion.fly_on(self.motion.middle(h) - time);
@@ -446,9 +455,9 @@ impl Moving {
 
     /// Changes the energy that impulses may leave as a round changed it from `before`, at the time of the blow. The world gives
     /// none. Links that turn far may have another energy there; then the fraction counts.
-    fn note_blow_energy(&mut self, before: Real) {
+    fn note_impulse_energy(&mut self, before: Real) {
         let change = self.motion.kinetic_energy() - before;
-        let may_gain = core::mem::take(&mut self.before_blow.may_gain);
+        let may_gain = core::mem::take(&mut self.before_impact.may_gain);
         if change > 0.0 {
             self.energy += if may_gain { change } else { 0.0 };
         } else {
