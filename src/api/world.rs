@@ -256,7 +256,7 @@ impl PhysicsWorld {
         self.impulse_joints.try_insert(body1, body2, joint, true)
     }
 
-    /// Can a joint hold these bodies?
+    /// Returns whether a joint can connect these bodies.
     fn check_joined(
         &self,
         body1: RigidBodyHandle,
@@ -389,8 +389,8 @@ impl PhysicsWorld {
         self.narrow_phase.intersection_pairs()
     }
 
-    /// Do two colliders, at least one of them a sensor, intersect? `None` if they are nowhere near
-    /// each other.
+    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if they are nowhere
+    /// near each other.
     pub fn intersection_pair(
         &self,
         collider1: ColliderHandle,

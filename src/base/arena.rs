@@ -138,7 +138,7 @@ impl<T> Arena<T> {
         self.len
     }
 
-    /// Is there no element?
+    /// Returns whether the arena is empty.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -190,7 +190,7 @@ impl<T> Arena<T> {
         }
     }
 
-    /// Does the index lead to an element?
+    /// Returns whether the index refers to an element.
     pub fn contains(&self, index: Index) -> bool {
         self.get(index).is_some()
     }

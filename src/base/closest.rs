@@ -169,7 +169,7 @@ fn least_overlap(
     }
 }
 
-/// Are the differences of any two points of the shapes such that one can calculate with their squares?
+/// Returns whether the squared distances of any two points of the shapes are finite.
 fn spans_numbers(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),

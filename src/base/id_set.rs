@@ -19,7 +19,7 @@ const PAGE: usize = 8;
 #[cfg_attr(feature = "serde-serialize", serde(from = "Vec<u64>", into = "Vec<u64>"))]
 pub struct IdSet {
     words: Vec<u64>,
-    /// A bit for each word: is anything in it?
+    /// One bit per word, set if the word is not zero.
     filled: Vec<u64>,
 }
 
@@ -56,7 +56,7 @@ fn ones(mut word: u64) -> impl Iterator<Item = u32> {
 }
 
 impl IdSet {
-    /// Is the number in the set?
+    /// Returns whether the set contains the number.
     pub fn contains(&self, number: u32) -> bool {
         let (word, bit) = place(number);
         self.words.get(word).is_some_and(|word| word & bit != 0)

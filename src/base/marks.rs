@@ -36,7 +36,7 @@ impl Marks {
         self.marked[index] = self.generation;
     }
 
-    /// Is the number marked?
+    /// Returns whether the number is marked.
     #[inline(always)]
     pub fn has(&self, number: u32) -> bool {
         self.marked.get(number as usize) == Some(&self.generation)

@@ -34,25 +34,25 @@ pub enum Measure<'a> {
     Coordinates(&'static str, &'a [Real]),
 }
 
-/// Is it a usable positive length?
+/// Returns whether the value is a usable positive length.
 #[inline]
 pub fn is_length(value: Real) -> bool {
     (SIZE_MIN..=SIZE_MAX).contains(&value)
 }
 
-/// Is it zero or a usable positive length?
+/// Returns whether the value is zero or a usable positive length.
 #[inline]
 pub fn is_margin(value: Real) -> bool {
     (0.0..=SIZE_MAX).contains(&value)
 }
 
-/// Is it a usable coordinate?
+/// Returns whether the value is a usable coordinate.
 #[inline]
 pub fn is_coordinate(value: Real) -> bool {
     value.abs() <= SIZE_MAX
 }
 
-/// Are all coordinates usable?
+/// Returns whether all coordinates are usable.
 #[inline]
 pub fn is_point(point: Vector) -> bool {
     point.abs().max_element() <= SIZE_MAX && point.is_finite()

@@ -20,7 +20,7 @@ pub struct Nearest {
 const BULGE_RATIO_MAX: Real = 2.0e-3;
 
 impl Nearest {
-    /// Is it true of the hull of these corners: is none above the plane through the place?
+    /// Returns whether no corner of the hull lies above the plane through the nearest point.
     pub fn is_proven_by(&self, corners: &[Vector]) -> bool {
         corners.iter().all(|corner| {
             let from_place = *corner - self.point;

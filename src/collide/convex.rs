@@ -38,7 +38,7 @@ pub(super) fn part_manifold(
     Some(gap * DISTANCE_SHARE)
 }
 
-/// Are all numbers of the point finite?
+/// Returns whether all numbers of the point are finite.
 pub(super) fn is_sound(point: &RawPoint) -> bool {
     point.local_p1.is_finite() && point.local_p2.is_finite() && point.dist.is_finite()
 }

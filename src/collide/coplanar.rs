@@ -189,7 +189,7 @@ impl Search<'_> {
     }
 }
 
-/// Which flat shapes lie in a plane?
+/// Finds the flat shapes that lie in a plane.
 struct InPlane<'a> {
     plane: &'a Plane,
     tolerance: Real,
@@ -218,7 +218,7 @@ impl Kernel for InPlane<'_> {
     }
 }
 
-/// Over which piece of a floor is each of some places?
+/// Finds the piece of a patch below each point.
 struct Over<'a> {
     normal: Vector,
     /// How far beyond the edge of a piece is still over it, at most.

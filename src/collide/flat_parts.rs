@@ -222,7 +222,7 @@ fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &
     triangle_cache.keep(region);
 }
 
-/// Which flat parts reach into a box?
+/// Finds the flat parts that reach into a box.
 struct Inside<'a> {
     bounds: &'a Aabb,
     blocks: &'a [FlatBlock],

@@ -13,7 +13,7 @@ pub(crate) fn form_of(shape: &dyn Shape) -> ShapeForm {
     form
 }
 
-/// Can it roll?
+/// Returns whether the shape can roll.
 fn is_round(shape: &dyn Shape) -> bool {
     match shape.as_typed_shape() {
         TypedShape::Ball(_)

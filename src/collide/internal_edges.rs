@@ -131,7 +131,7 @@ impl<'a> Obstacle<'a> {
         height.flatten()
     }
 
-    /// Is a point inside, or as near as `tolerance`?
+    /// Returns whether a point is inside, or as near as `tolerance`.
     fn contains(&self, point: Vector, tolerance: Real) -> bool {
         if let Self::Floor(_, pieces, pose) = self {
             let local = pose.inverse_transform_point(point);
@@ -145,7 +145,7 @@ impl<'a> Obstacle<'a> {
         near == Some(true)
     }
 
-    /// Does a face that looks along `direction` begin at a point?
+    /// Returns whether a face that looks along `direction` begins at a point.
     fn goes_on_along(&self, direction: Vector, point: Vector, tolerance: Real) -> bool {
         let found = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * direction;
@@ -217,7 +217,7 @@ impl<'a> Facet<'a> {
 }
 
 impl Facet<'_> {
-    /// May the plane of `other` say something of `self`? It must look another way, and what of the
+    /// Returns whether the plane of `other` may constrain `self`. It must look another way, and what of the
     /// body meets the obstacle of `self` must be above it.
     fn may_be_explained_by(&self, other: &Self, tolerance: Real) -> bool {
         if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
@@ -232,14 +232,14 @@ impl Facet<'_> {
         id == other.body.1 || is_above()
     }
 
-    /// Is it in the plane of another?
+    /// Returns whether the contact lies in the plane of another.
     fn is_level(&self, other: &Self, tolerance: Real) -> bool {
         let offset = other.plane.dot(self.place - other.place);
         let is_parallel = other.plane.distance_squared(self.plane) < PARALLEL;
         is_parallel && offset.abs() < tolerance
     }
 
-    /// Is it with a face that looks along a direction that the obstacle meets the body?
+    /// Returns whether the collider meets the body with a face that looks along a direction.
     fn is_with_face_along(&self, direction: Vector) -> bool {
         match self.face {
             Face::Flat(face) => face == self.plane && face.dot(direction) > LOOKS_ALONG,
@@ -247,14 +247,14 @@ impl Facet<'_> {
         }
     }
 
-    /// First rule: is the obstacle of `self` behind the plane of `other`?
+    /// First rule: returns whether the collider of `self` is behind the plane of `other`.
     fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         let limit = other.plane.dot(other.place) + tolerance;
         self.obstacle.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one of the points of `self`: is it on the plane of `other`, does a face of its own obstacle go on
-    /// from there, and does an obstacle that is part of the plane hide it?
+    /// Second rule, for one point of `self`. Returns whether the point is on the plane of `other`, a face of
+    /// its own collider continues there, and a collider within the plane hides it.
     fn is_hidden_at<'b>(
         &self,
         point: Vector,
@@ -284,9 +284,9 @@ pub(super) struct InternalEdge {
     pub along: Vector,
     /// How deep the body may then be in the obstacle: deeper, and it is in it in another way.
     pub least_dist: Real,
-    /// Is the obstacle behind the contact (the first rule), or is its edge hidden (the second)?
+    /// Whether the collider is behind the contact (first rule) or its edge is hidden (second rule).
     pub is_behind: bool,
-    /// Is it with this very face that the obstacle carries the body already?
+    /// Whether the collider already supports the body with this face.
     pub is_turned: bool,
 }
 
@@ -363,8 +363,8 @@ impl Search<'_> {
         })
     }
 
-    /// Are all obstacles in the plane of a contact behind another? Of a floor of tiles, the tile that the body leaves
-    /// ends behind its own side wall, the floor does not.
+    /// Returns whether all colliders in the plane of a contact are behind another contact. Of a floor of
+    /// tiles, the tile that the body leaves ends behind its own side wall, the floor does not.
     fn is_all_behind(&self, contact: &Facet<'_>, other: &Facet<'_>) -> bool {
         let is_internal = |index: usize| self.internal_edges.iter().any(|edge| edge.index == index);
         let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_internal(*index));

@@ -43,7 +43,7 @@ pub(crate) struct ManifoldScratch {
     culled: CulledParts,
     passing: TriangleCache,
     internal_edges: Vec<InternalEdge>,
-    /// Were there too many pairs of parts to compute the contacts of all?
+    /// Whether there were too many pairs of parts to compute the contacts of all.
     are_parts_culled: bool,
 }
 
@@ -202,14 +202,14 @@ fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real 
     }
 }
 
-/// Do the two shapes intersect? `pos12` is the pose of the second in the frame of the first.
+/// Returns whether the two shapes intersect. `pos12` is the pose of the second in the frame of the first.
 pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> bool {
     let test = || DefaultQueryDispatcher.intersection_test(pos12, shape1, shape2);
     pose_is_usable(pos12)
         && guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
 }
 
-/// Is the pose one that geometry can be computed with?
+/// Returns whether geometry can be computed with the pose.
 fn pose_is_usable(pose: &Pose) -> bool {
     let distance = pose.translation.abs().max_element();
     pose.is_finite() && distance < DISTANCE_MAX
@@ -247,7 +247,8 @@ impl<'a> ShapePair<'a> {
     }
 }
 
-/// Does parry know a better way for voxels against the other shape than to look at them one by one?
+/// Returns whether parry has a faster algorithm for voxels against the other shape than a search of all
+/// voxels.
 ///
 /// It does for convex shapes; but it asserts what rounding can break when sizes are extreme.
 fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> bool {

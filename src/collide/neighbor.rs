@@ -66,8 +66,9 @@ impl<'a> Neighbor<'a> {
     }
 }
 
-/// Is any contact, or nearly, below the plane of another? A seam is: it belongs to an obstacle that is. What lies
-/// among stones has its contacts all around, and to look at the stones' faces for nothing takes long.
+/// Returns whether any contact is below the plane of another, or nearly so. A seam is: it belongs to an
+/// obstacle that is. What lies among stones has its contacts all around, and to look at the stones' faces for
+/// nothing takes long.
 fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) -> bool {
     neighbors.iter().enumerate().any(|(index, one)| {
         let Some(place) = one.points.first() else { return false };

@@ -35,7 +35,7 @@ impl<'a> Part<'a> {
         Self { id: 0, pose: None, shape, constraints: None }
     }
 
-    /// Is the normal of last time of use, or is there a formula that needs no start?
+    /// Returns whether the last normal is a useful start, or a formula needs no start.
     pub fn wants_hint(&self) -> bool {
         !matches!(
             self.shape.as_typed_shape(),
@@ -43,7 +43,7 @@ impl<'a> Part<'a> {
         )
     }
 
-    /// Is it flat, and does it lie in a plane of its shape's frame?
+    /// Returns whether the part is flat and lies in a plane of its shape's frame.
     pub fn is_flat_in(&self, point: Vector, normal: Vector, tolerance: Real) -> bool {
         let is_near = |corner: Vector| {
             let corner = self.pose.map_or(corner, |pose| *pose * corner);
@@ -52,7 +52,7 @@ impl<'a> Part<'a> {
         as_flat(self.shape).is_some_and(|flat| flat_corners(flat).into_iter().all(is_near))
     }
 
-    /// Is it flat, and does it look another way than a direction in its shape's frame?
+    /// Returns whether the part is flat and its normal differs from a direction in its shape's frame.
     pub fn looks_aside(&self, direction: Vector) -> bool {
         let Some(flat) = as_flat(self.shape).and_then(Flat::new) else { return false };
         let normal = self.pose.map_or(flat.normal(), |pose| pose.rotation * flat.normal());
@@ -110,7 +110,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Is it one convex part?
+    /// Returns whether the shape is one convex part.
     pub fn is_convex(&self) -> bool {
         matches!(self, Self::Convex(_))
     }
@@ -142,7 +142,7 @@ impl<'a> Parts<'a> {
         found
     }
 
-    /// Is it a surface, all parts being flat, that may be hit from everywhere?
+    /// Returns whether the shape is a two-sided surface of flat parts.
     pub fn is_surface(&self) -> bool {
         match *self {
             Self::Tree(shape, _) => as_flat_mesh(shape).is_some(),
@@ -229,7 +229,7 @@ impl Near {
         }
     }
 
-    /// May anything in `node` lie in the region?
+    /// Returns whether anything in `node` may lie in the region.
     #[inline]
     fn touches(&self, node: &BvhNode) -> bool {
         match self {

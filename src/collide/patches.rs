@@ -41,7 +41,8 @@ pub(super) struct Patch {
     pub normal: Vector,
     /// Distance at the deepest point.
     pub dist: Real,
-    /// Does no part meet the other with its rim alone? A [`Flat`] does, if it does not look along the normal.
+    /// Whether no part meets the other with its rim alone. A [`Flat`] does, if it does not look along the
+    /// normal.
     is_broad: bool,
     /// Where its points are.
     points: Range<usize>,
@@ -102,7 +103,7 @@ impl Patches {
         &self.list
     }
 
-    /// Do all patches look the same way? Then none is a seam.
+    /// Returns whether all patches have similar normals. Then none is a seam.
     pub fn look_alike(&self) -> bool {
         let Some(first) = self.list.first() else { return true };
         let same = |patch: &Patch| patch.normal.distance_squared(first.normal) <= SAME_NORMAL;

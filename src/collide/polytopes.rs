@@ -37,7 +37,7 @@ struct Pair<'a> {
     polytope1: &'a Polytope<'a>,
     polytope2: &'a Polytope<'a>,
     prediction: Real,
-    /// Is there no layer around either? With one, they touch with corners while they are apart.
+    /// Whether neither shape has a layer around it. With one, they touch with corners while they are apart.
     is_sharp: bool,
 }
 
@@ -199,7 +199,7 @@ impl Pair<'_> {
         Some(Separation { gap, normal, face, is_first: false })
     }
 
-    /// Is the overlap small against the polytopes?
+    /// Returns whether the overlap is small against the polytopes.
     fn is_shallow(&self, gap: Real, normal: Vector) -> bool {
         -gap < self.prediction || -gap < OVERLAP_RATIO_MAX * self.thickness(normal)
     }

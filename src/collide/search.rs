@@ -114,7 +114,7 @@ impl Search<'_> {
         }
     }
 
-    /// Is there more than one direction, or anything else, so that a contact may be only a seam?
+    /// Returns whether a contact may be a ghost contact: there are several directions, or other contacts.
     pub(super) fn may_have_internal_edges(&self, side: usize) -> bool {
         let neighbors = self.pair.neighbors[1 - side];
         !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())

@@ -4,8 +4,8 @@
 //! translation, an impulse. It is a user of the engine that happens to live in it. The step knows nothing of
 //! controllers, and a controller needs nothing of the step but what every program may see.
 //!
-//! * [`character`]: somebody who walks. Where may the shape go that wants to go there?
-//! * [`pid`]: a hand that leads a body to a pose. Which velocity takes it there?
+//! * [`character`]: somebody who walks. It determines the admissible translation of a shape.
+//! * [`pid`]: a hand that leads a body to a pose. It determines the velocity for a target.
 //!
 //! Controllers hold settings, and what they must remember from call to call; they own no bodies, no colliders and no
 //! handles. So one controller can lead a crowd, and a world can be saved without it.

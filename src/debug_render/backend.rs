@@ -29,7 +29,7 @@ pub enum DebugRenderObject<'a> {
 
 /// Draws lines. Implement [`Self::draw_line`]; the rest follows from it.
 pub trait DebugRenderBackend {
-    /// Should the object be drawn at all? Called before any of its lines.
+    /// Returns whether the object is drawn. Called before any of its lines.
     fn filter_object(&self, object: DebugRenderObject) -> bool {
         let _ = object;
         true

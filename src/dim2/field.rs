@@ -28,7 +28,8 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Can the ray meet the segment of a cell between two times? Not if it stays above both ends, or below.
+/// Returns whether the ray can meet the segment of a cell between two times. Not if it stays above both ends,
+/// or below.
 fn may_meet(field: &HeightField, cell: usize, ray: &Ray, times: [Real; 2]) -> bool {
     let ends = [cell, cell + 1].map(|at| field.heights()[at] * field.scale().y);
     let [low, high] = range(&ends);

@@ -27,7 +27,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Does gravity pull it, so that it may be part of a pile? What holds piles up `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. What holds piles up
+    /// `bears_weight`, too.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -53,12 +54,12 @@ impl FreeMotion {
         Vector::new(self.0[2], self.0[3])
     }
 
-    /// Does the angular velocity change as the body turns?
+    /// Returns whether the angular velocity changes as the body rotates.
     pub fn is_gyroscopic(&self) -> bool {
         false
     }
 
-    /// May it be part of a pile?
+    /// Returns whether the body may be part of a pile.
     pub fn bears_weight(&self) -> bool {
         self.0[BEARS_WEIGHT] != 0.0
     }

@@ -97,7 +97,7 @@ impl BodyState {
         self.0[3] = other.0[3];
     }
 
-    /// Is no number of these states beyond a bound, or none at all?
+    /// Returns whether all numbers of these states are finite and within a bound.
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {

@@ -150,7 +150,7 @@ impl<W: Wide> WideVector<W> {
         (Self::select(is_longer, shortened, self), W::bits(is_longer))
     }
 
-    /// Is no component larger than that of the other?
+    /// Returns whether no component is larger than that of the other.
     #[inline(always)]
     pub fn all_le(self, other: Self) -> W::Mask {
         self.x.le(other.x) & self.y.le(other.y)

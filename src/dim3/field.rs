@@ -38,7 +38,8 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Can the ray meet a triangle of the cell between two times? Not if it stays above all corners, or below.
+/// Returns whether the ray can meet a triangle of the cell between two times. Not if it stays above all
+/// corners, or below.
 fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real; 2]) -> bool {
     let heights = field.heights();
     let corners = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];

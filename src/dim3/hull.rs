@@ -130,7 +130,7 @@ fn solid(points: &[Vector], triangles: &[[u32; 3]], frame: &UnitBox) -> Solid {
     }
 }
 
-/// Does each side of a triangle run along exactly one other triangle, in the opposite direction?
+/// Returns whether each side of a triangle is the reversed side of exactly one other triangle.
 fn is_closed(triangles: &[[u32; 3]]) -> bool {
     let mut sides: FastHashMap<(u32, u32), bool> = FastHashMap::default();
     for &[a, b, c] in triangles {
@@ -154,7 +154,8 @@ pub fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
     tetrahedra.sum::<Real>() / 6.0
 }
 
-/// Do all corners of each face lie in its plane? Two faces must be left: the sides of a thin lens.
+/// Returns whether all corners of each face lie in its plane. Two faces must be left: the sides of a thin
+/// lens.
 fn has_plane_faces(solid: &ConvexPolyhedron, frame: &UnitBox) -> bool {
     let tolerance = CROOKEDNESS_MAX * frame.half_extents.max_element();
     solid.faces().len() >= 2

@@ -48,8 +48,7 @@ pub fn mass_from_moments(com: Vector, mass: Real, second: SecondMoment) -> MassP
     MassProperties::with_principal_inertia_frame(com, mass, moments.max(Vector::ZERO), frame)
 }
 
-/// Are all values finite, also those that stand here as their inverse, and none negative where that would
-/// be impossible?
+/// Returns whether all values and stored inverses are finite, and none is negative where that is impossible.
 pub fn mass_is_valid(mass: &MassProperties) -> bool {
     is_point(mass.local_com)
         && mass.inv_mass >= 0.0

@@ -46,7 +46,7 @@ pub fn ang_dot(a: AngVector, b: AngVector) -> Real {
     a.dot(b)
 }
 
-/// Are all components of the angular vector finite?
+/// Returns whether all components of the angular vector are finite.
 #[inline]
 pub fn ang_is_finite(w: AngVector) -> bool {
     w.is_finite()
@@ -131,7 +131,7 @@ pub fn zero_inertia() -> AngularInertia {
     AngularInertia::zero()
 }
 
-/// Is the rotation a finite one of unit length (within rounding)?
+/// Returns whether the rotation is finite and of unit length (within rounding).
 #[inline]
 pub fn rotation_is_valid(rotation: &Rotation) -> bool {
     rotation.is_finite() && (rotation.length_squared() - 1.0).abs() < 1.0e-2

@@ -73,7 +73,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Does gravity pull it, so that it may be part of a pile? What holds piles up `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. What holds piles up
+    /// `bears_weight`, too.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -113,12 +114,12 @@ impl FreeMotion {
         Vector::new(self.plain[4], self.plain[5], self.plain[6])
     }
 
-    /// Does the angular velocity change as the body turns?
+    /// Returns whether the angular velocity changes as the body rotates.
     pub fn is_gyroscopic(&self) -> bool {
         self.plain[GYROSCOPIC] != 0.0
     }
 
-    /// May it be part of a pile?
+    /// Returns whether the body may be part of a pile.
     pub fn bears_weight(&self) -> bool {
         self.tumbling[BEARS_WEIGHT] != 0.0
     }
@@ -389,7 +390,7 @@ impl<W: Wide> Gyroscope<W> {
     }
 }
 
-/// Is the turn in `h` seconds so small that there is no doubt which one it is?
+/// Returns whether the rotation in `h` seconds is small enough to be unambiguous.
 #[inline(always)]
 fn turns_plainly<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
     (angvel.dot(angvel) * (h * h)).le(W::splat(UNAMBIGUOUS_ANGLE_MAX * UNAMBIGUOUS_ANGLE_MAX))

@@ -127,7 +127,7 @@ fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
 }
 
-/// Is the shape one of this dimension's shapes that can roll?
+/// Returns whether the shape is one of this dimension's shapes that can roll.
 pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
     matches!(
         shape,

@@ -94,7 +94,7 @@ impl BodyState {
         self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
     }
 
-    /// Is no number of these states beyond a bound, or none at all?
+    /// Returns whether all numbers of these states are finite and within a bound.
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {

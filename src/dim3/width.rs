@@ -207,5 +207,5 @@ fn normals_of_cone(cone: &Cone) -> Vec<Vector> {
     [-Vector::Y, side].into_iter().filter_map(Vector::try_normalize).collect()
 }
 
-/// Does a triangle enclose an area, and not only lie in a plane?
+/// Returns whether a triangle encloses an area.
 pub const TRIANGLES_ARE_SOLID: bool = false;

@@ -27,7 +27,7 @@ pub(crate) fn refuse(what: &str, value: impl Debug) {
     log::warn!("{value:?} is not valid as {what}; the old value stays");
 }
 
-/// Is the value finite and not negative?
+/// Returns whether the value is finite and not negative.
 pub(crate) fn is_non_negative(value: Real) -> bool {
     value.is_finite() && value >= 0.0
 }

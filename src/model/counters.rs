@@ -119,7 +119,7 @@ impl Counters {
         counters
     }
 
-    /// Do the timers run?
+    /// Returns whether the timers run.
     pub fn enabled(&self) -> bool {
         self.enabled
     }

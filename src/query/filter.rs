@@ -27,7 +27,7 @@ bitflags::bitflags! {
 }
 
 impl QueryFilterFlags {
-    /// Does a collider of this kind pass?
+    /// Returns whether colliders of this kind pass the filter.
     fn test(self, traits: &Traits) -> bool {
         if self.is_empty() {
             return true;
@@ -176,7 +176,7 @@ impl<'a> QueryFilter<'a> {
         Self { predicate: Some(predicate), ..self }
     }
 
-    /// Does a collider pass?
+    /// Returns whether a collider passes the filter.
     ///
     /// The type of its body is the one of the last step, or of the moment when the collider was attached.
     pub fn test(&self, handle: ColliderHandle, collider: &Collider) -> bool {

@@ -1,8 +1,9 @@
 //! # Query — asks the world
 //!
-//! What does a ray hit, what is near a point, what is in the way of a shape? [`QueryView`] answers out of
-//! trees of boxes that somebody else keeps: the broad phase ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or
-//! a [`QueryPipeline`] (as of its last `update`, without a step).
+//! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] answers out of trees of boxes
+//! that somebody else keeps: the broad phase
+//! ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or a
+//! [`QueryPipeline`] (as of its last `update`, without a step).
 //!
 //! Two rules hold for all questions. *The nearest answer is the one that a look at every collider would
 //! give*, to the last bit: trees only spare us those that cannot matter, and of colliders that are equally near the

@@ -18,8 +18,8 @@ fn slot(handle: ColliderHandle) -> u32 {
 }
 
 impl<T> Best<T> {
-    /// Can nothing at this slot be better? Of what is as near as can be, only what stands at a lower slot is: the
-    /// crowd in which a shape begins need not be looked at one by one.
+    /// Returns whether the collider at this slot cannot be better. Of what is as near as can be, only what
+    /// stands at a lower slot is: the crowd in which a shape begins need not be looked at one by one.
     fn beats_all_at(&self, other: u32) -> bool {
         self.distance <= self.least
             && self.found.as_ref().is_some_and(|(best, _)| slot(*best) < other)

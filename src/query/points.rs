@@ -1,4 +1,4 @@
-//! Points: what is near, and what is around them?
+//! Point projections and point containment.
 
 use super::view::QueryView;
 use crate::base::bvh::PointProbe;

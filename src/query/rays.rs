@@ -1,4 +1,4 @@
-//! Rays: what do they hit?
+//! Ray casts.
 
 use super::filter::QueryFilter;
 use super::hits::{intersection, time_of_impact};

@@ -1,4 +1,4 @@
-//! Shapes: what do they touch, and what is in their way?
+//! Shape casts and overlap tests.
 
 use super::view::QueryView;
 use crate::base::bvh::{BoxProbe, SlabProbe};

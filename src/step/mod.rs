@@ -1,8 +1,7 @@
 //! # Step — the verbs, in the order they happen
 //!
-//! [`step`] is the whole pipeline; each stage's signature says what it may read and write, and its
-//! module's first lines say what it does and never does. Stages do not import each other: they leave
-//! [`notes`].
+//! [`step`] is the whole pipeline. Each stage's signature lists its inputs and outputs, and the first lines
+//! of its module are its card. Stages do not import each other: they leave [`notes`].
 
 mod notes;
 mod trace;
@@ -58,7 +57,7 @@ pub(crate) struct StepParts<'a> {
     pub counters: &'a mut Counters,
 }
 
-/// Buffers that are reused from step to step, and how steps are to run. They hold nothing that the next step needs to know of the world.
+/// Buffers that are reused from step to step, and how steps are to run. They contain no state of the world.
 #[derive(Default)]
 pub(crate) struct StepScratch {
     notes: StepNotes,
@@ -99,7 +98,7 @@ fn step_with(
     scratch.quarantine.open();
     scratch.trace.clear();
     let Resynced { parted, stamp, .. } = parts.resync().before_step(joints, multibodies);
-    // Hooks may panic. What the step has found by then is told all the same.
+    // Hooks may panic. The events found so far are reported nevertheless.
     let mut panic = HeldPanic::default();
     let moved = panic.hold(|| simulate(tasks, &mut parts, joints, multibodies, scratch));
     let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
@@ -113,7 +112,8 @@ fn step_with(
     panic.release();
 }
 
-/// All stages of the step but the last, which tells of them. Returns the panic of a hook that did not end it.
+/// All stages of the step except the last one, which reports events. Returns the panic of a hook that did not
+/// end it.
 fn simulate(
     tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
@@ -165,8 +165,8 @@ fn solve(
     scratch.notes.diverged.is_empty()
 }
 
-/// The collision detection of a step, without any motion. What the user edited is taken in first if
-/// `apply_changes`; else only removals are, and the rest waits for the next call that does.
+/// The collision detection of a step, without any motion. Applies the user's edits if `apply_changes`.
+/// Otherwise it applies removals only, and other edits stay pending.
 pub(crate) fn detect_collisions(
     mut parts: StepParts<'_>,
     joints: &ImpulseJointSet,
@@ -193,7 +193,7 @@ pub(crate) fn detect_collisions(
     let mut panic = HeldPanic::default();
     let threads = scratch.threads.clone();
     let found = panic.hold(|| threads.open(|tasks| find_contacts(tasks, &mut parts, scratch)));
-    // Removals have changed the lists of who is awake even if a hook has panicked since.
+    // Removals changed the list of awake bodies even if a hook panicked since.
     parts.bodies.renew_places();
     if found.is_some() {
         parts.islands.forget_motion();
@@ -350,7 +350,7 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.pause();
 }
 
-/// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
+/// `dt` is the duration of the motion: 0 if bodies did not move, and then contacts have no impulses.
 fn report(parts: &mut StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mut HeldPanic) {
     scratch.notes.order_events();
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
@@ -381,7 +381,7 @@ impl StepScratch {
 }
 
 impl<'a> StepParts<'a> {
-    /// In debug builds: do bodies, pairs, islands and colours agree?
+    /// In debug builds, asserts that bodies, pairs, islands and colours agree.
     fn validate(&mut self) {
         if cfg!(debug_assertions) {
             self.structure().0.validate();
@@ -394,7 +394,7 @@ impl<'a> StepParts<'a> {
         Resync { structure, tree }
     }
 
-    /// What bodies move in.
+    /// Gravity and parameters.
     fn conditions(&self) -> StepConditions<'a> {
         StepConditions { gravity: self.gravity, params: self.params }
     }
@@ -416,7 +416,7 @@ impl<'a> StepParts<'a> {
         }
     }
 
-    /// What a hash covers.
+    /// The sets that a hash covers.
     fn sets<'w>(
         &'w self,
         impulse_joints: &'w ImpulseJointSet,
@@ -427,7 +427,7 @@ impl<'a> StepParts<'a> {
         WorldSets { bodies, colliders, impulse_joints, multibody_joints, narrow_phase }
     }
 
-    /// The parts that know of each other, and the trees.
+    /// The sets that refer to each other, and the trees.
     fn structure(&mut self) -> (Structure<'_>, &mut BroadPhaseBvh) {
         let structure = Structure {
             bodies: self.bodies,

@@ -1,8 +1,8 @@
 //! # Bvh — a tree of boxes with as many children per node as a register has lanes
 //!
-//! Numbered boxes come, go and change; which of them does a ray, a point, a box come by? A node holds the boxes of
-//! its children plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them
-//! (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
+//! A dynamic set of numbered boxes, queried by ray, point and box. A node holds the boxes of its children
+//! plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them (Wald,
+//! Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
 //! among many small ones stands near the root.
 //!
 //! | file | what |
@@ -63,7 +63,7 @@ impl BoxTree {
         self.len
     }
 
-    /// Is there no box?
+    /// Returns whether the tree is empty.
     #[cfg(test)]
     pub fn is_empty(&self) -> bool {
         self.len == 0

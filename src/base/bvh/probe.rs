@@ -52,7 +52,7 @@ impl Probe for PointProbe {
     }
 }
 
-/// A ray, or a box that moves along one: when does it come by?
+/// A ray or a swept box, with the time at which it enters another box.
 ///
 /// A box in motion is a ray from its middle for boxes that are larger by its half extents, or, which is one addition less,
 /// two rays: from its front for the planes where it enters, and from its back for those where it leaves.

@@ -1,4 +1,4 @@
-//! Does the tree find what a look at all boxes finds, whatever happened to it?
+//! Compares the tree with a search of all boxes after arbitrary edits.
 
 use super::node::{Node, Planes, Target};
 use super::{BoxProbe, BoxTree, BuildScratch, PointProbe, Probe, SlabProbe, nearest};

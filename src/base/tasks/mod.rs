@@ -72,7 +72,7 @@ impl Tasks<'_> {
         work(Tasks::SERIAL)
     }
 
-    /// Is there but one thread?
+    /// Returns whether there is only one thread.
     pub fn are_alone(&self) -> bool {
         #[cfg(feature = "parallel")]
         return self.team.is_none();

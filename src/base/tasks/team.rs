@@ -148,7 +148,7 @@ impl WorkerTeam {
         self.joined.fetch_and(!(1 << number), Ordering::Relaxed);
     }
 
-    /// Works until no piece is left. Was there one?
+    /// Works until no piece is left. Returns whether there was one.
     fn work_off(&self, own: usize) -> bool {
         let mut found = false;
         while let Some(piece) = self.claim(own) {

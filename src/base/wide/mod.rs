@@ -127,7 +127,7 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     fn le(self, other: Self) -> Self::Mask;
     /// `yes` in the lanes where the mask says yes, `no` in the others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Does the mask say yes in any lane?
+    /// Returns whether the mask is set in any lane.
     fn any(mask: Self::Mask) -> bool;
     /// One bit per lane, set where the mask says yes; the first lane is the lowest bit.
     fn bits(mask: Self::Mask) -> u32;

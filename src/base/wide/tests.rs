@@ -1,4 +1,4 @@
-//! Do all registers do what the same formulas do to one number, to the last bit? Do they transpose?
+//! Every register type gives the bits of the scalar formulas. Transposition is checked, too.
 
 use super::{Kernel, LANES, Lane, Simd, Wide, gather, portable, scatter};
 use parry::math::Real;

@@ -1,4 +1,4 @@
-//! When do two shapes that move first touch?
+//! Time of impact of two moving shapes.
 //!
 //! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996): two convex
 //! parts that are `d` apart along the direction `n` between their closest points cannot touch before
@@ -73,7 +73,7 @@ const MAX_JUMPS: usize = 256;
 pub(crate) struct SweepGoal {
     /// The gap at which shapes touch (length units).
     pub gap: Real,
-    /// What becomes of what is in contact from the beginning?
+    /// Treatment of parts in contact at the beginning.
     pub overlap: Overlap,
 }
 
@@ -156,7 +156,8 @@ fn for_each_pair(
     });
 }
 
-/// Do two shapes meet on their ways that do not where these begin and end? What comes nearer than `tolerance` meets.
+/// Returns whether two shapes meet during their motion although they are apart at both ends. What comes
+/// nearer than `tolerance` meets.
 pub(crate) fn passes(
     shapes: [&dyn Shape; 2],
     sweeps: [&Sweep<'_>; 2],
@@ -179,7 +180,8 @@ pub(crate) fn passes(
     meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
 }
 
-/// Is the first shape deeper in the second than [`PENETRATION_FRACTION_MAX`] at the end of its way?
+/// Returns whether the first shape is deeper in the second than [`PENETRATION_FRACTION_MAX`] at the end of
+/// its motion.
 pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
     let (mut deep, mut last) = (false, None);
@@ -314,7 +316,7 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Does it count as a meeting, if parts that are near from the beginning come half as near, or nearer than [`NEAREST`]?
+    /// Whether initially near parts count as meeting when they come half as near, or nearer than [`NEAREST`].
     counts_at_once: bool,
     /// The share of the step after which the search begins.
     from: Real,

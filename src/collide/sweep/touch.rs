@@ -1,5 +1,5 @@
-//! When does a shape on its way touch another one, and with which of their parts? For queries: nothing is stopped here, and a graze
-//! counts as much as a blow.
+//! Time at which a moving shape touches another one, and the parts that touch. For queries: nothing is
+//! stopped here, and a graze counts as much as a blow.
 //!
 //! A thing may be asked to spin a million times. Three things keep the search short however long the motion is:
 //!

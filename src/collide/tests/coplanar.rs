@@ -70,7 +70,7 @@ fn deepest(manifolds: &[ContactManifold]) -> Real {
     points.map(|contact| contact.dist).fold(Real::INFINITY, Real::min)
 }
 
-/// Is there a contact of `manifolds` at the place on the body of another?
+/// Returns whether `manifolds` contain a contact at the same place on the body.
 fn has(manifolds: &[ContactManifold], other: &Contact) -> bool {
     let mut points = manifolds.iter().flat_map(ContactManifold::contacts);
     points.any(|contact| contact.local_p2.distance(other.local_p2) < 1.0e-3)

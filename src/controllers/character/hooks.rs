@@ -28,7 +28,7 @@ struct Entry {
     obstacle: ColliderHandle,
     subshapes: [u32; 2],
     user_data: u32,
-    /// Did the two touch during the last call?
+    /// Whether the two touched during the last call.
     is_current: bool,
 }
 
@@ -132,7 +132,7 @@ impl<'a> Advisor<'a> {
         lets_solver_push(self.hooks, &pair)
     }
 
-    /// May the hooks change contacts with this obstacle?
+    /// Returns whether the hooks may change contacts with this obstacle.
     fn modifies(&self, obstacle: &Collider) -> bool {
         self.is_asked(obstacle, ActiveHooks::MODIFY_SOLVER_CONTACTS)
     }

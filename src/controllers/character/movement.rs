@@ -10,9 +10,9 @@ use parry::query::ShapeCastHit;
 pub struct EffectiveCharacterMovement {
     /// The translation to apply, in world space. Exactly zero if there is nothing to do.
     pub translation: Vector,
-    /// Does the character stand on something at the end? Never while its wish is upwards.
+    /// Whether the character stands on something at the end. Never while its wish is upwards.
     pub grounded: bool,
-    /// Did it slide down a slope that is too steep to stand on?
+    /// Whether the character slid down a slope that is too steep to stand on.
     pub is_sliding_down_slope: bool,
     /// What it stands on, if it is [`grounded`](Self::grounded).
     pub ground: Option<CharacterGround>,

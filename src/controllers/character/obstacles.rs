@@ -34,7 +34,7 @@ impl<'a> Obstacles<'a> {
         Self { queries, shape, advisor, scratch, manifolds }
     }
 
-    /// Can the character collide with this collider, as far as that does not depend on where they touch?
+    /// Returns whether the character can collide with this collider, independent of the contact point.
     pub fn may_meet(&self, handle: ColliderHandle, collider: &Collider) -> bool {
         let lets_meet = |advisor: &Advisor<'_>| advisor.lets_meet(handle, collider);
         !collider.is_sensor() && self.advisor.as_ref().is_none_or(lets_meet)

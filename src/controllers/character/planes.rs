@@ -103,7 +103,7 @@ impl Plane {
         self.points.iter().map(|point| point.dot(settings.up)).fold(Real::INFINITY, Real::min)
     }
 
-    /// Do all of its contact points lie behind another plane?
+    /// Returns whether all of its contact points lie behind another plane.
     ///
     /// Then the character, which stays in front of that plane, cannot come closer to this obstacle here than to that one.
     pub fn is_behind(&self, other: &Self, tolerance: Real) -> bool {

@@ -13,7 +13,7 @@ pub struct CharacterAutostep {
     /// width. Measured from where it stands below, so a pole or the rim of a fence is stepped over if what is
     /// behind is free.
     pub min_width: CharacterLength,
-    /// Are dynamic bodies steps, too? If not, they are walls.
+    /// Whether the character also steps onto dynamic bodies. If not, they are walls.
     pub include_dynamic_bodies: bool,
 }
 
@@ -92,7 +92,7 @@ pub struct KinematicCharacterController {
     /// The gap that the character keeps to everything; relative to its height. It makes room for rounding and for what
     /// moves towards the character, so it should not be much smaller than a hundredth of the character.
     pub offset: CharacterLength,
-    /// Does the character slide along what it meets? If not, it stops there; gravity still does not keep it
+    /// Whether the character slides along obstacles. If not, it stops there; gravity still does not keep it
     /// from walking on a floor.
     pub slide: bool,
     /// Stepping up on what is low. None by default.

@@ -13,7 +13,7 @@ type HalfSpaces = SmallVec<[HalfSpace; 12]>;
 #[derive(Copy, Clone, Debug)]
 pub(super) struct SolvedMove {
     pub translation: Vector,
-    /// Does it lead down a slope that does not hold?
+    /// Whether the move leads down a slope that is too steep to stand on.
     pub slides: bool,
 }
 

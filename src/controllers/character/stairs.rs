@@ -34,7 +34,7 @@ impl Mover<'_> {
         }
     }
 
-    /// Could this be a step, as far as one can see from here?
+    /// Returns whether the obstacle could be a step, by its contact alone.
     fn is_low(&self, plane: &Plane, step_up: StepUp) -> bool {
         let foot = self.pose().translation.dot(self.settings.up) - self.settings.foot;
         plane.kind == Kind::Wall
@@ -42,8 +42,8 @@ impl Mover<'_> {
             && plane.lowest(&self.settings) < foot + step_up.max_height
     }
 
-    /// Is there, one step up in this direction and behind this point of the wall, a floor to stand on, and room enough to
-    /// get there?
+    /// Returns whether there is a floor one step up behind this point of the wall, and enough room on the
+    /// path.
     fn has_room(&mut self, direction: Vector, edge: Vector, step_up: StepUp) -> bool {
         let raised = self.raised(step_up);
         // Far enough for the middle of the shape to be above the step, where its normal is that of the top.
@@ -58,7 +58,7 @@ impl Mover<'_> {
         self.lands_on_floor(&ahead, step_up) || self.has_tread(direction, edge, step_up)
     }
 
-    /// Does the shape, let down from a pose, stand on a floor?
+    /// Returns whether the shape stands on a floor when it is lowered from a pose.
     fn lands_on_floor(&mut self, raised: &Pose, step_up: StepUp) -> bool {
         let Some(landing) = self.lowered(raised) else { return false };
         let mut planes = core::mem::take(&mut self.scratch);
@@ -74,8 +74,8 @@ impl Mover<'_> {
         found
     }
 
-    /// Is there a level or gently sloped surface right behind an edge? On narrow stairs a shape does not find room to stand on one
-    /// step: it rests on the edge of the next.
+    /// Returns whether there is a level or gently sloped surface right behind an edge. On narrow stairs a
+    /// shape does not find room to stand on one step: it rests on the edge of the next.
     fn has_tread(&self, direction: Vector, edge: Vector, step_up: StepUp) -> bool {
         let settings = &self.settings;
         let foot = self.pose().translation.dot(settings.up) - settings.foot;

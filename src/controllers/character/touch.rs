@@ -84,7 +84,7 @@ impl Touch<'_> {
         }
     }
 
-    /// Are the two points of a contact really on the obstacle and on the character?
+    /// Returns whether the two points of a contact lie on the obstacle and on the character.
     fn is_genuine(&self, contact: &Contact, settings: &ResolvedSettings) -> bool {
         let is_on = |shape: &dyn Shape, point: Vector| {
             guarded(|| shape.distance_to_local_point(point, true))

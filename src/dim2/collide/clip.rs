@@ -54,7 +54,7 @@ pub fn clip_faces(
     for index in 0..2 {
         let face = contact.polytope.face_feature(contact.face.id);
         let (mut point, mut id, mut other_id) = (points[index], face, other_ends[index].vertex);
-        // Which end of the face, if any, cuts the other face off here?
+        // The end of the face, if any, that cuts the other face off here.
         let is_before = places[index] < range[0] - rim;
         if is_before || places[index] > range[1] + rim {
             let end = usize::from(!is_before);

@@ -92,7 +92,7 @@ struct FacePair {
     rotation: Matrix,
     /// The other box's centre in this frame.
     center: Vector,
-    /// Is the reference face on the second box?
+    /// Whether the reference face is on the second box.
     flipped: bool,
 }
 

@@ -15,7 +15,7 @@ impl FreeRotations {
         Self { free }
     }
 
-    /// Is there only one free rotation? Then its turns can be counted.
+    /// Returns whether there is only one free rotation. Then its turns can be counted.
     pub fn is_single(&self) -> bool {
         self.free.contains(JointAxesMask::ANG_X)
     }

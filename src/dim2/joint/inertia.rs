@@ -12,7 +12,7 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (*inv_inertia > 0.0).then(|| 1.0 / inv_inertia)
 }
 
-/// Are the moments of inertia about all axes the same? In 2D there is one.
+/// Returns whether the moments of inertia about all axes are equal. In 2D there is one.
 pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true
 }
@@ -30,7 +30,8 @@ impl JointedInertias {
         set_symmetric_lane(&mut self.0[side], lane, value);
     }
 
-    /// Does the inertia of a body of this lane turn with it? It is a number.
+    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
+    /// It is a number.
     pub fn gyroscopic(&self, _lane: usize) -> bool {
         false
     }

@@ -30,7 +30,7 @@ pub(super) struct FacePair {
     rotation: Matrix,
     /// The other box's centre in this frame.
     center: Vector,
-    /// Is the reference face on the second box?
+    /// Whether the reference face is on the second box.
     flipped: bool,
 }
 
@@ -154,7 +154,7 @@ struct Overlap<'a> {
 }
 
 impl Overlap<'_> {
-    /// Does the point lie in the rectangle?
+    /// Returns whether the point lies in the rectangle.
     fn contains(&self, point: Vector) -> bool {
         point.x.abs() <= self.size[0] && point.y.abs() <= self.size[1]
     }

@@ -69,7 +69,7 @@ struct OnFace {
     place: Vector,
     distance_squared: Real,
     feature: PackedFeatureId,
-    /// Is it within the face, not at its rim?
+    /// Whether it is within the face, not at its rim.
     is_inside: bool,
 }
 

@@ -33,7 +33,8 @@ impl<W: Wide> Rims<W> {
         Self { corners, outward, limits }
     }
 
-    /// Is a point over the triangle? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.
+    /// Returns whether a point is over the triangle. On the rim, as [`clip_faces`](super::clip_faces) has it,
+    /// is inside.
     #[inline(always)]
     pub fn contain(&self, point: WideVector<W>) -> W::Mask {
         self.is_inside(0, point) & self.is_inside(1, point) & self.is_inside(2, point)

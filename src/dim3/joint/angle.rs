@@ -17,7 +17,7 @@ impl FreeRotations {
         Self { free, coupled }
     }
 
-    /// Is this the only free one? Then its turns can be counted.
+    /// Returns whether this is the only free rotation. Then its turns can be counted.
     pub fn is_single(&self) -> bool {
         (self.free & JointAxesMask::ANG_AXES).bits().count_ones() == 1
     }

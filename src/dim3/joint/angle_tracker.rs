@@ -49,7 +49,7 @@ pub(crate) struct AngleTracker {
     angle: Lane,
     cos: Lane,
     sin: Lane,
-    /// Is there any twist, and any tilt?
+    /// Whether any lane measures a twist, and whether any measures a tilt.
     has_twists: bool,
     has_tilts: bool,
 }

@@ -18,7 +18,7 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
 /// Moments that differ by less than this share make no visible difference.
 const ROUNDNESS: Real = 1.0e-3;
 
-/// Are the moments of inertia about all axes the same?
+/// Returns whether the moments of inertia about all axes are equal.
 pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
     let m = inv_inertia;
     let differences = [m.m11 - m.m22, m.m22 - m.m33, m.m33 - m.m11, m.m12, m.m13, m.m23];
@@ -37,7 +37,7 @@ pub(crate) struct JointedInertias {
     /// One where a body turns so much that its inertia must turn with it, otherwise zero. That does not depend on
     /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
     is_gyroscopic: [Lane; 2],
-    /// Is there any?
+    /// Whether any lane is gyroscopic.
     any_gyroscopic: bool,
 }
 
@@ -66,7 +66,7 @@ impl JointedInertias {
         }
     }
 
-    /// Does the inertia of a body of this lane turn with it?
+    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
     pub fn gyroscopic(&self, lane: usize) -> bool {
         self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }

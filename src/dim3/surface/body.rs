@@ -87,7 +87,7 @@ impl RigidBody {
         .map(|axis| self.locked_axes().contains(axis))
     }
 
-    /// Do gyroscopic forces act on the body?
+    /// Returns whether gyroscopic forces act on the body.
     pub fn gyroscopic_forces_enabled(&self) -> bool {
         self.gyroscopic_forces_enabled
     }

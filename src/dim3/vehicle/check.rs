@@ -31,7 +31,7 @@ fn direction(name: &str, vector: Vector) -> Result<Vector, String> {
     unit.ok_or_else(|| format!("{name} of {vector:?}"))
 }
 
-/// Is a number usable?
+/// Whether a number is usable.
 type Check = fn(Real) -> bool;
 
 fn check_numbers(wheel: &Wheel) -> Result<(), String> {

@@ -185,7 +185,7 @@ impl DynamicRayCastVehicleController {
         });
     }
 
-    /// Is the chassis awake, or is there a reason to wake it?
+    /// Returns whether the chassis is awake, or there is a reason to wake it.
     fn is_awake(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> bool {
         let Some(chassis) = bodies.get(self.chassis) else { return false };
         let is_asleep = chassis.is_sleeping();

@@ -29,7 +29,7 @@ pub(super) struct Grip {
     pub forward: Real,
     /// The impulse along the axle.
     pub side: Real,
-    /// Is it at the limit?
+    /// Whether the tyre is at the limit of its grip.
     pub is_sliding: bool,
 }
 
@@ -56,7 +56,7 @@ impl Drive {
         if self.engine < 0.0 { -left } else { left }
     }
 
-    /// Does the brake hold the wheel fast, given what the ground gives?
+    /// Returns whether the brake locks the wheel against the friction of the ground.
     pub fn is_locked(&self, forward: Real) -> bool {
         (forward - self.engine).abs() < self.brake
     }

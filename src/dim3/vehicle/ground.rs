@@ -1,10 +1,11 @@
 //! What the wheels stand on, and how much it gives way.
 //!
-//! A dynamic body below a wheel moves when the wheel pushes, if it is free to: a plank in space does, the same plank lying
-//! on the floor does not, because the floor pushes back within the same step. A solver that knows nothing of the floor would
-//! take the plank for something that flees from the wheel, and let the car sink. So we look: per world axis, which share of
-//! the velocity that our pushes should have given it did it take on? That share of its inverse mass (`D^½ M⁻¹ D^½` for the
-//! inertia) is what the rows count with.
+//! A dynamic body below a wheel moves when the wheel pushes, if it is free to: a plank in space does, the
+//! same plank lying on the floor does not, because the floor pushes back within the same step. A solver that
+//! knows nothing of the floor would take the plank for something that flees from the wheel, and let the car
+//! sink. The estimate is measured per world axis: the fraction of the expected velocity change that the
+//! ground took on. That share of its inverse mass (`D^½ M⁻¹ D^½` for the inertia) is what the rows count
+//! with.
 
 use super::contact::Mover;
 use super::place::velocities_ahead;

@@ -44,7 +44,7 @@ impl Wheel {
         self.is_sliding = false;
     }
 
-    /// Can it be used?
+    /// Returns whether the pose is usable.
     pub(super) fn is_usable(&self) -> bool {
         !self.is_reported
     }

@@ -32,7 +32,7 @@ impl Seen {
         }
     }
 
-    /// Is the wheel, but for rounding, as it was?
+    /// Returns whether the wheel is unchanged, apart from rounding.
     fn is_still(&self, wheel: &Wheel) -> bool {
         let now = Self::of(wheel);
         let moved = (now.length - self.length).abs();
@@ -40,7 +40,7 @@ impl Seen {
     }
 }
 
-/// Is there a reason to wake a sleeping vehicle?
+/// Returns whether there is a reason to wake a sleeping vehicle.
 pub(super) fn is_disturbed(
     wheels: &[Wheel],
     seen: &[Seen],

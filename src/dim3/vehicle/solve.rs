@@ -66,7 +66,7 @@ impl WheelContact {
         change
     }
 
-    /// Are all impulses numbers?
+    /// Returns whether all impulses are finite.
     pub fn is_finite(&self) -> bool {
         self.rows().iter().all(|row| row.impulse.is_finite())
     }

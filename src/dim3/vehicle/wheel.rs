@@ -52,7 +52,7 @@ pub struct RayCastInfo {
     pub suspension_length: Real,
     /// Where the suspension hangs on the chassis, and the ray begins, in world space.
     pub hard_point_ws: Vector,
-    /// Is the wheel on the ground?
+    /// Whether the wheel is on the ground.
     pub is_in_contact: bool,
     /// What it stands on.
     pub ground_object: Option<ColliderHandle>,
@@ -151,7 +151,7 @@ pub struct Wheel {
     pub(super) is_sliding: bool,
     /// The impulses of the last update: along the normal, forward, to the side.
     pub(super) last_impulses: [Real; 3],
-    /// Has the log been told that it cannot be used?
+    /// Whether the log already contains that the wheel cannot be used.
     pub(super) is_reported: bool,
 }
 
@@ -242,7 +242,8 @@ impl Wheel {
         self.spin
     }
 
-    /// Was the tyre at the limit of its grip in the last update: locked, spinning or drifting?
+    /// Returns whether the tyre was at the limit of its grip in the last update: locked, spinning or
+    /// drifting.
     pub fn is_sliding(&self) -> bool {
         self.is_sliding
     }

@@ -23,7 +23,7 @@ pub struct RigidBodyActivation {
     pub time_until_sleep: Real,
     /// How long the body has been below both thresholds (seconds).
     pub time_since_can_sleep: Real,
-    /// Does the body sleep?
+    /// Whether the body sleeps.
     pub sleeping: bool,
 }
 
@@ -81,7 +81,7 @@ impl RigidBodyActivation {
         Self { normalized_linear_threshold: -1.0, angular_threshold: -1.0, ..Self::active() }
     }
 
-    /// Is the body awake?
+    /// Returns whether the body is awake.
     pub const fn is_active(&self) -> bool {
         !self.sleeping
     }

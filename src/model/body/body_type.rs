@@ -19,22 +19,22 @@ pub enum RigidBodyType {
 }
 
 impl RigidBodyType {
-    /// Is it moved by forces?
+    /// Returns whether forces move the body.
     pub const fn is_dynamic(self) -> bool {
         matches!(self, Self::Dynamic)
     }
 
-    /// Does it never move?
+    /// Returns whether the body never moves.
     pub const fn is_fixed(self) -> bool {
         matches!(self, Self::Fixed)
     }
 
-    /// Is it moved by the user alone?
+    /// Returns whether the user alone moves the body.
     pub const fn is_kinematic(self) -> bool {
         matches!(self, Self::KinematicPositionBased | Self::KinematicVelocityBased)
     }
 
-    /// Can it move?
+    /// Returns whether the body can move.
     pub const fn is_dynamic_or_kinematic(self) -> bool {
         !self.is_fixed()
     }

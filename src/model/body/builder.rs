@@ -48,21 +48,21 @@ pub struct RigidBodyBuilder {
     pub locked_axes: LockedAxes,
     /// Mass beyond that of the colliders. Default: none.
     pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
-    /// May the body fall asleep? Default: yes.
+    /// Whether the body may fall asleep. Default: yes.
     pub can_sleep: bool,
-    /// Does the body begin asleep? Default: no.
+    /// Whether the body begins asleep. Default: no.
     pub sleeping: bool,
-    /// Is continuous collision detection on? Default: no.
+    /// Whether continuous collision detection is on. Default: no.
     pub ccd_enabled: bool,
     /// How far ahead of its surface the body looks for contacts (length units). Default: 0, off.
     pub soft_ccd_prediction: Real,
     /// The dominance group: the higher group wins contacts. Default: 0.
     pub dominance_group: i8,
-    /// Does the body take part in the simulation? Default: yes.
+    /// Whether the body takes part in the simulation. Default: yes.
     pub enabled: bool,
     /// Substeps of the solver beyond those of the integration parameters. Default: 0.
     pub additional_solver_iterations: usize,
-    /// Does the body wobble as its inertia demands? Default: yes. Means nothing in 2D.
+    /// Whether gyroscopic forces act on the body. Default: yes. Means nothing in 2D.
     pub gyroscopic_forces_enabled: bool,
     /// Whatever the user wants to find again. Default: 0.
     pub user_data: u128,

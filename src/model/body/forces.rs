@@ -153,7 +153,7 @@ impl RigidBody {
         self.push
     }
 
-    /// Are there pushes that wait for the next step?
+    /// Returns whether pushes wait for the next step.
     pub(crate) fn is_pushed(&self) -> bool {
         self.pushed
     }

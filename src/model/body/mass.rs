@@ -12,8 +12,8 @@ use crate::model::check::refuse;
 use crate::model::collider::MassSpread;
 use parry::mass_properties::MassProperties;
 
-/// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too, and its
-/// own inverse.
+/// Returns whether a body can have this mass. Zero stands for "none"; otherwise the inverse must be finite,
+/// too, and its own inverse.
 pub(super) fn mass_is_usable(mass: Real) -> bool {
     let inv_mass = 1.0 / mass;
     mass == 0.0 || (mass > 0.0 && inv_mass.is_finite() && (1.0 / inv_mass).is_finite())
@@ -107,7 +107,8 @@ impl RigidBodyMassProps {
         self.locked_axes
     }
 
-    /// May the body turn about every axis? If so its inertia turns with it. Where axes of the world are locked it does not.
+    /// Returns whether the body may rotate about every axis. If so its inertia turns with it. Where axes of
+    /// the world are locked it does not.
     pub(crate) fn rotates_freely(&self) -> bool {
         !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
     }

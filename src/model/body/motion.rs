@@ -137,7 +137,7 @@ impl RigidBody {
         RigidBodyVelocity::new(self.linvel, self.angvel)
     }
 
-    /// Does it have a velocity?
+    /// Returns whether the body has a velocity.
     pub fn is_moving(&self) -> bool {
         !self.vels().is_zero()
     }

@@ -67,10 +67,11 @@ pub struct RigidBody {
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
-    /// Is it so deep in something fixed that a little more would bring its middle in? Its path is searched then, however short.
+    /// Whether the body penetrates a fixed collider almost up to its middle. Its path is searched then,
+    /// however short.
     pub(crate) deeply_penetrating: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
-    /// Is there anything in [`Self::push`]?
+    /// Whether [`Self::push`] is not zero.
     pub(super) pushed: bool,
     pub(crate) colliders: AttachedColliders,
     pub(crate) mprops: RigidBodyMassProps,
@@ -261,27 +262,27 @@ impl RigidBody {
         self.wake_if(wake_up);
     }
 
-    /// Do forces, gravity and contacts move it?
+    /// Returns whether forces, gravity and contacts move the body.
     pub fn is_dynamic(&self) -> bool {
         self.body_type.is_dynamic()
     }
 
-    /// Is it moved by the user alone?
+    /// Returns whether the user alone moves the body.
     pub fn is_kinematic(&self) -> bool {
         self.body_type.is_kinematic()
     }
 
-    /// Does it never move?
+    /// Returns whether the body never moves.
     pub fn is_fixed(&self) -> bool {
         self.body_type.is_fixed()
     }
 
-    /// Can it move?
+    /// Returns whether the body can move.
     pub fn is_dynamic_or_kinematic(&self) -> bool {
         self.body_type.is_dynamic_or_kinematic()
     }
 
-    /// Does it take part in the simulation?
+    /// Returns whether the body takes part in the simulation.
     pub fn is_enabled(&self) -> bool {
         self.enabled
     }
@@ -318,7 +319,7 @@ impl RigidBody {
         &mut self.activation
     }
 
-    /// Does the body sleep?
+    /// Returns whether the body sleeps.
     pub fn is_sleeping(&self) -> bool {
         self.activation.sleeping
     }

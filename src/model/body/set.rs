@@ -81,12 +81,12 @@ impl RigidBodySet {
         self.bodies.len()
     }
 
-    /// Is there no body?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.bodies.is_empty()
     }
 
-    /// Does the handle find a body?
+    /// Returns whether the handle refers to a body.
     pub fn contains(&self, handle: RigidBodyHandle) -> bool {
         self.bodies.contains(handle.0)
     }

@@ -90,7 +90,7 @@ impl RigidBody {
         }
     }
 
-    /// Is the body kept from moving along every axis?
+    /// Returns whether the translation is locked along every axis.
     pub fn is_translation_locked(&self) -> bool {
         self.mprops.locked_axes.contains(LockedAxes::TRANSLATION_LOCKED)
     }
@@ -111,7 +111,7 @@ impl RigidBody {
         self.set_locked_axes(locked_axes, wake_up);
     }
 
-    /// Is continuous collision detection against dynamic bodies on?
+    /// Returns whether continuous collision detection against dynamic bodies is on.
     pub fn is_ccd_enabled(&self) -> bool {
         self.ccd_enabled
     }
@@ -122,8 +122,8 @@ impl RigidBody {
         self.ccd_enabled = enabled;
     }
 
-    /// Was the body's path searched in the last step, because it moved or turned so far that it could have passed through
-    /// something: farther than half its thickness, or as far as you like while it is a quarter of that deep in a wall?
+    /// Returns whether the last step searched the body's path. A path is searched if the body moves by more
+    /// than half its thickness, or at all while it is a quarter of its thickness deep in a wall.
     /// [`Self::is_ccd_enabled`] says what is searched for, and changes nothing about this.
     pub fn is_ccd_active(&self) -> bool {
         self.ccd_active && self.is_dynamic()

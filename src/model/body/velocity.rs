@@ -33,17 +33,17 @@ impl RigidBodyVelocity {
         Self { linvel: Vector::ZERO, angvel: ANG_ZERO }
     }
 
-    /// Is it the velocity of a body at rest?
+    /// Returns whether the velocity is zero.
     pub fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
 
-    /// Are all components finite?
+    /// Returns whether all components are finite.
     pub fn is_finite(&self) -> bool {
         self.linvel.is_finite() && ang_is_finite(self.angvel)
     }
 
-    /// Are all components finite and so small that their squares are finite, too?
+    /// Returns whether all components and their squares are finite.
     pub(crate) fn is_usable(&self) -> bool {
         is_point(self.linvel) && ang_length_squared(self.angvel) <= SIZE_MAX * SIZE_MAX
     }

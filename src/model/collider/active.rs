@@ -51,7 +51,7 @@ const fn row(body_type: RigidBodyType) -> u16 {
 }
 
 impl ActiveCollisionTypes {
-    /// Is the pair of two bodies of these types looked at? The order does not matter.
+    /// Returns whether pairs of bodies of these types are computed. The order does not matter.
     #[inline]
     pub const fn test(self, type1: RigidBodyType, type2: RigidBodyType) -> bool {
         let (row1, row2) = (row(type1), row(type2));

@@ -178,19 +178,19 @@ impl InteractionGroups {
         }
     }
 
-    /// Does each of the two want to meet the other?
+    /// Returns whether each filter accepts the other.
     #[inline]
     pub const fn test_and(self, other: Self) -> bool {
         self.wants(other) && other.wants(self)
     }
 
-    /// Does at least one of the two want to meet the other?
+    /// Returns whether at least one filter accepts the other.
     #[inline]
     pub const fn test_or(self, other: Self) -> bool {
         self.wants(other) || other.wants(self)
     }
 
-    /// Do the two meet, given both test modes?
+    /// Returns whether the two interact, given both test modes.
     #[inline]
     pub const fn test(self, other: Self) -> bool {
         match (self.test_mode, other.test_mode) {

@@ -3,7 +3,7 @@
 use super::Collider;
 use crate::model::body::RigidBodyType;
 
-/// Is there any point in looking at the two colliders, wherever they are?
+/// Returns whether the two colliders can interact at any pose.
 ///
 /// No if they belong to the same body, if neither wants to collide with the other's kind of body, if
 /// their groups do not meet, or if one is disabled. A collider without a body counts as fixed.

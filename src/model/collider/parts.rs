@@ -14,7 +14,7 @@ pub struct ColliderParent {
     pub pos_wrt_parent: Pose,
 }
 
-/// Does a collider take part in the simulation and in queries?
+/// Whether a collider takes part in the simulation and in queries.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum ColliderEnabled {
@@ -41,7 +41,7 @@ pub struct ColliderFlags {
     pub active_hooks: ActiveHooks,
     /// Which events are sent for its pairs.
     pub active_events: ActiveEvents,
-    /// Does it take part at all?
+    /// Whether the collider takes part at all.
     pub enabled: ColliderEnabled,
 }
 
@@ -103,7 +103,7 @@ impl ColliderChanges {
             .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))
     }
 
-    /// Did anything change that its place in the broad phase depends on?
+    /// Returns whether anything changed that affects the broad phase.
     pub const fn needs_broad_phase_update(self) -> bool {
         const WATCHED: ColliderChanges = ColliderChanges::PARENT
             .union(ColliderChanges::POSITION)
@@ -114,7 +114,7 @@ impl ColliderChanges {
         self.intersects(WATCHED)
     }
 
-    /// Did anything change that its contacts depend on?
+    /// Returns whether anything changed that affects the contacts.
     pub const fn needs_narrow_phase_update(self) -> bool {
         const UNWATCHED: ColliderChanges = ColliderChanges::IN_MODIFIED_SET
             .union(ColliderChanges::LOCAL_MASS_PROPERTIES)

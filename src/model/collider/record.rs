@@ -112,13 +112,14 @@ impl Collider {
         self.parent.map(|parent| parent.handle)
     }
 
-    /// Does it only report what it intersects, without any contact forces?
+    /// Returns whether the collider is a sensor: it reports intersections and has no contact forces.
     #[inline]
     pub fn is_sensor(&self) -> bool {
         self.sensor
     }
 
-    /// Does it take part in the simulation and in queries? Not if it, or its body, is disabled.
+    /// Returns whether the collider takes part in the simulation and in queries. Not if it, or its body, is
+    /// disabled.
     #[inline]
     pub fn is_enabled(&self) -> bool {
         self.flags.enabled == ColliderEnabled::Enabled

@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct RemovedCollider {
     pub handle: ColliderHandle,
-    /// Are bodies that touched it to wake?
+    /// Whether touching bodies wake.
     pub wake_up: bool,
 }
 
@@ -85,12 +85,12 @@ impl ColliderSet {
         self.colliders.len()
     }
 
-    /// Is there no collider?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.colliders.is_empty()
     }
 
-    /// Does the handle find a collider?
+    /// Returns whether the handle refers to a collider.
     pub fn contains(&self, handle: ColliderHandle) -> bool {
         self.colliders.contains(handle.0)
     }

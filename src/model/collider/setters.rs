@@ -21,7 +21,7 @@ fn refuse(setter: &str, reason: &InvalidCollider) {
     log::warn!("Collider::{setter} ignored: {reason}");
 }
 
-/// Is this what the setter accepts? Warns if it is not.
+/// Returns whether the setter accepts the value. Warns if it is not.
 fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     match verdict {
         Ok(()) => true,

@@ -67,8 +67,9 @@ impl AnchorFrame {
     /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
     const HELD_BY_FRICTION: Real = 0.1;
 
-    /// Does a body creep? One that the user moves, or that cannot move, does only if it does not turn at all: nothing
-    /// bends it, so there is nothing to hold straight. What stands on a platform that tilts is to feel it.
+    /// Returns whether a body is near rest. One that the user moves, or that cannot move, does only if it
+    /// does not turn at all: nothing bends it, so there is nothing to hold straight. What stands on a
+    /// platform that tilts is to feel it.
     pub fn near_rest(angular_speed_squared: Real, is_dynamic: bool) -> bool {
         if is_dynamic {
             angular_speed_squared
@@ -128,7 +129,7 @@ impl WideAnchorFrame {
         self.set_near_rest(lane, false);
     }
 
-    /// Do the two bodies of a lane creep now?
+    /// Sets whether both bodies of a lane are near rest.
     pub fn set_near_rest(&mut self, lane: usize, near_rest: bool) {
         self.near_rest.0[lane] = if near_rest { 1.0 } else { 0.0 };
     }

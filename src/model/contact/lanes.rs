@@ -71,7 +71,7 @@ impl LaneBlock {
         self.counts.iter().map(|&count| usize::from(count)).sum()
     }
 
-    /// Does a lane stand for this manifold?
+    /// Returns whether a lane stores this manifold.
     pub fn is_seated(&self, lane: usize, manifold: ManifoldRef) -> bool {
         self.members[lane] == manifold
     }
@@ -134,7 +134,7 @@ pub(crate) struct ContactLanes {
     pub blocks: Vec<LaneBlock>,
     /// What the last step that was stored tells of them.
     pub reports: Vec<[ContactReport; LANES]>,
-    /// Has each point friction of its own?
+    /// Whether each point has its own friction.
     pub are_rough: bool,
     /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
     starts: Vec<u32>,
@@ -206,7 +206,7 @@ impl ContactLanes {
         self.blocks.clear();
     }
 
-    /// May lanes be ahead of their pairs?
+    /// Returns whether lanes may be ahead of their pairs.
     pub fn are_ahead(&self) -> bool {
         !self.starts.is_empty()
     }

@@ -238,7 +238,7 @@ impl ContactManifold {
         &self.data.points
     }
 
-    /// Does the solver keep the two colliders apart here?
+    /// Returns whether the solver keeps the two colliders apart here.
     pub(crate) fn is_solved(&self) -> bool {
         !self.data.points.is_empty()
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)

@@ -163,7 +163,7 @@ impl NarrowPhase {
         self.intersections.iter().map(|pair| (pair.collider1, pair.collider2, pair.intersecting))
     }
 
-    /// Do two colliders, at least one of them a sensor, intersect? `None` if their boxes do not
+    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if their boxes do not
     /// overlap, if neither is a sensor, or if something filters the pair out.
     pub fn intersection_pair(
         &self,

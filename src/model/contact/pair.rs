@@ -24,12 +24,12 @@ pub struct ContactPair {
     pub collider2: ColliderHandle,
     /// Where the two touch or nearly touch; one manifold for each pair of convex parts.
     pub manifolds: SmallVec<[ContactManifold; 1]>,
-    /// Is any contact close enough that the solver handled it in the last step?
+    /// Whether the solver handled any contact in the last step.
     pub has_any_active_contact: bool,
 
-    /// Was the pair reported as started (and not yet as stopped)?
+    /// Whether the pair was reported as started and not yet as stopped.
     pub(crate) start_event_emitted: bool,
-    /// Is the pair part of the structure of the world: do its bodies share an island because of it?
+    /// Whether the pair is part of the structure, so that its bodies share an island.
     pub(crate) attached: bool,
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
@@ -79,7 +79,7 @@ impl ContactPair {
         self.has_any_active_contact
     }
 
-    /// Do the two touch (within the prediction distance)?
+    /// Returns whether the two touch (within the prediction distance).
     pub(crate) fn is_touching(&self) -> bool {
         !self.manifolds.is_empty()
     }
@@ -138,9 +138,9 @@ pub struct IntersectionPair {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// Do the shapes intersect?
+    /// Whether the shapes intersect.
     pub intersecting: bool,
-    /// Was the pair reported as started (and not yet as stopped)?
+    /// Whether the pair was reported as started and not yet as stopped.
     pub(crate) start_event_emitted: bool,
 }
 

@@ -27,7 +27,7 @@ impl ContactReport {
     /// Nothing.
     pub const EMPTY: Self = Self([0.0; Self::LEN]);
 
-    /// Did all numbers stay finite?
+    /// Returns whether all numbers are finite.
     pub fn is_sound(&self) -> bool {
         self.0[IS_SOUND] != 0.0
     }

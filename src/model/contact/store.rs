@@ -43,10 +43,10 @@ pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
     fn colliders(&self) -> [ColliderHandle; 2];
 
-    /// Was it reported as started, and not yet as stopped?
+    /// Returns whether the pair was reported as started and not yet as stopped.
     fn began(&self) -> bool;
 
-    /// Is it the pair of these two, in either order?
+    /// Returns whether it is the pair of these two, in either order.
     fn is_of(&self, [one, two]: [ColliderHandle; 2]) -> bool {
         let colliders = self.colliders();
         colliders == [one, two] || colliders == [two, one]
@@ -68,8 +68,8 @@ pub(crate) struct PairState {
     /// How far (length units) the two may still move against each other before the pair must be
     /// computed again. Every step takes off a bound of what the two bodies moved.
     pub slack: Real,
-    /// Have contacts of a body with an obstacle ever been found? Seams are looked for among such pairs alone, and most
-    /// of a body's pairs are none.
+    /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Seams are looked for
+    /// among such pairs alone, and most of a body's pairs are none.
     pub met_obstacle: bool,
 }
 
@@ -333,7 +333,7 @@ impl<P: Pair> PairStore<P> {
         self.renewed = self.awake.clone();
     }
 
-    /// Is a pair not what the solver last saw of it?
+    /// Returns whether a pair changed since the solver last read it.
     #[inline]
     pub fn is_renewed(&self, id: PairId) -> bool {
         self.renewed.contains(id)
@@ -354,7 +354,7 @@ impl<P: Pair> PairStore<P> {
         self.states.iter_mut().for_each(|state| state.slack = DUE);
     }
 
-    /// Is the pair visited by the narrow phase?
+    /// Returns whether the narrow phase visits the pair.
     pub fn is_awake(&self, id: PairId) -> bool {
         self.awake.contains(id)
     }

@@ -22,7 +22,7 @@ pub(crate) struct TriangleCache {
     /// Their numbers, block after block.
     ids: Vec<u32>,
     blocks: Vec<FlatBlock>,
-    /// Were there too many to keep?
+    /// Whether there were too many to keep.
     is_crowded: bool,
 }
 
@@ -36,7 +36,7 @@ impl Default for TriangleCache {
 }
 
 impl TriangleCache {
-    /// Are all pieces there that reach into a box?
+    /// Returns whether the cache contains all pieces that reach into a box.
     pub fn knows(&self, region: &Aabb) -> bool {
         self.region.contains(region)
     }
@@ -72,7 +72,7 @@ impl TriangleCache {
         self.is_crowded = self.ids.len() > MAX_KEPT;
     }
 
-    /// Were there so many last time that it is not worth while to look further than needed?
+    /// Returns whether the last search found so many pieces that a larger region does not pay.
     pub fn is_crowded(&self) -> bool {
         self.is_crowded
     }

@@ -53,12 +53,12 @@ impl CollisionEvent {
         }
     }
 
-    /// Did the collision begin?
+    /// Returns whether the collision began.
     pub fn started(self) -> bool {
         matches!(self, Self::Started(..))
     }
 
-    /// Did the collision stop?
+    /// Returns whether the collision stopped.
     pub fn stopped(self) -> bool {
         matches!(self, Self::Stopped(..))
     }
@@ -73,12 +73,12 @@ impl CollisionEvent {
         self.parts().1
     }
 
-    /// Is one of the colliders a sensor?
+    /// Returns whether one of the colliders is a sensor.
     pub fn sensor(self) -> bool {
         self.parts().2.contains(CollisionEventFlags::SENSOR)
     }
 
-    /// Did the collision stop because a collider was removed?
+    /// Returns whether the collision stopped because a collider was removed.
     pub fn removed(self) -> bool {
         self.parts().2.contains(CollisionEventFlags::REMOVED)
     }

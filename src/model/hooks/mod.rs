@@ -53,10 +53,10 @@ pub struct PairFilterContext<'a> {
 /// }
 /// ```
 pub trait PhysicsHooks: Send + Sync {
-    /// Are contacts computed for this pair? Called for pairs with
-    /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes overlap and that
-    /// nothing else filters out. A pair that is refused neither collides nor sends events. Yes, unless
-    /// implemented.
+    /// Returns whether contacts are computed for this pair. Called for pairs with
+    /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes
+    /// overlap and that nothing else filters out. A pair that is refused neither collides nor sends events.
+    /// Yes, unless implemented.
     fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
@@ -70,10 +70,10 @@ pub trait PhysicsHooks: Send + Sync {
         self.filter_contact_pair(context).then(SolverFlags::default)
     }
 
-    /// Is the intersection computed for this pair, one collider of which is a sensor? Called for
-    /// pairs with
-    /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose boxes overlap
-    /// and that nothing else filters out. Yes, unless implemented.
+    /// Returns whether the intersection is computed for this pair, one collider of which is a sensor. Called
+    /// for pairs with
+    /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose
+    /// boxes overlap and that nothing else filters out. Yes, unless implemented.
     fn filter_intersection_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true

@@ -30,7 +30,7 @@ fn touch(manifold: &mut ContactManifold, local_n1: Vector, dist: Real) {
     manifold.data.points.push(Contact::new(zero, zero, feature, feature, dist));
 }
 
-/// Does a platform that is solid from above hold this contact?
+/// Returns whether a platform that is solid from above keeps this contact.
 fn holds(manifold: &mut ContactManifold, local_n1: Vector, dist: Real) -> bool {
     touch(manifold, local_n1, dist);
     hook(manifold, |context| context.update_as_oneway_platform(Vector::Y * 2.0, 0.3));

@@ -79,7 +79,7 @@ impl BodyGroups {
         self.groups[group as usize] = bodies;
     }
 
-    /// Takes a body out of its group. Was it in one?
+    /// Takes a body out of its group. Returns whether it was in one.
     pub fn leave(&mut self, body_slot: u32) -> bool {
         let Some(group) = self.of_body.get_mut(body_slot as usize) else { return false };
         let group = core::mem::replace(group, NONE);

@@ -20,9 +20,9 @@ use crate::model::stamp::WorldStamp;
 pub(crate) struct Island {
     /// Dynamic bodies; each one's link says at which position it stands here.
     pub bodies: Vec<RigidBodyHandle>,
-    /// Were links cut since the island was last known to be connected?
+    /// Whether links were cut since the island was last known to be connected.
     pub is_cut: bool,
-    /// Is it out of every per-step list?
+    /// Whether the island is asleep, outside of all per-step lists.
     pub sleeping: bool,
     /// The step in which it was last split, or came out of a split.
     pub split_at: u32,
@@ -56,7 +56,7 @@ pub struct IslandManager {
     pub(crate) step: u32,
     /// By body slot: how far the body moved in the last step.
     pub(crate) motion: Vec<BodyMotion>,
-    /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
+    /// Whether a body left the last step so fast or so far away that the next step may overflow.
     pub(crate) ill_conditioned: bool,
     pub(crate) stamp: WorldStamp,
 }

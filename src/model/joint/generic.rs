@@ -7,7 +7,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis, frame_along};
 use crate::dim::math::{DIM, Pose, Real, Rotation, SPATIAL_DIM, Vector};
 use crate::model::check::checked_pose;
 
-/// Does a joint act?
+/// Whether a joint acts.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointEnabled {
@@ -66,9 +66,9 @@ pub struct GenericJoint {
     pub break_force: Real,
     /// The joint breaks when the torque between the bodies is larger (default: infinite).
     pub break_torque: Real,
-    /// Do the two bodies' colliders touch each other (default: yes)?
+    /// Whether the colliders of the two bodies touch each other (default: yes).
     pub contacts_enabled: bool,
-    /// Does the joint act?
+    /// Whether the joint acts.
     pub enabled: JointEnabled,
     /// By axis: how far it reaches.
     pub limits: [JointLimits; SPATIAL_DIM],
@@ -128,7 +128,7 @@ impl GenericJoint {
         self
     }
 
-    /// Does the joint act?
+    /// Returns whether the joint acts.
     pub fn is_enabled(&self) -> bool {
         self.enabled == JointEnabled::Enabled
     }
@@ -256,7 +256,7 @@ impl GenericJoint {
 
     // ---- Contacts, softness, breaking ----
 
-    /// Do the two bodies' colliders touch each other?
+    /// Returns whether the colliders of the two bodies touch each other.
     pub fn contacts_enabled(&self) -> bool {
         self.contacts_enabled
     }
@@ -403,7 +403,7 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// Is every number usable? The setters see to it; the fields are open.
+    /// Returns whether every number is usable. The setters see to it; the fields are open.
     ///
     /// A joint that is not valid does not act, until it is.
     ///
@@ -426,7 +426,7 @@ impl GenericJoint {
         check_threshold("the torque at which a joint breaks", self.break_torque)
     }
 
-    /// Is the axis measured together with others, as one distance or angle?
+    /// Returns whether the axis is measured together with others, as one distance or angle.
     pub(crate) fn is_measured_together(&self, axis: JointAxis) -> bool {
         let linear = (axis as usize) < DIM;
         let group = if linear { JointAxesMask::LIN_AXES } else { JointAxesMask::ANG_AXES };

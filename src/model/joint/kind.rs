@@ -47,7 +47,7 @@ macro_rules! joint_kind {
             local_anchor2() -> crate::dim::math::Vector;
             /// Sets where the joint holds the second body, in that body's frame.
             local_anchor2, set_local_anchor2(anchor: crate::dim::math::Vector);
-            /// Do the two bodies' colliders touch each other?
+            /// Whether the colliders of the two bodies touch each other.
             contacts_enabled() -> bool;
             /// Says whether the two bodies' colliders touch each other.
             contacts_enabled, set_contacts_enabled(enabled: bool);

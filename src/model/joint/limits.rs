@@ -57,7 +57,7 @@ impl JointLimits {
         if outside(inside) <= outside(before) { inside } else { before }
     }
 
-    /// Is there anything between the two ends?
+    /// Returns whether the range is not empty.
     pub(crate) fn check(&self, axis: JointAxis) -> Result<(), InvalidJoint> {
         let Self { min, max, .. } = *self;
         // NaN is on neither side of anything.

@@ -19,7 +19,7 @@ pub(crate) struct JointForm {
     pub locked: u8,
     /// How many free axes it limits or drives.
     pub driven: u8,
-    /// Does it lock all translations, and nothing else happens on any axis?
+    /// Whether it locks exactly the translations, without limits, motors and springs.
     pub is_point_to_point: bool,
 }
 
@@ -34,7 +34,7 @@ impl JointForm {
         Self { locked: joint.locked_axes.bits(), driven, is_point_to_point }
     }
 
-    /// Does it lock a rotation?
+    /// Returns whether it locks a rotation.
     pub fn locks_rotations(self) -> bool {
         self.locked & JointAxesMask::ANG_AXES.bits() != 0
     }
@@ -56,11 +56,11 @@ pub(crate) struct JointLink {
     /// Which constraint it will be. It is kept here so that who sorts constraints need not go through the joints, which
     /// are large.
     pub form: JointForm,
-    /// Does the joint act, and can it move one of the bodies?
+    /// Whether the joint acts and can move one of the bodies.
     pub attached: bool,
     /// Where it stands in the constraint graph.
     pub slot: Option<ColorSlot>,
-    /// Does it keep the bodies' colliders from touching each other?
+    /// Whether it disables contacts between the colliders of its bodies.
     pub parts_bodies: bool,
 }
 
@@ -208,7 +208,7 @@ impl JointLinks {
             })
     }
 
-    /// Does a joint keep the colliders of these two bodies from touching each other?
+    /// Returns whether a joint disables contacts between the colliders of these two bodies.
     pub fn part(&self, body_slot1: u32, body_slot2: u32) -> bool {
         self.of_body(body_slot1).iter().any(|&slot| {
             self.get(slot)

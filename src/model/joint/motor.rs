@@ -86,7 +86,7 @@ impl Default for JointMotor {
 }
 
 impl JointMotor {
-    /// Are all numbers usable?
+    /// Returns whether all numbers are usable.
     pub(crate) fn check(&self) -> Result<(), InvalidJoint> {
         let finite = |parameter, value: Real| match value.is_finite() {
             true => Ok(()),

@@ -27,9 +27,9 @@ pub(crate) struct Entry {
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Note {
-    /// Does the handle stand in the list of modified joints?
+    /// Whether the list of modified joints contains the handle.
     listed: bool,
-    /// Do the bodies wake when the step takes in what was changed?
+    /// Whether the bodies wake when the step applies the change.
     wakes: bool,
 }
 
@@ -66,12 +66,12 @@ impl ImpulseJointSet {
         self.joints.len()
     }
 
-    /// Is there no joint?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.joints.is_empty()
     }
 
-    /// Does the handle find a joint?
+    /// Returns whether the handle refers to a joint.
     pub fn contains(&self, handle: ImpulseJointHandle) -> bool {
         self.joints.contains(handle.0)
     }

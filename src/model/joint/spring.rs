@@ -63,7 +63,7 @@ impl SpringCoefficients {
         Softness::spring(self.angular_frequency(), self.damping_ratio, dt)
     }
 
-    /// Are both numbers usable?
+    /// Returns whether both numbers are usable.
     pub(super) fn check(&self) -> Result<(), InvalidJoint> {
         check_factor("the natural frequency of a joint", self.natural_frequency)?;
         check_factor("the damping ratio of a joint", self.damping_ratio)

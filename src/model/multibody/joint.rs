@@ -33,7 +33,7 @@ struct Spring {
 pub struct MultibodyJoint {
     /// What the joint locks, limits and drives. The parent is its first body.
     pub data: GenericJoint,
-    /// Does the joint move at the velocity that the user gives it, whatever pushes?
+    /// Whether the joint moves at a prescribed velocity, independent of all forces.
     pub kinematic: bool,
     /// By axis: the coordinate. Zero for locked axes, and for the rotations of a ball.
     coords: SpatialVector,
@@ -59,7 +59,7 @@ impl MultibodyJoint {
         !self.data.locked_axes
     }
 
-    /// Are the rotations those of a ball in a socket?
+    /// Returns whether the rotations are those of a ball joint.
     pub(crate) fn is_ball(&self) -> bool {
         ANG_DIM == 3 && angular_axes(self.free_axes()).len() == ANG_DIM
     }
@@ -197,7 +197,7 @@ impl MultibodyJoint {
         other.coords[axis as usize] - self.coords[axis as usize]
     }
 
-    /// Are all coordinates numbers that one can calculate with?
+    /// Returns whether all coordinates are usable.
     pub(crate) fn is_sound(&self) -> bool {
         self.coords.iter().all(|&coordinate| is_coordinate(coordinate))
             && crate::dim::math::rotation_is_valid(&self.ball)

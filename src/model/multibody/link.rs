@@ -83,7 +83,7 @@ impl MultibodyLink {
         self.parent
     }
 
-    /// Is it the root?
+    /// Returns whether it is the root.
     pub fn is_root(&self) -> bool {
         self.parent.is_none()
     }

@@ -315,8 +315,9 @@ impl Multibody {
 
     // ---- Layout ----
 
-    /// Is each link where it says, behind its parent, with the degrees of freedom that it says? Whoever holds links by `&mut`
-    /// can put them in the place of others. What is made of such links is none: the next step takes it apart.
+    /// Returns whether each link is at its index, behind its parent, with its degrees of freedom. Whoever
+    /// holds links by `&mut` can put them in the place of others. What is made of such links is none: the
+    /// next step takes it apart.
     pub(crate) fn is_whole(&self) -> bool {
         let mut first_dof = 0;
         let links = self.links.iter().enumerate().all(|(id, link)| {
@@ -327,7 +328,7 @@ impl Multibody {
         links && first_dof == self.dofs.len()
     }
 
-    /// Does it act, with these bodies?
+    /// Returns whether the multibody acts with these bodies.
     pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {
         self.links.iter().all(|link| {
             let is_root = link.parent.is_none();

@@ -71,12 +71,12 @@ impl MultibodyJointSet {
         self.joints.len()
     }
 
-    /// Is there no joint?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.joints.is_empty()
     }
 
-    /// Does the handle find a joint?
+    /// Returns whether the handle refers to a joint.
     pub fn contains(&self, handle: MultibodyJointHandle) -> bool {
         self.joints.contains(handle.0)
     }
@@ -164,7 +164,7 @@ impl MultibodyJointSet {
         Ok(handle)
     }
 
-    /// May these bodies be joined?
+    /// Returns whether a joint may connect these bodies.
     fn check(
         &self,
         [body1, body2]: [RigidBodyHandle; 2],
@@ -280,7 +280,7 @@ impl MultibodyJointSet {
 
     // ---- Multibodies and links that were put in the place of others ----
 
-    /// Is the multibody at an index another one than that which was put there, or are its links?
+    /// Returns whether the multibody at an index, or its links, were replaced.
     fn is_broken(&self, index: MultibodyIndex) -> bool {
         let Some(multibody) = self.get_multibody(index) else { return false };
         let count = self.link_counts.get(index.0.slot()).copied();

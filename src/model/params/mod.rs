@@ -94,8 +94,8 @@ pub struct IntegrationParameters {
     /// kinematic body that it hit, and goes on in the next step. So there is at most one stop per body and step, and nothing that more
     /// substeps could divide.
     pub max_ccd_substeps: usize,
-    /// Does continuous collision detection also stop a body that touches or overlaps something already, before its middle
-    /// gets in (default true)? If not, contacts alone must hold it.
+    /// Whether continuous collision detection also stops a body that touches or overlaps something at the
+    /// start, before its middle penetrates (default true). If not, contacts alone must hold it.
     pub ccd_on_penetration: bool,
     /// How friction is modelled (default [`FrictionModel::Standard`]). In 2D both agree but for the
     /// number of rows.

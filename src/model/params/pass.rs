@@ -14,8 +14,8 @@ pub(crate) struct ContactPass {
     pub push_velocity_max: Real,
     /// Overlap that is left alone (length).
     pub allowed_error: Real,
-    /// Is this the last visit of the constraints in the substep? Then its impulses are the substep's,
-    /// and count into those of the step.
+    /// Whether this is the last iteration of the constraints in the substep. Then its impulses are the
+    /// substep's, and count into those of the step.
     pub is_last_iteration: bool,
 }
 
@@ -71,7 +71,7 @@ pub(crate) struct JointPass {
     pub softness: Softness,
     /// Largest velocity at which joints bring anchors together (length/s).
     pub correction_max: Real,
-    /// Is this the last visit of the constraints in the substep?
+    /// Whether this is the last iteration of the constraints in the substep.
     pub is_last_iteration: bool,
 }
 

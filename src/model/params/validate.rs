@@ -58,7 +58,7 @@ fn limit(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
 }
 
 impl IntegrationParameters {
-    /// Can a step be computed with these values?
+    /// Returns an error if no step can be computed with these values.
     ///
     /// # Errors
     /// Names the first field that holds a value outside its documented range, and that value.

@@ -58,7 +58,7 @@ impl Structure<'_> {
         self.for_each_joint_of(body, Self::update_joint_color);
     }
 
-    /// Does a joint lead from this body to an awake dynamic one?
+    /// Returns whether a joint connects this body to an awake dynamic one.
     pub(super) fn holds_awake_body(&self, body: RigidBodyHandle) -> bool {
         self.islands
             .joints

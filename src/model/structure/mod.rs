@@ -232,7 +232,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Does a contact pair or a joint of an awake dynamic body involve this body?
+    /// Returns whether a contact pair or a joint connects this body to an awake dynamic one.
     pub fn has_awake_partner(&self, handle: RigidBodyHandle) -> bool {
         let colliders = 0..self.collider_count(handle);
         let mut slots = colliders.filter_map(|c| self.collider_slot(handle, c));

@@ -38,15 +38,15 @@ pub struct BroadPhaseBvh {
     trees: Trees,
     /// Slots of the colliders that have a new box since the last search for pairs.
     moved: Vec<u32>,
-    /// One bit for each slot: is it in `moved`?
+    /// One bit per slot: set if `moved` contains it.
     moved_bits: Vec<u64>,
     /// By slot: the binary exponent of the longest side of its enlarged box.
     sizes: Vec<u16>,
-    /// Has any collider of a fixed body ever asked for pairs with others of its kind?
+    /// Whether any collider of a fixed body ever requested pairs with others of its kind.
     fixed_meet: bool,
-    /// Has any collider ever been a sensor?
+    /// Whether any collider was ever a sensor.
     has_sensors: bool,
-    /// One bit for each slot: is its collider a sensor?
+    /// One bit per slot: set if its collider is a sensor.
     sensor_bits: Vec<u64>,
     /// All memberships and wishes that colliders of these trees ever had, together.
     groups: Option<InteractionGroups>,
@@ -165,7 +165,7 @@ impl BroadPhaseBvh {
         &self.moved
     }
 
-    /// Must the collider at this slot look for neighbours?
+    /// Returns whether the collider at this slot must search for partners.
     pub(crate) fn is_moved(&self, slot: u32) -> bool {
         let word = self.moved_bits.get(slot as usize / 64).copied().unwrap_or(0);
         word & (1 << (slot % 64)) != 0
@@ -199,18 +199,18 @@ impl BroadPhaseBvh {
         word & (1 << (slot % 64)) != 0
     }
 
-    /// May any collider be a sensor?
+    /// Returns whether any collider may be a sensor.
     pub(crate) fn has_sensors(&self) -> bool {
         self.has_sensors
     }
 
-    /// Must a collider of this kind look for neighbours among those of the other?
+    /// Returns whether a collider of this kind must search for partners of the other kind.
     pub(crate) fn may_meet(&self, kind1: TreeKind, kind2: TreeKind) -> bool {
         self.fixed_meet || kind1.is_movable() || kind2.is_movable()
     }
 
-    /// May a collider of these groups meet any other? Those that are there only to be found by queries, such as debris that
-    /// nothing collides with, need not look around.
+    /// Returns whether a collider of these groups may interact with any other. Those that are there only to
+    /// be found by queries, such as debris that nothing collides with, need not look around.
     pub(crate) fn may_meet_any(&self, groups: InteractionGroups) -> bool {
         self.groups.is_some_and(|all| groups.test(all))
     }

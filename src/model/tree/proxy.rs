@@ -27,7 +27,7 @@ impl TreeKind {
         }
     }
 
-    /// Can colliders of this kind move by themselves?
+    /// Returns whether colliders of this kind can move without an edit.
     pub fn is_movable(self) -> bool {
         self != Self::Fixed
     }
@@ -45,7 +45,7 @@ pub(crate) struct ColliderProxy {
     /// one. Whoever moves the collider takes off a bound of the motion, and looks at the box when
     /// nothing is left.
     pub clearance: Real,
-    /// Was the last box one that cannot be placed?
+    /// Whether the last box was unusable.
     pub is_refused: bool,
     /// Whose place it is: the collider's slot.
     pub slot: u32,

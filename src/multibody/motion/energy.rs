@@ -59,7 +59,7 @@ impl Motion {
         if mass > 0.0 { moving / mass } else { Vector::ZERO }
     }
 
-    /// Does a link turn so far in `dt` seconds that contacts are not what they were at their beginning?
+    /// Returns whether a link rotates so far in `dt` seconds that its contacts change.
     pub fn turns_far(&mut self, dt: Real) -> bool {
         let turns_far = |v: &SpatialVector| {
             ang_length_squared(angular(v)) * dt * dt > CONTACT_TURN_MAX * CONTACT_TURN_MAX

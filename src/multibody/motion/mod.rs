@@ -67,7 +67,7 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// Does the degree of freedom move as it is told?
+    /// Returns whether the velocity of the degree of freedom is prescribed.
     fn is_prescribed(&self) -> bool {
         self.armature == Real::INFINITY
     }
@@ -104,7 +104,7 @@ pub struct Motion {
     buffers: Vec<Vec<Real>>,
     /// The velocities before a flight.
     start: Vec<Real>,
-    /// Was a link faster than the user allows since the step began?
+    /// Whether a link exceeded the velocity limit since the step began.
     pub is_limited: bool,
     /// What the first half of the flight changed about the velocities.
     flown: Vec<Real>,
@@ -114,7 +114,7 @@ pub struct Motion {
     corrected: Real,
     /// Number of pieces of this substep's flight.
     pieces: usize,
-    /// Is a piece of this substep's flight too fast to be followed?
+    /// Whether a piece of this substep's free motion is too fast to be integrated.
     pub has_diverged: bool,
 }
 

@@ -18,13 +18,13 @@ use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
 use sleep_timer::update_sleep_timer;
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct AdvanceScratch {
-    /// The colliders that the trees must be told of.
+    /// Colliders whose trees must be updated.
     moved: Vec<MovedCollider>,
     gather: Gather<MovedCollider>,
 }
@@ -69,10 +69,10 @@ pub(crate) fn advance(
     }
 }
 
-/// Puts a body's colliders where they are now, and lists those that the trees must be told of.
+/// Updates the poses of a body's colliders, and lists the colliders that left their fat AABB.
 ///
 /// # Safety
-/// Nobody else may use the colliders of the body meanwhile.
+/// The caller has exclusive access to the colliders of the body.
 unsafe fn carry_colliders(
     body: &RigidBody,
     motion: Real,

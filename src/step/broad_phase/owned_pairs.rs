@@ -1,4 +1,4 @@
-//! The new pairs of one kind that one collider would have to bear, and which of them are left out.
+//! The new pairs of one kind that one collider owns, limited to a maximum.
 
 use crate::model::collider::ColliderHandle;
 
@@ -8,7 +8,8 @@ pub(super) type HandlePair = (ColliderHandle, ColliderHandle);
 /// How far away the slot of the other one is.
 pub(super) type SlotDistance = u32;
 
-/// The pairs with the nearest slots, so many as one may bear. Of thousands only these are ever kept.
+/// The pairs with the smallest slot distance, up to the limit of the owner. Of thousands only these are ever
+/// kept.
 #[derive(Default)]
 pub(super) struct OwnedPairs {
     pairs: Vec<(SlotDistance, HandlePair)>,
@@ -24,7 +25,7 @@ impl OwnedPairs {
         (self.most, self.limit) = (most, None);
     }
 
-    /// Would a pair so remote certainly be left out?
+    /// Returns whether a pair at this slot distance is certainly dropped.
     #[inline]
     pub fn leaves_out(&self, slot_distance: SlotDistance) -> bool {
         self.limit.is_some_and(|limit| slot_distance >= limit)

@@ -10,26 +10,27 @@ use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
-/// What one thread found.
+/// Result of one thread.
 #[derive(Default)]
 pub(super) struct Finds {
     pub pairs: Vec<HandlePair>,
-    /// Colliders that did not move, and have so many pairs already that they must say themselves whether they bear more.
+    /// Colliders that did not move and own the maximum of pairs, so that they must select their partners
+    /// again.
     pub late: Vec<u32>,
     /// Colliders that would own more pairs than they may: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],
     /// The pairs that one collider would own, by [`Kind`].
     owned: [OwnedPairs; Kind::ALL.len()],
-    /// Who has a pair with it already.
+    /// Known partners of the collider.
     known: Marks,
 }
 
 /// Pairs that are counted together.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Kind {
-    /// Is one of the two a sensor?
+    /// Whether one of the two is a sensor.
     is_sensed: bool,
-    /// Are the two of one size? Else the other one is larger than the owner.
+    /// Whether the two have the same size. Else the other one is larger than the owner.
     is_alike: bool,
 }
 
@@ -74,11 +75,11 @@ pub(super) struct Search<'a, K> {
     pub colliders: &'a ColliderSet,
     pub known: &'a K,
     pub most: NeighborLimits,
-    /// Look only for pairs that the collider who looks would have to bear?
+    /// Restricts the search to pairs that the searching collider would own.
     pub only_owned: bool,
 }
 
-/// Who looks for neighbours.
+/// The searching collider.
 #[derive(Copy, Clone)]
 struct Seeker<'a> {
     slot: u32,
@@ -181,7 +182,7 @@ impl<K: KnownPairs> Search<'_, K> {
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
         if self.only_owned && !is_movable {
-            // What is new here has moved, and has found the pair in the first search.
+            // New pairs of a moved partner were found by the first search.
             return;
         }
         if is_movable && bears {

@@ -7,14 +7,17 @@
 //! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_one allows,  d = c_b - c_k
 //! ```
 //!
-//! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door sweeps far at its edge and hardly at
-//! its hinge, and a heap that a blade pushes along moves little against it. The last term bounds the error of the
-//! linear turn `θ × d`, at the end of the step and on the way.
+//! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door
+//! moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little relative to
+//! the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of the step and
+//! during it.
 //!
-//! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones among them wake. A body whose box
-//! is outside the region that a kinematic collider sweeps needs no search: a body that is not fast keeps its core inside its box.
-//! Worlds without moving kinematic bodies pay for one look at an empty list. Many colliders of one body may overlap many of another, so the
-//! list of pairs is deduplicated each time it has doubled: its length is at most about twice the number of pairs of bodies.
+//! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones
+//! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search: a
+//! body that is not fast keeps its core inside its box. Worlds without moving kinematic bodies pay for one
+//! look at an empty list. Many colliders of one body may overlap many of another. The list of pairs is
+//! therefore deduplicated each time it has doubled, so its length is at most about twice the number of body
+//! pairs.
 
 use super::CcdContext;
 use super::path::sweep_of_slow;
@@ -153,7 +156,7 @@ fn list(
     remove_copies(approaches, begin);
 }
 
-/// The space that a collider sweeps.
+/// The region that a collider sweeps.
 struct Swath {
     /// A box around it.
     region: Aabb,
@@ -177,8 +180,8 @@ impl Swath {
         }
     }
 
-    /// Returns whether the collider may get to a box. The box around a blade that lies aslant is full of bodies that the blade is
-    /// nowhere near: those are told apart in the frame of the blade.
+    /// Returns whether the collider may get to a box. The box of a slanted blade contains many bodies far
+    /// from the blade. A second test in the frame of the blade excludes them.
     fn overlaps(&self, aabb: &Aabb) -> bool {
         let (center, radius) = (aabb.center(), aabb.half_extents().length());
         let margin = self.margin + radius + self.drive.reach(center, radius);
@@ -202,12 +205,12 @@ fn remove_copies(approaches: &mut Vec<Approach>, begin: usize) {
     approaches.truncate(begin + kept);
 }
 
-/// A box around all places of a collider on its way, and around what is in contact with it there.
+/// Box around the swept region of a collider and around its contacts.
 fn region_of(collider: &Collider, sweep: &Sweep<'_>, params: &IntegrationParameters) -> Aabb {
     sweep.region(collider.shape()).loosened(params.prediction_distance() + collider.contact_skin)
 }
 
-/// Adds those of the approached bodies to the fast ones that are not fast by themselves, but too fast in the eyes of a kinematic body.
+/// Adds approached bodies to the fast bodies if their motion relative to a kinematic body is fast.
 pub(crate) fn add_approached(
     world: CcdContext<'_>,
     approaches: &[Approach],
@@ -254,7 +257,7 @@ fn motion_of(
     })
 }
 
-/// The colliders of kinematic bodies that have moved, with boxes around their ways.
+/// Moved kinematic colliders with the boxes of their swept regions.
 #[derive(Default)]
 pub(super) struct Movers {
     boxes: BoxTree,
@@ -288,7 +291,7 @@ impl Movers {
         self.slots.is_empty()
     }
 
-    /// Calls `visit` with the slots of those whose ways lead through a region.
+    /// Calls `visit` with the slots of the colliders whose paths intersect a region.
     pub fn for_each_in(&self, region: &Aabb, mut visit: impl FnMut(u32)) {
         if !self.slots.is_empty() {
             self.boxes.for_each_leaf(&BoxProbe(*region), |at| visit(self.slots[at as usize]));

@@ -1,9 +1,10 @@
 //! Bodies that stop at everything: fast ones with `ccd_enabled`.
 //!
-//! Where a bullet is stopped depends on where the others are then, and these may be bullets that were stopped before.
-//! So impacts are taken in the order of time. Whoever takes part in one stands still from then on, and all that may come by is searched
-//! again. As time only goes on, each body is stopped so at most once, and each pair searched three times: when its paths are known, and
-//! when either of the two was stopped. Nearly all searches end with the balls around the bodies, which miss each other.
+//! Where a bullet is stopped depends on where the others are then, and these may be bullets that were stopped
+//! before. Impacts are therefore processed in order of time. The bodies of an impact stop, and everything in
+//! their neighbourhood is searched again. Time is monotonic, so each body stops at most once. Each pair is
+//! searched at most three times: when its paths are known, and when either body stops. Nearly all searches
+//! end with the balls around the bodies, which miss each other.
 
 use super::Search;
 use super::path::Path;
@@ -16,7 +17,7 @@ use core::cmp::Ordering;
 use parry::bounding_volume::Aabb;
 use std::collections::BinaryHeap;
 
-/// How far off places are, as a share of the way.
+/// Error of positions, as a fraction of the path length.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Buffers of the search.
@@ -26,7 +27,7 @@ pub(super) struct Bullets {
     boxes: BoxTree,
     /// The balls around all fast bodies, by the same.
     balls: Vec<Ball>,
-    /// What each bullet may hit.
+    /// Possible targets of each bullet.
     pairs: Vec<Pair>,
     /// Fast bodies with their pairs.
     pairs_of: Vec<(u32, u32)>,
@@ -35,7 +36,7 @@ pub(super) struct Bullets {
     stopped: Vec<u32>,
 }
 
-/// A bullet and what may be in its way.
+/// A bullet and a body near its path.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Pair {
     bullet: u32,
@@ -73,7 +74,7 @@ impl Ord for Impact {
 }
 
 impl Bullets {
-    /// Finds what stops bullets, and takes it off the shares of their motions that happen.
+    /// Finds the stops of bullets, and reduces their motion fractions.
     pub fn find(&mut self, search: Search<'_>, stops: &mut [Real]) {
         let fast = search.world.fast;
         if !(0..fast.len()).any(|position| is_bullet(search, position)) {
@@ -195,7 +196,7 @@ impl Bullets {
         });
     }
 
-    /// Do the balls around two fast bodies meet? Of slow ones nothing is known.
+    /// Returns whether the bounding spheres of two fast bodies meet. Of slow ones nothing is known.
     fn may_meet(&self, bullet: u32, other: Other, stops: &[Real]) -> bool {
         let Other::Fast(other) = other else { return true };
         Ball::may_meet([bullet, other].map(|at| (&self.balls[at as usize], stops[at as usize])))
@@ -208,8 +209,8 @@ fn is_bullet(search: Search<'_>, position: usize) -> bool {
     body.is_some_and(|body| body.ccd_enabled)
 }
 
-/// A ball around a body on its way. Among many bullets whose ways cross nearly all pairs miss each other, and this tells so in
-/// some ten operations.
+/// Bounding sphere of a body's path. Among many bullets with crossing paths, nearly all pairs miss each
+/// other. This test excludes them in about ten operations.
 #[derive(Copy, Clone, Debug)]
 struct Ball {
     center: Vector,
@@ -231,20 +232,20 @@ impl Ball {
         Self { center: motion.center, shift: motion.shift, radius }
     }
 
-    /// Do the ways of these balls cross, at whatever times, if they go so far?
+    /// Returns whether the paths of these spheres cross at any time.
     fn ways_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
         let along = [ball1.shift * stop1, ball2.shift * stop2];
         let segments = Segments::new([ball1.center, ball2.center], along);
         let [share1, share2] = segments.nearest_from(segments.crossing());
         let apart = ball1.center + along[0] * share1 - ball2.center - along[1] * share2;
-        // On long ways nobody knows places better than this.
+        // Positions on long paths have this rounding error.
         let rounding = ROUNDING * (along[0].abs() + along[1].abs()).max_element();
         let radius = ball1.radius + ball2.radius + rounding;
         let misses = apart.length_squared() > radius * radius;
         !misses
     }
 
-    /// May the bodies in these balls meet, that go so far?
+    /// Returns whether the bodies in these spheres may meet.
     fn may_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
         let apart = |share: Real| {
             let at = |ball: &Self, stop: Real| ball.center + ball.shift * share.min(stop);
@@ -259,7 +260,7 @@ impl Ball {
     }
 }
 
-/// The square of the distance of a segment from the origin, but for rounding.
+/// Squared distance of a segment from the origin, up to rounding.
 fn nearest_square(from: Vector, to: Vector) -> Real {
     let way = to - from;
     let length_squared = way.length_squared();

@@ -1,15 +1,16 @@
 //! Fast bodies that joints hold together, and that stop together.
 //!
-//! A limb that was stopped alone, a metre before the rest of its body, would be torn off, and the joint would pull it through the wall
-//! in the next step. So all of them go back to where they were when the first was stopped, and hold each other as they did then.
+//! If one limb stopped a metre before the rest of its body, the joint would tear, and pull the limb through
+//! the wall in the next step. So all of them go back to where they were when the first was stopped, and hold
+//! each other as they did then.
 //!
-//! What is joined to them but not fast itself moved less than half its thickness. It stays, and the joint gives way by no more
-//! than that.
+//! Joined bodies that are not fast moved less than half their thickness. They keep their pose, and the joint
+//! error is bounded by that distance.
 
 use super::CcdContext;
 use crate::dim::math::Real;
 
-/// Who stops with whom.
+/// Sets of bodies that stop together.
 #[derive(Default)]
 pub(super) struct Groups {
     /// By fast body: another one of its group with a lower position, or itself. When the search is over, the first one of the group.
@@ -101,7 +102,7 @@ impl Groups {
 
     fn find_first(&mut self, mut position: u32) -> u32 {
         while self.firsts[position as usize] != position {
-            // Every other one is shown a shorter way.
+            // Every other group gets a shorter path.
             let next = self.firsts[position as usize];
             self.firsts[position as usize] = self.firsts[next as usize];
             position = next;

@@ -1,10 +1,11 @@
-//! The ways of links of multibodies.
+//! Trajectories of links of multibodies.
 //!
-//! A link goes where the coordinates of its joints lead it: on an arc, if it is the end of a swinging arm. So its path is one of
-//! many legs, each straight enough that the link cannot hide in the bend: the way of the whole multibody, walked in pieces
-//! (`src/multibody/trajectory.rs`). Where one link is stopped, all coordinates go back to that share of the way, so the joints hold.
+//! A link goes where the coordinates of its joints lead it: on an arc, if it is the end of a swinging arm.
+//! The path of a link consists of many segments, each straight enough that the chord error is harmless. The
+//! segments sample the trajectory of the whole multibody (`src/multibody/trajectory.rs`). When one link
+//! stops, all coordinates return to that fraction of the trajectory, so the joints hold.
 //!
-//! What a kinematic root carries along it carries through walls, as a kinematic body passes them.
+//! A kinematic root carries its links through walls, as kinematic bodies pass walls.
 
 use super::CcdContext;
 use crate::collide::Segment;
@@ -15,11 +16,12 @@ use crate::multibody::LinkSample;
 use crate::step::notes::FastMotion;
 use core::ops::Range;
 
-/// How far a link may be off its leg, as a share of the thickness of the thinnest fast link: less than what the search leaves between a
-/// core and what it hits, or the link could be put back with its middle inside.
+/// Largest distance of a link from its segment, as a fraction of the thickness of the thinnest fast link. It
+/// is less than the gap that the search leaves between a core and its obstacle, or a stopped link could have
+/// its middle inside.
 const DEVIATION: Real = 0.01;
 
-/// The legs of all links of multibodies that are fast.
+/// The segments of all links of fast multibodies.
 #[derive(Default)]
 pub(super) struct LinkTrajectories {
     segments: Vec<Segment>,
@@ -28,7 +30,7 @@ pub(super) struct LinkTrajectories {
 
 /// Where a multibody stands in the lists.
 struct Tree {
-    /// Its legs begin here, link by link.
+    /// Start of its segments, link by link.
     segments: usize,
     /// Each link has one more than this many.
     pieces: usize,
@@ -37,7 +39,7 @@ struct Tree {
 }
 
 impl LinkTrajectories {
-    /// Walks the ways of all fast multibodies.
+    /// Samples the trajectories of all fast multibodies.
     pub fn find(&mut self, world: CcdContext<'_>) {
         self.segments.clear();
         self.of_tree.clear();
@@ -58,7 +60,7 @@ impl LinkTrajectories {
         }
     }
 
-    /// The legs of a link of a multibody; none if it is not there.
+    /// The segments of a link of a multibody; empty if the link is missing.
     pub fn of(&self, (tree, link): (usize, usize)) -> &[Segment] {
         let Tree { segments, pieces, .. } = self.of_tree[tree];
         let (start, count) = (segments + link * (pieces + 1), pieces + 1);
@@ -123,8 +125,9 @@ impl LinkTrajectories {
     }
 }
 
-/// The leg number `at` of a way in so many pieces, and one more: to where the solver has put the link. Where it turned about one axis
-/// after the other that is not quite where the way leads. The last two take half as long as the others.
+/// Segment `at` of a trajectory with this number of pieces. One more segment leads to the pose of the solver.
+/// That pose differs slightly from the trajectory if the link rotated about several axes in sequence. The
+/// last two take half as long as the others.
 fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngVector) -> Segment {
     let time = |at: usize| match at {
         at if at < pieces => at as Real / pieces as Real,
@@ -137,7 +140,8 @@ fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngV
     Segment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, rotvec }
 }
 
-/// What share of a way in so many pieces has been gone after a share of the step. Who was stopped on the last leg is where that begins.
+/// Fraction of the trajectory after a fraction of the step. A link that stopped on the last segment is at its
+/// start.
 fn gone(share: Real, pieces: usize) -> Real {
     let last = 1.0 - 1.0 / pieces as Real;
     if share <= last { share } else { (share + share - last).min(1.0) }

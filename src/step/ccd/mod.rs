@@ -1,32 +1,34 @@
 //! # Continuous — nothing passes through
 //!
-//! Reads:   how fast bodies moved, colliders, enlarged boxes, bodies within sensors, joints, hooks
-//! Writes:  poses of fast bodies that hit something on their way, and the velocities that they had there; bounds of motion; notes of sensors passed
+//! Reads:   motion of fast bodies, colliders, fat AABBs, bodies within sensors, joints, hooks
+//! Writes:  poses and velocities of fast bodies at their first impact; bounds of motion; notes of crossed
+//!     sensors
 //! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
-//! Never:   pushes anything, or looks at a body that is not fast or deep in a wall, nor in the way of one or of a moving kinematic body
+//! Never:   applies impulses; searches bodies that are neither fast, nor deep in a wall, nor near the path of
+//!     such a body or of a moving kinematic body
 //!
 //! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
-//! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. So its path is searched, from
-//! where its colliders still are to where the solver has put it, and it is stopped where it would get through
-//! something: the next step finds it there, in contact, and with the velocity that it had then. The rest of its time is
-//! lost, and so is what forces did in that time: a ball that fell through its last step, and was put back up, would
-//! have more energy than it fell from.
+//! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. The stage
+//! searches the path from the old collider poses to the solver's pose, and stops the body where it would pass
+//! through something. The next step finds the body there, in contact, with its velocity at the impact. The
+//! rest of its time is lost, including the work of forces. A ball that fell through its last step, and was
+//! moved back up, would otherwise gain energy.
 //!
-//! Contacts give way: what something heavy presses against a wall may get into it little by little, without ever being fast. So the
-//! narrow phase notes who is a quarter of its thickness deep in something that is not dynamic, and its path is searched however short it is, until
-//! it is out.
+//! Contacts are compliant: a heavy load can press a body into a wall slowly, so that the body is never fast.
+//! The narrow phase therefore notes bodies that penetrate a non-dynamic collider by a quarter of their
+//! thickness. Their path is searched, however short, until they are out.
 //!
-//! Motion is relative: a body that is slow itself is searched if a kinematic body moves past it fast enough ([`approach`]). What a moving collider stops
-//! rides on it for the rest of the step ([`ride`]).
+//! Motion is relative: a body that is slow itself is searched if a kinematic body moves past it fast enough
+//! ([`approach`]). A body that a moving collider stops is carried by it for the rest of the step ([`ride`]).
 //!
-//! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything, other
-//! bullets included: see [`bullets`]. Sensors stop nobody, but are told: see [`sensors`].
+//! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything,
+//! other bullets included: see [`bullets`]. Sensors stop no body, but report events: see [`sensors`].
 //!
-//! Bodies that joints hold together stop together, when the first of them does: see [`groups`]. A multibody is such a whole, and
-//! goes back the way that its coordinates came: see [`link_trajectories`].
+//! Bodies that joints hold together stop together, when the first of them does: see [`groups`]. A multibody
+//! is such a group, and returns along the trajectory of its coordinates: see [`link_trajectories`].
 //!
-//! The alternative that lost is to find such contacts in advance, by boxes as long as the path (*speculative contacts*):
-//! they stop bodies that would have flown past, and a fast body finds half of the world near it.
+//! The rejected alternative is *speculative contacts*, found by boxes as long as the path. They stop bodies
+//! that would miss, and a fast body has half of the world nearby.
 
 mod approach;
 mod bullets;
@@ -69,13 +71,13 @@ pub(crate) struct CcdScratch {
     movers: Movers,
     /// By fast body: what stops it that is not dynamic.
     first: Vec<Stop>,
-    /// By fast body: what share of its motion happens.
+    /// By fast body: the executed fraction of its motion.
     stops: Vec<Real>,
     rides: Rides,
     link_trajectories: LinkTrajectories,
     groups: Groups,
     bullets: Bullets,
-    /// By fast body: is it deep in something when the step ends?
+    /// By fast body: whether it is deeply penetrating when the step ends.
     deeply_penetrating: Vec<bool>,
     /// By fast body: the sensors that it passes.
     passages: Vec<Vec<SensorCrossing>>,
@@ -103,7 +105,7 @@ impl CcdScratch {
     }
 }
 
-/// What paths are searched in.
+/// Context of the path search.
 #[derive(Copy, Clone)]
 pub(crate) struct CcdContext<'a> {
     pub bodies: &'a RigidBodySet,
@@ -119,7 +121,7 @@ pub(crate) struct CcdContext<'a> {
     pub trajectories: &'a [LinkTrajectory],
 }
 
-/// What a search knows: the world, and the fast bodies in it.
+/// Input of one search: the world and its fast bodies.
 #[derive(Copy, Clone)]
 struct Search<'a> {
     world: CcdContext<'a>,
@@ -129,8 +131,8 @@ struct Search<'a> {
     searched: &'a AtomicUsize,
 }
 
-/// Finds out where bodies are stopped that moved fast, and which sensors they pass. The shares of their motions that happen are in
-/// `scratch`.
+/// Finds out where bodies are stopped that moved fast, and which sensors they pass. `scratch` contains the
+/// executed fractions of their motions.
 pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mut CcdScratch) {
     scratch.clear();
     if world.fast.is_empty() {

@@ -14,7 +14,7 @@ use core::sync::atomic::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use smallvec::SmallVec;
 
-/// Bodies are stopped this far before they touch, at least: a share of the prediction distance.
+/// Minimum gap of stopped bodies, as a fraction of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
 /// The non-dynamic colliders that a path is searched against.
@@ -22,13 +22,13 @@ const GAP_MIN: Real = 0.01;
 pub(super) enum Obstacles {
     /// All of them.
     All,
-    /// Those that are not on a body.
+    /// Colliders without a body.
     NotOn(Option<RigidBodyHandle>),
-    /// Those that move.
+    /// Moving colliders.
     Moving,
 }
 
-/// A collider on its way.
+/// A moving collider.
 #[derive(Copy, Clone)]
 pub(super) struct Mover<'a> {
     pub handle: ColliderHandle,
@@ -36,7 +36,7 @@ pub(super) struct Mover<'a> {
     pub sweep: Sweep<'a>,
 }
 
-/// The colliders of a body on their way.
+/// The moving colliders of a body.
 pub(super) struct Path<'a> {
     pub body: &'a RigidBody,
     pub movers: SmallVec<[Mover<'a>; 2]>,
@@ -48,8 +48,8 @@ impl Search<'_> {
         GAP_MIN * self.world.params.prediction_distance()
     }
 
-    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in the order of their slots: of two that
-    /// are met at nearly the same time the one that was visited first may decide, and that must not depend on the trees.
+    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of
+    /// two nearly simultaneous hits, the first one visited may win, and that must not depend on the trees.
     fn for_each_obstacle(
         self,
         obstacles: Obstacles,
@@ -80,7 +80,7 @@ impl Search<'_> {
 }
 
 impl<'a> Path<'a> {
-    /// The path of the solid colliders of the fast body at a position, as far as it is known to come.
+    /// The path of the solid colliders of the fast body at a position, as far as it is executed.
     pub fn of(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
         Self::of_all(search, position, stop).map(Self::of_solids)
     }
@@ -103,7 +103,8 @@ impl<'a> Path<'a> {
         Some(Self { body, movers: movers(search, body, sweep) })
     }
 
-    /// The path of all colliders of the fast body at a position that goes by these legs, as far as a share of the step.
+    /// The path of all colliders of the fast body at a position along these segments, up to a fraction of the
+    /// step.
     pub fn along(search: Search<'a>, position: usize, way: (&'a [Segment], Real)) -> Option<Self> {
         let body = search.world.bodies.get(search.world.fast[position].body)?;
         Some(Self::of_segments(search, body, way))
@@ -122,7 +123,7 @@ impl<'a> Path<'a> {
         Self { body, movers: movers(search, body, sweep) }
     }
 
-    /// The pose of the body after a share of the step.
+    /// The pose of the body after a fraction of the step.
     pub fn pose_at(&self, share: Real) -> Option<Pose> {
         let mover = self.movers.first()?;
         let parent = mover.collider.parent.as_ref()?;
@@ -143,7 +144,7 @@ impl<'a> Path<'a> {
         regions.fold(Aabb::new_invalid(), |all, region| all.merged(&region))
     }
 
-    /// Where the first of some obstacles stops it. It must be the path of solid colliders.
+    /// The first stop among some colliders. It must be the path of solid colliders.
     pub fn first_stop(&self, search: Search<'_>, obstacles: Obstacles) -> Stop {
         let mut first = Stop::NONE;
         for mover in &self.movers {
@@ -157,7 +158,8 @@ impl<'a> Path<'a> {
         first
     }
 
-    /// Is it deep in a fixed or kinematic collider at its end? It must be that of solid colliders.
+    /// Returns whether the body is deep in a fixed or kinematic collider at its end. It must be that of solid
+    /// colliders.
     pub fn ends_deep(&self, search: Search<'_>) -> bool {
         let mut deep = false;
         for mover in &self.movers {
@@ -172,7 +174,7 @@ impl<'a> Path<'a> {
         deep
     }
 
-    /// The share of the step after which this path is stopped by another body; `None` if not before `until`.
+    /// The fraction of the step after which another body stops this path; `None` if not before `until`.
     pub fn impact(&self, other: &Path<'_>, search: Search<'_>, until: Real) -> Option<Real> {
         let mut first = None;
         for mover in &self.movers {
@@ -202,7 +204,7 @@ impl<'a> Mover<'a> {
         Some(Self { handle, collider, sweep })
     }
 
-    /// The share of the step after which this collider is stopped by another; `None` if not before `until`.
+    /// The fraction of the step after which another collider stops this one; `None` if not before `until`.
     fn impact(&self, other: &Mover<'_>, search: Search<'_>, until: Real) -> Option<Real> {
         if !self.is_stopped_by(other, search) {
             return None;
@@ -221,8 +223,8 @@ impl<'a> Mover<'a> {
         first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
     }
 
-    /// Would the two press on each other if they touched? Where the user's hook has a say in what contacts do, only they
-    /// can know.
+    /// Returns whether a contact of the two would exert forces. If a hook modifies contacts, only the hook
+    /// can decide.
     fn is_stopped_by(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
         let (own, others) = (self.collider, other.collider);
         let hooks = own.active_hooks() | others.active_hooks();
@@ -235,7 +237,7 @@ impl<'a> Mover<'a> {
                 || lets_solver_push(search.world.hooks, &self.filter_context(other, search)))
     }
 
-    /// What a hook is told of the two.
+    /// The hook's view of the two.
     pub fn filter_context<'b>(
         &self,
         other: &Mover<'_>,

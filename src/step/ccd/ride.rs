@@ -1,21 +1,25 @@
 //! Bodies that ride on what stopped them.
 //!
-//! A body that a wall stops stays where it touches the wall for the rest of the step. If the wall is kinematic and moves, that place
-//! moves with it. With `O(s)` the pose of the kinematic body after a share `s` of the step and `X(s)` that of the body, stopped at `s`:
+//! A body that a wall stops stays where it touches the wall for the rest of the step. If the wall is
+//! kinematic and moves, that place moves with it. Let `O(s)` be the pose of the kinematic body after a
+//! fraction `s` of the step, and `X(s)` that of the body, stopped at `s`:
 //!
 //! ```text
 //! X(1) = O(1) O(s)⁻¹ X(s)
 //! ```
 //!
-//! So a door sweeps a ball along and does not turn through it. The velocity is the body's own, as after every stop: the next step finds it in
-//! contact, and the solver makes it as fast as the door.
+//! A door thus pushes a ball along and does not rotate through it. The velocity stays the body's own, as
+//! after every stop. The next step finds the contact, and the solver accelerates the body to the speed of the
+//! door.
 //!
-//! The ride is searched as every path. A fixed collider in its way ends it; the body stands there. While a body stands, moving kinematic
-//! colliders are searched for, and the first one carries it on: a blade that sweeps a floor takes along a ball that landed on the floor
-//! earlier in the same step. At most [`SEGMENTS_MAX`] rides and stands follow each other.
+//! The ride is searched as every path. A fixed collider on the path ends the ride; the body stops there.
+//! While a body is stopped, moving kinematic colliders are searched for, and the first one carries it on. A
+//! blade thus takes along a ball that landed on the floor earlier in the same step. At most [`SEGMENTS_MAX`]
+//! rides and stands follow each other.
 //!
-//! A body between a fixed collider and a kinematic one stays at the share of the step at which it is caught. Nothing can be outside both of two
-//! rigid things that close on it: it never passes the fixed one, and the kinematic body, which nothing stops, overlaps it.
+//! A body between a fixed collider and a kinematic one stops at the fraction of the step at which it is
+//! caught. No position is outside both rigid bodies. The body never passes the fixed one, and the kinematic
+//! body, which nothing stops, overlaps it.
 //!
 //! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does what is joined to one.
 
@@ -32,10 +36,10 @@ use smallvec::{SmallVec, smallvec};
 /// Rides and stands that follow the first stop of a body in one step. Each costs a search.
 const SEGMENTS_MAX: usize = 4;
 
-/// What stops a body, and when.
+/// Cause and time of a stop.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Stop {
-    /// The share of the motion that happens.
+    /// The executed fraction of the motion.
     pub share: Real,
     /// The collider that it meets then, if that moves.
     pub by: Option<ColliderHandle>,
@@ -51,9 +55,9 @@ impl Stop {
 /// The rest of a step on kinematic bodies.
 #[derive(Clone, Debug)]
 pub(super) struct Ride {
-    /// The way until the first stop, and from there on.
+    /// The path until the first stop, and the path after it.
     pub segments: SmallVec<[Segment; 4]>,
-    /// The share of the step at which the last leg ends.
+    /// The fraction of the step at which the last segment ends.
     pub end: Real,
     /// The pose of the body then.
     pub pose: Pose,
@@ -80,8 +84,8 @@ impl Rides {
         self.rides.clear();
     }
 
-    /// Finds the rides, given what stopped each body first, and where bodies have stopped in the end: earlier if they are joined to others or
-    /// bullets.
+    /// Finds the rides from the first stop of each body and the final stops. Final stops are earlier for
+    /// joined bodies and bullets.
     pub fn find(
         &mut self,
         tasks: Tasks<'_>,
@@ -149,8 +153,8 @@ impl Rides {
 }
 
 impl Ride {
-    /// The ride of the fast body at a position that was stopped after a share of the step, by a moving collider or by something at rest.
-    /// `None` if nothing carries it on.
+    /// The ride of the fast body at a position that a moving collider or an obstacle at rest stopped after a
+    /// fraction of the step. `None` if nothing carries it on.
     fn of(
         search: Search<'_>,
         position: usize,
@@ -185,7 +189,8 @@ impl Ride {
         has_moved.then_some(ride)
     }
 
-    /// Adds the leg on a moving collider, or the leg of a body that stands. Returns what ends it; `None` if a ride ends as it begins.
+    /// Adds the segment on a moving collider, or the segment of a stopped body. Returns what ends it; `None`
+    /// if a ride ends as it begins.
     fn go_on(
         &mut self,
         search: Search<'_>,
@@ -224,7 +229,7 @@ impl Ride {
         Some(stop)
     }
 
-    /// The same ride, as far as a share of the step. `None` if nothing of it is left.
+    /// The same ride, up to a fraction of the step. `None` if nothing of it is left.
     fn until(mut self, search: Search<'_>, position: usize, end: Real) -> Option<Self> {
         let body = search.world.bodies.get(search.world.fast[position].body)?;
         let last = self.segments.last_mut().filter(|segment| segment.from < end)?;
@@ -256,14 +261,16 @@ impl Ride {
     }
 }
 
-/// Where something is at the end of the step that is at `start` after a share of it, and moves with a carrier from then on.
+/// Pose at the end of the step of an object at `start` after a fraction of the step that moves with a carrier
+/// from then on.
 fn carried(carrier: &Sweep<'_>, share: Real, start: &Pose) -> Pose {
     let relative = carrier.at(share).inv_mul(start);
     let end = carrier.at(1.0) * relative;
     Pose::from_parts(end.translation, end.rotation.normalize())
 }
 
-/// The straight leg from one pose to another in the rest of the step. `None` if it has no finite velocity.
+/// The straight segment from one pose to another in the rest of the step. `None` if it has no finite
+/// velocity.
 fn straight_segment(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<Segment> {
     let pace = 1.0 / (1.0 - from);
     let center = *start * local_center;
@@ -274,7 +281,7 @@ fn straight_segment(from: Real, [start, end]: [&Pose; 2], local_center: Vector) 
     is_finite.then_some(segment)
 }
 
-/// The leg of a body that stands for the rest of the step.
+/// The segment of a body that is stopped for the rest of the step.
 fn resting_segment(from: Real, pose: &Pose, local_center: Vector) -> Segment {
     let (rotation, center) = (pose.rotation, *pose * local_center);
     Segment { from, until: 1.0, rotation, center, shift: Vector::ZERO, rotvec: ANG_ZERO }

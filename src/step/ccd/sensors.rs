@@ -1,10 +1,12 @@
 //! Sensors that are passed within one step.
 //!
-//! The narrow phase sees what intersects when a step begins. What is before a sensor then, and behind it when the step ends, was in it
-//! all the same: the two events that it would have sent in a slower world are sent here, one after the other.
+//! The narrow phase sees what intersects when a step begins. A body before a sensor at the start and behind
+//! it at the end was inside meanwhile. The stage emits both events that a slower body would cause, in
+//! sequence.
 //!
-//! Both ways round: a fast body that passes a sensor, and one that carries a sensor past something. The other one is fixed,
-//! kinematic, or a dynamic body that is not fast; dynamic ones count if one of the two has `ccd_enabled`.
+//! The search covers fast bodies that cross a sensor, and fast bodies that carry a sensor past something. The
+//! other one is fixed, kinematic, or a dynamic body that is not fast; dynamic ones count if one of the two
+//! has `ccd_enabled`.
 
 use super::Search;
 use super::path::{Mover, Path};
@@ -22,7 +24,7 @@ pub(super) struct SensorCrossing {
 }
 
 impl SensorCrossing {
-    /// What is to be told of it.
+    /// The events of the crossing.
     pub fn events(self) -> [CollisionEvent; 2] {
         let ([collider1, collider2], flags) = (self.colliders, CollisionEventFlags::SENSOR);
         [
@@ -32,7 +34,7 @@ impl SensorCrossing {
     }
 }
 
-/// The sensors that a fast body passes on its path, as far as a share of the step.
+/// The sensors on the path of a fast body, up to a fraction of the step.
 pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<SensorCrossing> {
     let mut found = Vec::new();
     for mover in &path.movers {
@@ -43,7 +45,8 @@ pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<S
                 if !is_told(mover.collider, collider) {
                     return;
                 }
-                // Who is in it already has been told so. At the edge of a shape this search and that of the narrow phase may differ.
+                // Bodies that are inside already were reported. At the edge of a shape this search and that
+                // of the narrow phase may differ.
                 let known = search.world.narrow_phase;
                 if known.intersection_pair(mover.handle, handle) == Some(true) {
                     return;
@@ -59,19 +62,19 @@ pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<S
             });
         }
     }
-    // The trees' order is not the same in a world that was built in another way.
+    // The order of the trees depends on the history of the world.
     found.sort_unstable_by_key(|crossing| crossing.colliders.map(ColliderHandle::into_raw_parts));
     found
 }
 
-/// Is one of them a sensor, and does somebody want to know?
+/// Returns whether one of the two is a sensor and events are enabled.
 fn is_told(collider1: &Collider, collider2: &Collider) -> bool {
     let events = collider1.active_events() | collider2.active_events();
     (collider1.is_sensor() || collider2.is_sensor())
         && events.contains(ActiveEvents::COLLISION_EVENTS)
 }
 
-/// Would the two intersect if they met?
+/// Returns whether the filters let the two intersect.
 fn may_pass(
     search: Search<'_>,
     (body, mover): (&RigidBody, &Mover<'_>),

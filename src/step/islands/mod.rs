@@ -16,7 +16,7 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 4;
 
 /// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.

@@ -1,8 +1,8 @@
 //! Puts contact points into the world.
 //!
-//! Manifolds are computed in the frames of the colliders. To *place* a pair is to turn its normals and levers into the
-//! world, once; [`AnchorFrame`] says how the solver goes on from there, and why it holds some contacts where they were
-//! placed. Those must be placed anew when their bodies have crept on.
+//! Manifolds are computed in the frames of the colliders. The normals and moment arms of a pair are
+//! transformed into the world once. [`AnchorFrame`] derives how the solver continues from there, and why some
+//! anchors are frozen. Frozen anchors are transformed again when their bodies have moved on.
 
 use super::view::PairView;
 use crate::dim::math::{Pose, Real, Rotation, Vector, ang_length_squared};
@@ -11,10 +11,10 @@ use crate::model::collider::Collider;
 use crate::model::contact::{AnchorFrame, ContactManifold};
 use crate::model::island::turn_bound;
 
-/// What is needed to place the contacts of a pair.
+/// Input of the transformation of a pair's contacts.
 pub(super) struct Place<'a> {
     frames: [Frame<'a>; 2],
-    /// From where the levers of the two bodies are measured.
+    /// Reference points of the moment arms of the two bodies.
     origins: [Vector; 2],
 }
 
@@ -23,7 +23,7 @@ impl<'a> Place<'a> {
     pub fn of(view: &PairView<'a>) -> Self {
         let [c1, c2] = view.colliders;
         let frames = [Frame::of(c1, view.bodies[0]), Frame::of(c2, view.bodies[1])];
-        // The world has no centre of mass: the other body's makes all levers as short as they can be.
+        // The world has no centre of mass. The other body's centre gives the shortest moment arms.
         let [x1, x2] = [frames[0].center(), frames[1].center()];
         let origin1 = x1.or(x2).unwrap_or_default();
         Self { frames, origins: [origin1, x2.unwrap_or(origin1)] }
@@ -59,13 +59,13 @@ impl<'a> Place<'a> {
         (manifold.data.normal, manifold.data.placed_normal) = (normal, normal);
     }
 
-    /// Do both bodies creep?
+    /// Returns whether both bodies are near rest.
     pub fn near_rest(&self) -> bool {
         self.frames.iter().all(Frame::near_rest)
     }
 
-    /// How far the two bodies may move (a bound, as for slack) until contacts that were placed like this, and are held,
-    /// must be placed anew. `friction` is the least coefficient of the contacts. Those that are not held need not be.
+    /// Bound on the motion of the two bodies (as for slack) until frozen anchors must be transformed again.
+    /// `friction` is the least coefficient of the contacts. Anchors that are not frozen need no bound.
     pub fn left(&self, world_anchors: &AnchorFrame, friction: Real) -> Real {
         let frozen = AnchorFrame::frozen_angle(friction);
         if frozen == 0.0 || !world_anchors.may_freeze {
@@ -76,8 +76,8 @@ impl<'a> Place<'a> {
     }
 }
 
-/// A collider and the body that the solver moves it with. None of those that are fixed: the solver knows
-/// them as the world.
+/// A collider and the body that the solver moves it with. Fixed bodies have no centre: the solver treats them
+/// as the world.
 struct Frame<'a> {
     collider: &'a Collider,
     body: Option<(&'a RigidBody, Pose)>,

@@ -1,4 +1,4 @@
-//! Pairs of solid colliders: where do the two touch?
+//! Contact manifolds of pairs of solid colliders.
 
 use super::anchors::Place;
 use super::faults;
@@ -22,7 +22,7 @@ use crate::model::island::turn_bound;
 use crate::step::notes::PairChange;
 use smallvec::SmallVec;
 
-/// What a computation tells of the next ones.
+/// Results of a computation that later ones read.
 struct Computed {
     /// How far apart the shapes are beyond the prediction distance: no contact can appear before they
     /// have moved that far.
@@ -69,7 +69,8 @@ impl Update for ContactPair {
 }
 
 impl ContactPair {
-    /// Computes the pair, which has been told of the last step, with what else each of the two touches.
+    /// Computes a pair whose last impulses are written back, with the neighbouring contacts of both
+    /// colliders.
     pub(super) fn renew(
         &mut self,
         view: &PairView<'_>,
@@ -113,8 +114,8 @@ impl ContactPair {
         is_deep.then(|| view.colliders[side].parent()).flatten()
     }
 
-    /// Did anything change that others must be told of: islands, colours, events? In a pile that moves
-    /// most pairs are computed each step, and hardly any of them begins or ends.
+    /// Returns whether the change affects islands, colours or events. In a pile that moves most pairs are
+    /// computed each step, and hardly any of them begins or ends.
     fn needs_follow_up(&mut self, view: &PairView<'_>) -> bool {
         self.has_any_active_contact = self.is_touching();
         let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
@@ -132,11 +133,11 @@ impl ContactPair {
             || !view.is_any_body_awake()
     }
 
-    /// A bound of how far the two bodies moved against each other, in the region where they could touch,
-    /// since the contact points were computed; nothing if that is not below a limit, as for most pairs that are asked.
+    /// Bound on the relative motion of the two bodies since the contact points were computed, in the region
+    /// where they could touch. Returns zero unless the bound is below a limit, as for most pairs.
     ///
-    /// That is how far the points moved, and how far a rotation about them moves anything else within
-    /// `reach`: a body that tips over on its contact points has them stand still.
+    /// The bound includes the motion of the points, and the rotation about them of everything within `reach`.
+    /// The contact points of a tipping body do not move.
     fn drift_below(&self, limit: Real, pose12: &Pose, reach: Real) -> Option<Real> {
         let turned = turn_bound(pose12.rotation, self.pose12.rotation) * reach;
         if turned >= limit {
@@ -150,8 +151,8 @@ impl ContactPair {
         (drift < limit).then_some(drift)
     }
 
-    /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the
-    /// bodies may move until this must be asked again, and whether anything changed.
+    /// Transforms anchors that begin to be frozen, or are frozen and whose bodies have moved too far. Returns
+    /// the admissible motion until the next check, and whether anything changed.
     fn keep_placed(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
         let place = Place::of(view);
         let friction = self.least_friction();
@@ -167,7 +168,7 @@ impl ContactPair {
                 place.put(manifold);
             }
         } else {
-            // Should they creep again later, they must not be held where they were long ago.
+            // If the bodies come near rest again later, outdated anchors must not be frozen.
             self.anchor_frame.may_freeze = false;
         }
         (place.left(&self.anchor_frame, friction), true)
@@ -179,7 +180,7 @@ impl ContactPair {
 
     /// Computes the manifolds.
     ///
-    /// Manifolds that vanish stay, without points, until whoever gave them colours takes those away.
+    /// Vanished manifolds stay, without points, until `islands` removes their colours.
     fn compute(
         &mut self,
         view: &PairView<'_>,
@@ -220,8 +221,8 @@ impl ContactPair {
         Computed { gap, left: place.left(&self.anchor_frame, self.least_friction()) }
     }
 
-    /// Is there no more than one manifold now and before, of shapes that are their own only parts, and of which no hook will hear that
-    /// may panic half-way?
+    /// Returns whether the result can be written in place. The shapes are their own only parts, there is at
+    /// most one manifold, and no hook can panic half-way.
     fn is_plain(&self, view: &PairView<'_>, neighbors: [&[Neighbor<'_>]; 2]) -> bool {
         let is_whole =
             |manifold: &ContactManifold| [manifold.subshape1, manifold.subshape2] == [0; 2];
@@ -287,12 +288,12 @@ impl ContactPair {
     }
 }
 
-/// What the manifolds of a pair are completed with.
+/// Input for the completion of a pair's manifolds.
 #[derive(Copy, Clone)]
 struct Circumstances<'a> {
     view: &'a PairView<'a>,
     place: &'a Place<'a>,
-    /// What the user's filter lets the solver do.
+    /// The user's filter of solver contacts.
     flags: SolverFlags,
 }
 
@@ -313,7 +314,7 @@ fn complete(
     fault
 }
 
-/// Completes a manifold with what the solver needs to know of materials and bodies.
+/// Completes a manifold with the solver's data of materials and bodies.
 fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     let [c1, c2] = view.colliders;
     let data = &mut manifold.data;

@@ -1,7 +1,7 @@
-//! Contacts with numbers with which nobody can calculate.
+//! Contacts with values that are not finite.
 //!
-//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be none. That is
-//! no reason to take a body out: the pair does without the number, and the world without noticing.
+//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be
+//! none. The body is not disabled for that: the pair omits the value.
 
 use super::update::Worker;
 use crate::base::measure::{MODERATE_MAX, is_point};

@@ -1,14 +1,12 @@
 //! A second look at contacts that other colliders contradict.
 //!
-//! Pairs are computed without knowledge of each other. A body that slides over a floor of tiles, each a
-//! collider of its own, seems to meet the next tile from the side; only together with the contact on
-//! the tile beneath it is clear that there is no side. So once all pairs are computed, the contacts of
-//! each body with what does not move are compared, and pairs with contacts that are only seams (see
-//! [`crate::collide`]) are computed again, with the others as [`Neighbor`]s.
+//! Pairs are computed without knowledge of each other. A body that slides over tiles, each of them a
+//! collider, seems to meet the next tile from the side. Only the contact with the tile beneath it shows that
+//! there is no side. The stage therefore compares all contacts of each body with non-dynamic colliders. Pairs
+//! with ghost contacts (see [`crate::collide`]) are computed again, with the other contacts as [`Neighbor`]s.
 //!
-//! Obstacles are colliders without a dynamic body. Bodies in a pile do meet seams between dynamic bodies,
-//! but hardly two that are flush and stay so; comparing all of their contacts would cost more than it
-//! gives.
+//! Obstacles are colliders without a dynamic body. Bodies in a pile meet internal edges between dynamic
+//! bodies, but level edges rarely persist. A comparison of all their contacts costs more than it gives.
 
 use super::update::{NarrowPhaseContext, Outcome, Worker};
 use super::view::PairView;
@@ -29,8 +27,8 @@ const BODIES_PER_TASK: usize = 8;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(super) struct GhostContactScratch {
-    /// Slots of colliders that were computed to touch an obstacle, with the pair's place in the list of
-    /// due pairs; sorted.
+    /// Slots of colliders that touch a non-dynamic collider, with the pair's position in the list of due
+    /// pairs; sorted.
     touching: Vec<(u32, u32)>,
     /// The pairs of one collider each, as ranges of that list.
     groups: Vec<Range<usize>>,
@@ -40,11 +38,11 @@ pub(super) struct GhostContactScratch {
 pub(super) struct Computed<'a> {
     /// Their ids.
     pub due: &'a [PairId],
-    /// What was found of each.
+    /// Result for each of them.
     pub outcomes: &'a mut [Outcome],
 }
 
-/// Which of two colliders is an obstacle to the other.
+/// Side of the non-dynamic collider of a pair.
 pub(super) fn non_dynamic_side(view: &PairView<'_>) -> Option<usize> {
     match view.bodies.map(|body| body.is_some_and(RigidBody::is_dynamic)) {
         [false, true] => Some(0),
@@ -53,7 +51,7 @@ pub(super) fn non_dynamic_side(view: &PairView<'_>) -> Option<usize> {
     }
 }
 
-/// Computes pairs again that have contacts which are only seams between obstacles.
+/// Recomputes pairs that have ghost contacts between non-dynamic colliders.
 pub(super) fn filter_ghost_contacts(
     tasks: Tasks<'_>,
     context: NarrowPhaseContext<'_>,
@@ -74,8 +72,8 @@ pub(super) fn filter_ghost_contacts(
             let members = &touching[group.clone()];
             let ids = of_collider[members[0].0 as usize].ids.iter().copied();
             let ids = ids.filter(|&id| states[id as usize].met_obstacle);
-            // SAFETY: a pair of a body and an obstacle belongs to the group of the body alone, and pairs
-            // of two bodies to none.
+            // SAFETY: a pair of a dynamic and a non-dynamic collider belongs to the group of the dynamic one
+            // alone. Pairs of two dynamic bodies belong to no group.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
             let pairs_of_body = ids.clone().filter_map(|id| Some((id, pair(id)?)));
             if look_alike(context, members[0].0, pairs_of_body) {
@@ -87,7 +85,7 @@ pub(super) fn filter_ghost_contacts(
                 else {
                     continue;
                 };
-                // SAFETY: as above, this is a pair of a body and an obstacle.
+                // SAFETY: as above, this is a pair of a dynamic and a non-dynamic collider.
                 let Some(pair) = (unsafe { pairs.get_mut(id as usize) }) else { continue };
                 context.lanes.write_back(id, pair);
                 contacts.add(id, pair, side, &view);
@@ -109,7 +107,8 @@ pub(super) fn filter_ghost_contacts(
     });
 }
 
-/// Do all contacts of the collider in a slot push it in the same direction? Then none is a seam.
+/// Returns whether all contacts of the collider in a slot push it in the same direction. In that case none is
+/// a ghost contact.
 fn look_alike<'a>(
     context: NarrowPhaseContext<'_>,
     slot: u32,
@@ -131,7 +130,7 @@ fn look_alike<'a>(
 }
 
 impl GhostContactScratch {
-    /// Lists what the bodies touch that may touch several obstacles.
+    /// Lists the contacts of bodies that may touch several non-dynamic colliders.
     fn group(&mut self, store: &mut PairStore<ContactPair>, computed: &Computed<'_>) {
         let Self { touching, groups } = self;
         touching.clear();
@@ -154,7 +153,7 @@ impl GhostContactScratch {
     }
 }
 
-/// On which side the obstacle of a pair that touches is, if it has one.
+/// Side of the non-dynamic collider of a touching pair, if it has one.
 fn with_obstacle<'a>(
     context: NarrowPhaseContext<'a>,
     pair: &ContactPair,
@@ -164,19 +163,19 @@ fn with_obstacle<'a>(
     Some((non_dynamic_side(&view)?, view))
 }
 
-/// The contacts of one collider with obstacles.
+/// The contacts of one collider with non-dynamic colliders.
 #[derive(Default)]
 struct Contacts<'a> {
-    /// The contacts that are none but seams, once these are taken out.
+    /// The contacts without the ghost contacts.
     list: SmallVec<[Neighbor<'a>; 8]>,
     /// The pairs that they are of.
     pairs: SmallVec<[PairId; 8]>,
-    /// The pairs with seams.
+    /// The pairs with ghost contacts.
     ghost_contacts: SmallVec<[PairId; 8]>,
 }
 
 impl<'a> Contacts<'a> {
-    /// Adds the contacts of a pair with an obstacle on this side.
+    /// Adds the contacts of a pair whose non-dynamic collider is on this side.
     fn add(&mut self, id: PairId, pair: &ContactPair, side: usize, view: &PairView<'a>) {
         let pose = if side == 0 { view.pose12.inverse() } else { view.pose12 };
         let shapes = view.colliders.map(Collider::shape);
@@ -188,7 +187,7 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Leaves what are contacts, and notes the pairs with those that are only seams.
+    /// Removes ghost contacts, and notes their pairs.
     fn remove_ghost_contacts(&mut self, step_height_tolerance: Real) {
         let several = self.pairs.iter().any(|id| *id != self.pairs[0]);
         if !several {

@@ -1,4 +1,4 @@
-//! Pairs with a sensor: do the two intersect?
+//! Intersection tests of pairs with a sensor.
 
 use super::update::{Outcome, Update, Worker};
 use super::view::PairView;

@@ -28,18 +28,18 @@ const PAIRS_PER_TASK: usize = 16;
 /// And outcomes.
 const OUTCOMES_PER_TASK: usize = 512;
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 2;
 /// The same, where nothing else is done in a turn.
 const SLOTS_AHEAD: usize = 32;
 
-/// What the narrow phase reads.
+/// Context of the narrow phase.
 #[derive(Copy, Clone)]
 pub(crate) struct NarrowPhaseContext<'a> {
     pub bodies: &'a RigidBodySet,
     pub colliders: &'a ColliderSet,
     pub islands: &'a IslandManager,
-    /// What the last step knows of contacts that have not been told.
+    /// Impulses of the last step that are not written back yet.
     pub lanes: &'a ContactLanes,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
@@ -65,7 +65,7 @@ pub(crate) struct NarrowPhaseScratch {
 #[derive(Default)]
 struct Culled {
     pairs: Vec<[ColliderHandle; 2]>,
-    /// Has the log been told?
+    /// Whether the log already contains the warning.
     has_warned: bool,
 }
 
@@ -89,7 +89,7 @@ impl Culled {
 /// A pair that changed, after the slots of its colliders.
 type Change = ([u32; 2], PairId, PairChange);
 
-/// What one thread needs to compute manifolds.
+/// Buffers of one thread for the computation of manifolds.
 #[derive(Default)]
 pub(super) struct Worker {
     pub scratch: ManifoldScratch,
@@ -102,16 +102,16 @@ pub(super) struct Worker {
     pub culled: Vec<[ColliderHandle; 2]>,
 }
 
-/// What a look at one pair found.
+/// Result for one pair.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Outcome {
     pub change: Option<PairChange>,
     pub slack: Real,
-    /// Does somebody want to hear of strong contact forces?
+    /// Whether events of strong contact forces are enabled.
     pub reports_force: bool,
-    /// Is anything not as it was that the solver reads?
+    /// Whether any input of the solver changed.
     pub is_renewed: bool,
-    /// Which of the two colliders is an obstacle, if contacts with it were computed.
+    /// Side of the non-dynamic collider, if contacts with it were computed.
     pub obstacle: Option<usize>,
 }
 
@@ -144,7 +144,7 @@ pub(crate) fn update(
         .for_each(|worker| notes.deeply_penetrating.append(&mut worker.deeply_penetrating));
     scratch.culled.gather(&mut scratch.workers);
     if let Err(panic) = looked {
-        // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
+        // A hook did that. Some pairs are up to date, and their result is lost: all are due again.
         contacts.invalidate_all();
         contacts.renew_all();
         intersections.invalidate_all();
@@ -224,7 +224,7 @@ fn list_due<P: Pair>(
     let is_due = |state: &mut PairState| {
         let [body1, body2] = state.bodies;
         state.slack -= context.islands.motion_of(body1).against(context.islands.motion_of(body2));
-        // Two infinite ways have no difference.
+        // The difference of two infinite displacements is not a number.
         state.slack < 0.0 || state.slack.is_nan()
     };
     store.list_awake(tasks, gather, is_due, due);
@@ -258,7 +258,7 @@ fn look_at_all<P: Update>(
     });
 }
 
-/// Has the store know of all pairs what was found, and lists those that changed.
+/// Stores the results of all pairs, and lists the pairs that changed.
 fn apply<P: Pair>(
     tasks: Tasks<'_>,
     store: &mut PairStore<P>,
@@ -296,11 +296,11 @@ struct Ahead<'a, P> {
 }
 
 impl<P: Update> Ahead<'_, P> {
-    /// A pair names its colliders, so it must be there before they can be asked for.
+    /// The pair contains the collider slots, so it is prefetched first.
     #[inline(always)]
     fn of(&self, index: usize) {
         if let Some(&id) = self.due.get(index + 2 * TURNS_AHEAD) {
-            // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
+            // SAFETY: the later pairs of the range belong to this task exclusively.
             prefetch(unsafe { self.pairs.get(id as usize) });
         }
         if let Some(&id) = self.due.get(index + TURNS_AHEAD) {

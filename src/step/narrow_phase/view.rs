@@ -39,7 +39,7 @@ impl<'a> PairView<'a> {
         diameter(self.bodies[0]).min(diameter(self.bodies[1]))
     }
 
-    /// Are both shapes convex?
+    /// Returns whether both shapes are convex.
     pub fn are_convex(&self) -> bool {
         let [c1, c2] = self.colliders;
         (c1.form & c2.form).contains(ShapeForm::CONVEX)

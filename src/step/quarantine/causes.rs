@@ -1,15 +1,16 @@
-//! Of bodies that were lost together, who is to blame?
+//! Causes of a failed step: the bodies to disable when several bodies diverged together.
 //!
-//! First those who would be lost all alone: by their own place, velocity, mass, or by the forces that the user put on them.
-//! With them out of the way the others may well be sound.
+//! The first candidates are bodies that diverge on their own: by their position, velocity, mass, or external
+//! forces. Without them, the other bodies may be sound.
 //!
-//! Nobody may be to blame alone: a motor stiffer than numbers go, masses of a ratio that leaves no digit. Then the most
-//! *strained* body of each island is taken: the one that anything that acts on it alone would carry farthest within the
-//! step. Removing it takes its joints and contacts out of the equations; it is the end of a chain of causes more often than
-//! its beginning, but any choice that takes the group apart will do, and this one depends on the group alone.
+//! There may be no single cause: a motor stiffer than the range of numbers, or a mass ratio beyond the
+//! precision. In this case the most *stressed* body of each island is selected: the one with the largest
+//! displacement within the step under its own loads. Disabling it removes its joints and contacts from the
+//! equations. It is the end of a causal chain more often than its beginning. Any choice that splits the group
+//! works, and this one depends on the group alone.
 //!
-//! Each round costs a step. After [`ROUNDS`] of them all that are lost are taken, and after twice as many everything that
-//! is awake: then nothing moves any more, and the step cannot fail.
+//! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
+//! many all awake bodies. Then nothing moves, and the step cannot fail.
 
 use super::{StepConditions, World};
 use crate::dim::axes::inv_mass_per_axis;
@@ -21,10 +22,10 @@ use crate::model::check::checked_pose;
 use crate::model::joint::JointMotor;
 use crate::step::notes::Diverged;
 
-/// So often the most strained ones are taken one by one.
+/// Number of rounds in which the most stressed bodies are selected one by one.
 const ROUNDS: usize = 4;
 
-/// A body and why it was taken out.
+/// A body and the cause of its quarantine.
 type Cause = (RigidBodyHandle, QuarantineCause);
 
 /// A failed step.
@@ -35,7 +36,7 @@ pub(super) struct Causes<'a> {
 }
 
 impl Causes<'_> {
-    /// Adds those to be taken out, once the step has failed `failures` times before.
+    /// Adds the bodies to disable after the step has failed `failures` times before.
     pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
         let known = taken.len();
         if failures >= 2 * ROUNDS {
@@ -45,7 +46,7 @@ impl Causes<'_> {
             return all.for_each(|diverged| self.take(&diverged, taken));
         }
         for diverged in self.diverged {
-            // Of a multibody, nobody knows any more who was lost first.
+            // The first diverged link of a multibody is unknown.
             let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
             let suspects = core::iter::once(&diverged.body).chain(links);
             let mut causes = suspects.filter_map(|&suspect| {
@@ -99,7 +100,7 @@ impl Causes<'_> {
 
     // ---- Blame ----
 
-    /// What would lose a body all alone.
+    /// The cause for which a body diverges on its own.
     fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
         let StepConditions { gravity, params } = self.conditions;
         if checked_pose(body.pose).is_none() {
@@ -131,7 +132,7 @@ impl Causes<'_> {
         None
     }
 
-    /// The most strained of each island.
+    /// The most stressed body of each island.
     fn most_stressed(&self) -> Vec<&Diverged> {
         let ranked = self.diverged.iter().filter_map(|diverged| {
             let body = self.body(diverged)?;
@@ -144,7 +145,7 @@ impl Causes<'_> {
         ranked.into_iter().map(|(.., diverged)| diverged).collect()
     }
 
-    /// The strain of a body, or of the most strained link of a multibody.
+    /// The stress of a body, or of the most stressed link of a multibody.
     fn stress_of(&self, diverged: &Diverged) -> Real {
         let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
         let strains = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
@@ -211,7 +212,7 @@ impl Pull {
     }
 }
 
-/// Can a body be calculated with that moves at this velocity for `dt` seconds?
+/// Returns whether a body with this velocity stays finite for `dt` seconds.
 fn leads_somewhere(body: &RigidBody, velocity: RigidBodyVelocity, dt: Real) -> bool {
     let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
     velocity.is_usable() && checked_pose(pose).is_some()

@@ -9,7 +9,7 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::tree::BroadPhaseBvh;
 
-/// Everything that a step changes, and the notes of the user's edits, which the step will take in again.
+/// Everything that a step changes, and the lists of the user's edits, which the repeated step applies again.
 pub(crate) struct Checkpoint {
     islands: IslandManager,
     broad_phase: BroadPhaseBvh,

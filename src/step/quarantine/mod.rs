@@ -1,27 +1,29 @@
 //! # Quarantine — who leaves the range of numbers is taken out, and the step taken again
 //!
 //! Reads:   the solver's note of bodies that it could not store, and what these were given by the user and by joints
-//! Writes:  which bodies take part; the whole world, back to what it was when the step began
+//! Writes:  enabled flags of bodies; the whole world, restored to the start of the step
 //! Runs:    serial, when a step has failed; a world at risk is copied before
 //! Never:   touches a body that the solver could store
 //!
-//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are none would pass
-//! this on to all that it touches, and these to all that they touch. So the solver stores nobody if it cannot store
-//! everybody. Here the [culprits] are found and disabled, as a user would disable them, and the step is taken again
-//! without them: from the beginning, as if they had been disabled before it. What they hit in this step was not hit, what
-//! they woke sleeps, and no event tells of it.
+//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are
+//! none would pass this on to all that it touches, and these to all that they touch. The solver therefore
+//! stores no body if it cannot store all of them. This stage finds the [causes] and disables them, as a user
+//! would disable them. The step is then repeated without them from the beginning. The failed attempt leaves
+//! no impulses, wakes no body and emits no event.
 //!
-//! **The way back.** By the time when the solver has failed, pairs, islands and colours have followed the step. They are not
-//! unwound one by one: that would need a journal of everything that the structure does. Instead a step is begun with a
-//! [copy of the world](Checkpoint) when it might fail: after a step that left a body faster than [`MODERATE_MAX`] or farther than
-//! [`COORDINATE_MODERATE_MAX`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
-//! [gently](GENTLE); and when the step is [long](LONG). That is rare, and a step that nobody is at risk in pays for a comparison per number of the solver's
-//! states (`src/step/solver/bodies/divergence.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
-//! what grows there grows over several steps, and is seen.
+//! **The checkpoint.** By the time when the solver has failed, pairs, islands and colours have followed the
+//! step. They are not unwound one by one: that would need a journal of everything that the structure does. A
+//! step begins with a [copy of the world](Checkpoint) if it may fail. The conditions are: the last step left
+//! a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches a much
+//! lighter one; an edit is not [moderate](GENTLE); or the step is [long](LONG). That is rare. Other steps pay
+//! for a comparison per number of the solver's states (`src/step/solver/bodies/divergence.rs`). Moderate and
+//! non-finite numbers are a factor of 10⁹ apart. Values that grow there grow over several steps, and are
+//! detected.
 //!
-//! Should a step fail all the same that nobody foresaw (a motor that was never calm, held until now), it is taken again
-//! from where it is: bodies and impulses are as they were. Numbers are as safe then. But new contacts have been coloured,
-//! and sleepers woken, with the culprits still there: what touched them may be visited in another order than without them.
+//! A step may fail without such a sign, for example because of an extreme motor that was blocked so far. It
+//! is then repeated from the current state: bodies and impulses are unchanged. Numbers are as safe then. But
+//! new contacts are coloured already, and sleeping bodies are awake, with the causes still enabled. The order
+//! of their contacts may therefore differ.
 
 mod causes;
 mod checkpoint;
@@ -43,11 +45,11 @@ use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::StepNotes;
 use causes::Causes;
 
-/// What users set that is faster, or is to become so within a step, is worth a copy of the world (in length units, and
-/// radians, per second).
+/// A velocity set by the user above this value, or reached within a step, requires a checkpoint (in length
+/// units, and radians, per second).
 const GENTLE: Real = 1.0e3;
 
-/// A step so long (s) that what turns, turns further in it than anybody could foresee.
+/// Steps longer than this (s) always have a checkpoint: rotations within them are unpredictable.
 const LONG: Real = 0.1;
 
 /// All that a step changes.
@@ -61,20 +63,20 @@ pub(crate) struct World<'a> {
     pub multibodies: &'a mut MultibodyJointSet,
 }
 
-/// What bodies move in.
+/// Gravity and parameters of the step.
 #[derive(Copy, Clone)]
 pub(crate) struct StepConditions<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
 }
 
-/// Who has been taken out in this step.
+/// The bodies that were disabled in this step.
 #[derive(Default)]
 pub(crate) struct Quarantine {
     taken: Vec<(RigidBodyHandle, QuarantineCause)>,
     /// How often the step has failed.
     failures: usize,
-    /// How many events the attempts have told that failed.
+    /// Number of events that failed attempts emitted.
     emitted: usize,
 }
 
@@ -97,7 +99,7 @@ impl Quarantine {
         let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
         causes.find(self.failures, &mut self.taken);
         self.failures += 1;
-        // Not in the order in which they were found: a user who disables the same bodies need not know it.
+        // The order is that of the handles, so a user who disables the same bodies gets the same result.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
         match checkpoint {
@@ -106,7 +108,7 @@ impl Quarantine {
                 notes.clear();
             }
             None => {
-                // All pairs have heard of the last motion.
+                // All pairs already include the last motion.
                 world.islands.forget_motion();
                 notes.clear_attempt();
             }
@@ -119,7 +121,7 @@ impl Quarantine {
         }
     }
 
-    /// Tells who was taken out. Returns how many.
+    /// Reports the disabled bodies. Returns how many.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
             cancel_out(&mut notes.events, self.emitted);
@@ -139,8 +141,9 @@ impl Quarantine {
     }
 }
 
-/// What began to touch in a failed attempt, and stopped because one of the two was taken out, did neither. Attempts that failed have told the
-/// first `emitted` events; what began later, and stopped in the same step all the same (a sensor was passed), did both.
+/// Cancels pairs of events: contacts that began in a failed attempt and ended because one body was disabled.
+/// Failed attempts emitted the first `emitted` events. Contacts that began later and ended in the same step
+/// (a crossed sensor) keep both events.
 fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
     let mut began = FastHashMap::default();
     let mut is_void = vec![false; events.len()];
@@ -156,7 +159,7 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
     events.retain(|_| !is_void.next().unwrap_or_default());
 }
 
-/// Might the step that is about to begin fail?
+/// Returns whether the step that is about to begin may fail.
 pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
     let World { islands, bodies, colliders, joints, .. } = world;
     let is_ill_conditioned = |&handle: &RigidBodyHandle| {
@@ -178,7 +181,7 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> b
 }
 
 impl StepConditions<'_> {
-    /// Is everything moderate that the user may have given to a body, and the body near?
+    /// Returns whether all user-provided values of a body are moderate, its position included.
     fn treat_gently(self, body: &RigidBody) -> bool {
         let Self { gravity, params } = self;
         let (force, torque) = body.forces();
@@ -192,14 +195,14 @@ impl StepConditions<'_> {
             && rotates_moderately(body.angvel)
             && rotates_moderately(twist * params.dt)
             && rotates_moderately(to_target.angvel)
-            // What a new body weighs is not yet known.
+            // The mass of a new body is not yet computed.
             && is_within(force, MODERATE_MAX)
             && ang_length_squared(torque) <= MODERATE_MAX * MODERATE_MAX
             && inv_mass <= MODERATE_MAX
             && is_within(body.pose.translation, COORDINATE_MODERATE_MAX)
     }
 
-    /// Is it moderate as a velocity, even in a long step?
+    /// Returns whether the value is moderate as a velocity, even in a long step.
     fn is_gentle(self, velocity: Vector) -> bool {
         is_within(velocity * self.params.dt.max(1.0), GENTLE * self.params.length_unit.max(1.0))
     }
@@ -213,7 +216,7 @@ fn is_within(vector: Vector, bound: Real) -> bool {
     vector.abs().max_element() <= bound
 }
 
-/// Are masses of this order, or their inverses, nothing to fear?
+/// Returns whether masses of this order and their inverses are harmless.
 fn mass_is_moderate(mass: &ColliderMassProps) -> bool {
     let value = match mass {
         ColliderMassProps::Density(value) | ColliderMassProps::Mass(value) => *value,
@@ -264,7 +267,7 @@ mod tests {
         assert_eq!(events, [stopped(1), stopped(4), started(5), started(1)]);
     }
 
-    /// Nobody took back that it began: it was there, and is not any more.
+    /// The begin event was not cancelled: the contact existed before, and has ended.
     #[test]
     fn what_is_passed_after_all_attempts_is_told() {
         let mut events = vec![started(1), stopped(1), started(2), stopped(2)];

@@ -30,9 +30,9 @@ const BLOCKS_AHEAD: usize = 2;
 /// What contacts are loaded for.
 #[derive(Copy, Clone)]
 pub(super) struct LoadKind {
-    /// Are all bodies that move solved together?
+    /// Whether all moving bodies are solved together.
     pub is_only_group: bool,
-    /// Has each point friction of its own?
+    /// Whether each point has its own friction.
     pub per_point: bool,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct SolverContacts {
     /// Those of the narrow phase while they are on loan, else its own.
     lanes: ContactLanes,
     are_on_loan: bool,
-    /// Do they begin with but a share of the last impulses?
+    /// Whether the lanes begin with a reduced fraction of the last impulses.
     lanes_are_scaled: bool,
     /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
     starts: Vec<u32>,
@@ -54,7 +54,7 @@ pub(super) struct SolverContacts {
     overflow: OverflowOrder,
     impacts: Impacts,
     point_count: usize,
-    /// Is a contact deep enough for its correction to throw bodies?
+    /// Whether a contact is deep enough that its correction may eject bodies.
     has_deep_overlap: bool,
 }
 
@@ -293,7 +293,7 @@ impl SolverContacts {
         });
     }
 
-    /// Does any of them bounce?
+    /// Returns whether any contact has restitution.
     pub fn bounce(&self) -> bool {
         !self.impacts.is_empty()
     }
@@ -329,7 +329,8 @@ impl SolverContacts {
         }
     }
 
-    /// Must the blocks of a colour tell their manifolds now? Those of the overflow stand at its beginning, in an order of their own.
+    /// Returns whether the blocks of a colour must write back to their manifolds now. Those of the overflow
+    /// stand at its beginning, in an order of their own.
     fn needs_write_back(&self, color: &Range<usize>) -> bool {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
@@ -460,7 +461,7 @@ struct Prepare<'a> {
 }
 
 impl Kernel for Prepare<'_> {
-    /// Is one of the contacts deep?
+    /// Whether one of the contacts is deep.
     type Output = bool;
 
     #[inline(always)]

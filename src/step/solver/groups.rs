@@ -87,7 +87,7 @@ impl IslandRequirement {
         heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
-    /// Does a body touch or hold another so much heavier that a push of the one is beyond numbers for the other?
+    /// Returns whether a body touches or is joined to a much heavier one, so that impulses may overflow.
     fn is_ill_conditioned(&self) -> bool {
         [self.masses, self.joined]
             .iter()
@@ -167,7 +167,7 @@ impl Groups {
         self.groups.iter()
     }
 
-    /// Are there masses in one island that might lead out of the range of numbers?
+    /// Returns whether the mass ratios within an island may cause overflow.
     pub fn are_ill_conditioned(&self) -> bool {
         self.ill_conditioned
     }

@@ -52,7 +52,7 @@ struct IslandEnergy {
     /// The numbers of its deep contacts, and of the bodies that have some.
     deep_contacts: usize,
     deep_bodies: usize,
-    /// Does anything but contacts change its energy?
+    /// Whether anything but contacts changes the energy.
     is_driven: bool,
     /// What all its bodies together gained in the substep.
     gain: Real,

@@ -27,7 +27,7 @@ impl UserChanges<'_> {
         self.structure.link_group_of(handle);
     }
 
-    /// Colliders know the type of their body, and do not take part without it.
+    /// Colliders store the type of their body, and are inactive without it.
     fn inform_colliders(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.structure.bodies.get(handle) else { return };
         let (body_type, enabled) = (body.body_type, body.enabled);
@@ -108,7 +108,7 @@ impl UserChanges<'_> {
                 continue;
             }
             match body.link.island {
-                // The solver must know where a body is that touches an awake one.
+                // The solver needs the pose of a body that touches an awake one.
                 NONE if self.structure.has_awake_partner(handle) => self.stay_awake(handle),
                 NONE => self.structure.sleep_kinematic(handle),
                 island if self.all_want_to_sleep(island) => self.structure.sleep_island(island),

@@ -8,10 +8,11 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use parry::shape::SharedShape;
 use std::sync::Arc;
 
-/// The shape that was measured last. Colliders that share a shape are mostly inserted one after the other, and a hull is measured once for all.
+/// The shape that was measured last. Colliders with one shape are mostly inserted in sequence, so a hull is
+/// measured once for all.
 #[derive(Default)]
 pub(super) struct Measured {
-    /// It is held here: no other shape gets its address meanwhile.
+    /// A reference keeps the shape alive, so no other shape gets its address.
     shape: Option<SharedShape>,
     widths: Option<Arc<[Widths]>>,
 }
@@ -45,7 +46,7 @@ impl UserChanges<'_> {
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
         self.tree.note_wishes(collider, body);
 
-        // What is another kind of pair, or of other bodies, cannot be kept.
+        // A pair of another kind, or of other bodies, cannot be kept.
         let (identity, company) = (ColliderChanges::IDENTITY, ColliderChanges::COMPANY);
         if changes.intersects(identity) {
             self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
@@ -96,7 +97,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Notes that two colliders stopped touching, for whoever has heard that they began to.
+    /// Emits the end event of two colliders whose begin event was emitted.
     pub(super) fn report_end(
         &mut self,
         heard: Option<[ColliderHandle; 2]>,

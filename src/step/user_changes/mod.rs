@@ -1,7 +1,7 @@
 //! # User changes — take in what was edited since the last step
 //!
 //! Reads:   the notes that the sets keep of edits
-//! Writes:  bodies, colliders, trees, pairs, islands, what the step knows of joints
+//! Writes:  bodies, colliders, trees, pairs, islands, the step's data of joints
 //! Runs:    serial, in the order of the edits
 //! Never:   looks at anything that was not edited, or does not touch what was
 //!
@@ -74,9 +74,9 @@ impl UserChanges<'_> {
         self.apply_removals();
     }
 
-    /// Colliders that were put in the place of others become part of the bodies that they name, and bodies that were
-    /// put in the place of others get the colliders of those: no collider stands in two lists, and threads that each
-    /// work on a body may rely on that.
+    /// Replaced colliders become colliders of the bodies that they name, and replaced bodies get the
+    /// colliders of the old ones. No collider is then in two lists, and threads that work on different bodies
+    /// rely on that.
     fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
         colliders.settle_replaced(bodies);
@@ -121,7 +121,7 @@ impl UserChanges<'_> {
         colliders.note_box(handle);
     }
 
-    /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.
+    /// Takes all pairs of a collider away. Touching bodies wake if `wake_up`.
     fn remove_pairs_of(
         &mut self,
         handle: ColliderHandle,

@@ -1,5 +1,6 @@
-//! Bodies that were put elsewhere. Whom they touched or held wakes: they may no longer be there. But who was moved along
-//! by the same motion notices nothing: so a world can be brought back to the origin, and a room be moved, asleep.
+//! Bodies that were put elsewhere. Bodies that touched them or were joined to them wake, because the support
+//! may be gone. Bodies that moved along by the same motion stay asleep. A world can thus be moved back to the
+//! origin without waking.
 
 use super::UserChanges;
 use crate::dim::math::{Pose, Real, ang_length_squared, rotation_to_angle};
@@ -13,8 +14,8 @@ struct MovedBody {
 }
 
 impl UserChanges<'_> {
-    /// Wakes whom a body touched or held that is now elsewhere, unless all of them were moved along. Colliders must
-    /// still stand where they stood.
+    /// Wakes the bodies that a moved body touched or was joined to, unless all of them moved along. Colliders
+    /// must still stand where they stood.
     pub(super) fn wake_left_behind(&mut self, handle: RigidBodyHandle) {
         let slot = handle.into_raw_parts().0;
         let Some(body) = self.structure.bodies.get(handle) else { return };
@@ -40,7 +41,7 @@ impl UserChanges<'_> {
         takes
     }
 
-    /// Does a body, or the world, stand to another one as it did before?
+    /// Returns whether a body, or the world, has the same relative pose as before.
     fn moved_along(&self, stand: &MovedBody, partner: u32) -> bool {
         let other = match self.structure.bodies.at_slot(partner) {
             _ if partner == NONE => Some(MovedBody { before: Pose::IDENTITY, now: Pose::IDENTITY }),
@@ -64,7 +65,7 @@ impl UserChanges<'_> {
 }
 
 impl MovedBody {
-    /// Is the way from this to the other one the same as before, but for the rounding of far places?
+    /// Returns whether the relative pose is unchanged, within the rounding of far places.
     fn keeps_to(&self, other: &Self) -> bool {
         let before = self.before.inv_mul(&other.before);
         let now = self.now.inv_mul(&other.now);

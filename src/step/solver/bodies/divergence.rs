@@ -1,4 +1,4 @@
-//! Before anything is stored: can all of it be?
+//! Divergence check: tests whether all states are storable before the first one is stored.
 //!
 //! What is added up until it is beyond all numbers is none, and that spreads: a pass later, whoever touches such a body has
 //! no numbers either. None of them ever gets any back, so it is enough to look when all passes are over, and before anybody
@@ -23,7 +23,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 const STATES_PER_TASK: usize = 1024;
 
 impl SolverBodies {
-    /// Are the velocities and displacements of all bodies that were moved calm?
+    /// Returns whether the velocities and displacements of all moved bodies are moderate.
     pub fn are_moderate(&self, tasks: Tasks<'_>) -> bool {
         let is_moderate = AtomicBool::new(true);
         for members in self.moving.clone() {

@@ -37,7 +37,8 @@ pub(super) struct SolverBodies {
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
-    /// By index: with what share of its last impulses a substep begins; and is there any but 1?
+    /// By index: the fraction of the last impulses with which a substep begins. The flag is set if any
+    /// differs from 1.
     impulse_scales: Vec<Real>,
     any_scaled: bool,
     /// By index: the island, or [`NONE`].
@@ -46,12 +47,12 @@ pub(super) struct SolverBodies {
     moving: [Range<usize>; 2],
     /// Where threads put down who is fast.
     fast: Gather<FastMotion>,
-    /// Was one of them far away when the step began?
+    /// Whether any body was far from the origin when the step began.
     pub any_far: bool,
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
-/// On indices: is this a body of a pile that [creeps](Placement), or what a pile stands on?
+/// Bits of a body index. [`NEAR_REST`] marks bodies of a pile that are near rest, and the supports of piles.
 const NEAR_REST: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
@@ -70,7 +71,7 @@ impl SolverBodies {
         self.moving.clone()
     }
 
-    /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
+    /// Returns whether the solved group contains one of two bodies. For pairs of bodies that touch.
     pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
         let [_, members] = &self.moving;
         slots.into_iter().any(|slot| {
@@ -79,7 +80,7 @@ impl SolverBodies {
         })
     }
 
-    /// Does any body begin with but a [share](Self::share) of its impulses?
+    /// Returns whether any body begins with a reduced [fraction](Self::share) of its impulses.
     pub fn any_scaled(&self) -> bool {
         self.any_scaled
     }
@@ -110,7 +111,7 @@ impl SolverBodies {
         self.find(slot).0
     }
 
-    /// The same, and does the body creep?
+    /// The same, with the bit for near rest.
     #[inline]
     pub fn find(&self, slot: u32) -> (u32, bool) {
         // There is no body in the slot `NONE`.

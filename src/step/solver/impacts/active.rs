@@ -99,7 +99,7 @@ pub(in super::super) struct ActiveBlock {
     /// The island of each lane.
     pub islands: [u32; LANES],
     count: usize,
-    /// One bit per lane: did the last visit have to change anything?
+    /// One bit per lane: set if the last iteration changed the lane.
     pub moving: u32,
     /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
     /// should be at most.
@@ -254,7 +254,7 @@ impl ActiveBlock {
     }
 }
 
-/// In which lanes does more than one point hit?
+/// Returns the lanes in which more than one point hits.
 #[inline(always)]
 fn have_several<W: Wide>(rows: &[RoundRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
     let zero = W::zero();

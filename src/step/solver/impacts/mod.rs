@@ -212,7 +212,7 @@ impl Impacts {
         self.marks.resize(self.blocks.len(), ImpactMark::default());
     }
 
-    /// Is there no contact with restitution?
+    /// Returns whether there is no contact with restitution.
     pub fn is_empty(&self) -> bool {
         self.blocks.is_empty()
     }
@@ -303,7 +303,8 @@ impl Impacts {
         active.clear();
     }
 
-    /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls. How many are they?
+    /// Begins an impact: lists the bodies that joints hold exactly, which it may change wherever it falls.
+    /// Returns their number.
     fn begin(&mut self, bodies: &SolverBodies, context: &ImpactContext<'_>) -> usize {
         self.touched.begin(bodies.states.len());
         self.touched.add(context.joints.held());
@@ -316,7 +317,7 @@ impl Impacts {
         of_joints
     }
 
-    /// Finds the contacts that hit, in islands that have visits left. Is there any?
+    /// Finds the contacts that hit, in islands that have visits left. Returns whether there is any.
     fn find_active(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
         let Self { blocks, marks, colors, active, touched, memory } = self;
         let energy_budgets = &mut memory.energy_budgets;
@@ -435,8 +436,8 @@ impl Impacts {
         context.links.0.accept_impact(pass.substep, share);
     }
 
-    /// Finds the islands where the last visit had something to change, and lets the others be for the rest of the round.
-    /// Is there any?
+    /// Finds the islands where the last visit had something to change, and lets the others be for the rest of
+    /// the round. Returns whether there is any.
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
         let Self { active, memory, .. } = self;
         let energy_budgets = &mut memory.energy_budgets;

@@ -85,11 +85,11 @@ pub(in super::super) struct ImpactBlock {
 /// blocks are passed over without a look at their rows.
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
-    /// One bit per lane: does any point hit in this round?
+    /// One bit per lane: set if any point hits in this round.
     pub active: u32,
-    /// Has any point hit in this substep?
+    /// Whether any point hit in this substep.
     pub was_active: bool,
-    /// One bit per point and lane: does it come fast and not arrive in this substep?
+    /// One bit per point and lane: set if it approaches fast and does not arrive in this substep.
     waiting: u32,
     /// And which of these are put aside.
     aside: u32,
@@ -98,12 +98,12 @@ pub(in super::super) struct ImpactMark {
 const _: () = assert!(MAX_MANIFOLD_POINTS * LANES <= u32::BITS as usize);
 
 impl ImpactMark {
-    /// Is any point to be put aside?
+    /// Returns whether any point is to be deferred.
     pub fn waits(&self) -> bool {
         self.waiting != 0
     }
 
-    /// Is any put aside?
+    /// Returns whether any point is deferred.
     pub fn is_aside(&self) -> bool {
         self.aside != 0
     }

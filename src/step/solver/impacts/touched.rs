@@ -61,7 +61,7 @@ impl Touched {
         bodies.into_iter().for_each(|range| self.add(range.map(|body| body as u32)));
     }
 
-    /// May this round change a body?
+    /// Returns whether this round may change a body.
     pub fn is_changed(&self, body: u32) -> bool {
         self.rounds[body as usize] == self.round
     }

@@ -59,13 +59,13 @@ pub(super) struct JointBlock {
     /// Where the block's rows of free axes stand.
     pub first_row: usize,
     pub row_count: usize,
-    /// Is any lane solved exactly, and any in sweeps?
+    /// Whether any lane is solved directly, and whether any is solved iteratively.
     pub has_exact: bool,
     pub has_swept: bool,
-    /// Is any lane a spring, and does any lock a rotation?
+    /// Whether any lane is a spring, and whether any locks a rotation.
     pub has_springs: bool,
     pub locks_rotations: bool,
-    /// Is any free axis a translation?
+    /// Whether any free axis is a translation.
     pub has_distances: bool,
 }
 
@@ -118,7 +118,7 @@ impl JointBlock {
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
     }
 
-    /// Does any lane reckon with how its free axes bend?
+    /// Returns whether any lane includes the curvature of its free axes.
     pub fn looks_ahead(&self) -> bool {
         self.row_count > 0 && (self.has_exact || self.has_distances)
     }

@@ -73,8 +73,8 @@ fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
     (1..ANG_DIM).contains(&locked) && inertias.gyroscopic(member.lane as usize)
 }
 
-/// Is a body thrown about by what its joints held against, now that their impulses are forgotten? What it has got since it
-/// moved without any impulse says so: its own spin, however fast, throws nothing.
+/// Returns whether a body has a large unconstrained displacement after the impulses of its joints were reset.
+/// What it has got since it moved without any impulse says so: its own spin, however fast, throws nothing.
 pub(super) fn have_large_displacement(
     members: &[DirectJoint],
     Moving { states, before, .. }: Moving<'_>,
@@ -127,7 +127,7 @@ impl GeometricStiffness {
         (held.inv_mass, held.inv_inertia) = (inv_mass, *inv_inertia);
     }
 
-    /// Do joints pull so hard that their component is taut?
+    /// Returns whether the joint forces make a component stiff.
     pub fn is_stiff(
         &mut self,
         members: &[DirectJoint],

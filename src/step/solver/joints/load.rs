@@ -229,7 +229,7 @@ impl End {
     }
 }
 
-/// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
+/// Returns whether a body rotates so far in a substep that its world-space inertia changes noticeably.
 pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;

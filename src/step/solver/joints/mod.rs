@@ -242,7 +242,7 @@ impl SolverJoints {
         }
     }
 
-    /// Is another round of the exact solution wanted?
+    /// Returns whether the direct solver needs another round.
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, tautness, .. } = self;
         direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))

@@ -98,7 +98,7 @@ fn store_lane(
     }
 }
 
-/// Did a joint bear more than it can?
+/// Returns whether the load of a joint exceeds its limit.
 pub(super) fn is_overloaded(joint: &ImpulseJoint) -> bool {
     let (force, torque) = load_of(joint);
     !(force <= joint.data.break_force && torque <= joint.data.break_torque)

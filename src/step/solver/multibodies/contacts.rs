@@ -41,7 +41,7 @@ pub struct Point {
     /// Sum of the normal impulses of the substeps.
     pub total: Real,
     pub impact_impulse: ImpactImpulse,
-    /// Is it put aside, to be hit in a later substep?
+    /// Whether the contact is deferred to a later substep.
     pub is_aside: bool,
 }
 
@@ -73,7 +73,7 @@ pub(super) struct Side<'a> {
     pub rotation: Rotation,
     /// The centre of mass; none for what never moves.
     pub center: Option<Vector>,
-    /// Does the other side move it?
+    /// Whether the other side moves it.
     gives_way: bool,
 }
 
@@ -498,7 +498,7 @@ impl Point {
 }
 
 impl LinkContact {
-    /// Did all numbers stay finite?
+    /// Returns whether all numbers are finite.
     fn is_sound(&self) -> bool {
         self.normal.is_finite()
             && self.points.iter().all(|point| {

@@ -51,7 +51,7 @@ pub struct ImpactImpulse {
     limit: Real,
     /// Its velocity in the substep's middle when the round began.
     middle: Real,
-    /// Does it come fast, and not arrive in this substep?
+    /// Whether the point approaches fast and does not arrive in this substep.
     waits: bool,
     /// `1 / K` if it hits in this round.
     mass: Real,
@@ -69,11 +69,11 @@ pub struct ImpactImpulse {
 pub struct LinkImpact {
     /// The island of its links.
     pub island: u32,
-    /// Does any point hit in this round?
+    /// Whether any point hits in this round.
     pub active: bool,
-    /// Has any point hit in this substep?
+    /// Whether any point hit in this substep.
     pub was_active: bool,
-    /// Did the last visit have to change anything?
+    /// Whether the last iteration changed anything.
     pub moving: bool,
     /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
     pub dissipated: Real,
@@ -89,7 +89,7 @@ pub struct BeforeImpact {
     times: [Real; 2],
     /// For how long (s) it has been moved on to where it is hit, if it is.
     ahead: Option<Real>,
-    /// Is it hit by bodies or other multibodies, or with a restitution above 1, so that it may gain energy?
+    /// Whether it may gain energy: other bodies hit it, or its restitution exceeds 1.
     may_gain: bool,
 }
 
@@ -103,7 +103,7 @@ impl BeforeImpact {
 }
 
 impl SolverMultibodies {
-    /// Does any contact bounce?
+    /// Returns whether any contact has restitution.
     pub fn bounce(&self) -> bool {
         self.contacts.contacts.iter().any(LinkContact::bounces)
     }
@@ -391,7 +391,7 @@ impl ImpactImpulse {
         self.given = 0.0;
     }
 
-    /// Does the point hit? Then it is known when.
+    /// Returns whether the point hits. Then it is known when.
     fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
@@ -420,7 +420,7 @@ impl ImpactImpulse {
 }
 
 impl Moving {
-    /// Do all links turn and go together?
+    /// Returns whether all links have the same velocity.
     pub(super) fn moves_as_one(&self) -> bool {
         self.motion.rates.len() <= self.motion.root_dofs().max(1)
     }

@@ -54,7 +54,7 @@ struct Limit {
     impulses: [Real; 2],
     /// Sum of the impulses of the substeps, those of the upper end negative.
     total: Real,
-    /// Is it a ball's, and near? Then its row is made anew in each substep.
+    /// Whether it belongs to a ball joint near its limit. Then its row is made anew in each substep.
     is_followed: bool,
 }
 
@@ -318,7 +318,7 @@ impl Limit {
         self.impulses[0] - self.impulses[1]
     }
 
-    /// Is the angle near one of its ends, or pressed against it?
+    /// Returns whether the angle is near one of its limits, or pressed against it.
     fn is_near(&self) -> bool {
         self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < NEAR
     }
@@ -432,7 +432,7 @@ fn limited_angle(
     Some((angle, all))
 }
 
-/// Does the row of an axis turn with the link?
+/// Returns whether the row of an axis rotates with the link.
 fn is_curved(joint: &MultibodyJoint, axis: JointAxis) -> bool {
     joint.is_ball() && axis as usize >= DIM
 }

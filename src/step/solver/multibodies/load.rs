@@ -110,13 +110,13 @@ pub(super) fn scale_impulses(joint: &mut GenericJoint, share: Real) {
     joint.motors.iter_mut().for_each(|motor| motor.impulse *= share);
 }
 
-/// Is one of its links awake?
+/// Returns whether one of its links is awake.
 fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
     let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
     multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moves))
 }
 
-/// Does the multibody act?
+/// Returns whether the multibody acts.
 fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
     multibody.acts(|body| {
         let body = bodies.get(body).filter(|body| body.is_enabled())?;

@@ -61,16 +61,16 @@ pub(super) struct Moving {
     /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
     travel: Vec<[Real; 2]>,
     before_impact: BeforeImpact,
-    /// Has it contacts?
+    /// Whether it has contacts.
     touches: bool,
-    /// Do links turn so far in a step that its contacts must be followed from substep to substep? Not if it has none: what flies
-    /// freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    /// Whether links rotate so far in a step that contacts must be updated in each substep. Not if it has
+    /// none: what flies freely keeps its momentum, whatever its energy looks like to who does not fly along.
     turns_far: bool,
     /// The kinetic energy that the impulses of this substep may leave.
     energy: Real,
     /// The same before the work of a push was added, which counts for the push alone.
     energy_without_push: Real,
-    /// Did they leave more?
+    /// Whether there were more.
     has_gained: bool,
     /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
     kept: Real,
@@ -84,7 +84,7 @@ struct Registration {
     /// The multibody's position in its set.
     owner: u32,
     link: usize,
-    /// Is it moved here? A root without degrees of freedom is an ordinary body for the solver.
+    /// Whether the solver moves it. A root without degrees of freedom is an ordinary body for the solver.
     is_moved: bool,
 }
 
@@ -178,17 +178,17 @@ impl SoftPass {
 }
 
 impl SolverMultibodies {
-    /// Is no multibody awake?
+    /// Returns whether no multibody is awake.
     pub fn move_no_body(&self) -> bool {
         self.listed.is_empty()
     }
 
-    /// Are a pair's contacts left to us?
+    /// Returns whether a body of the pair is a link that is solved now.
     pub fn owns_joint(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.moves(slot))
     }
 
-    /// Is a body moved by its multibody?
+    /// Returns whether its multibody moves a body.
     pub fn moves(&self, slot: u32) -> bool {
         self.registration(slot).is_some_and(|register_links| register_links.is_moved)
     }
@@ -202,7 +202,7 @@ impl SolverMultibodies {
         is_ours
     }
 
-    /// Is one of these bodies a link that is moved now?
+    /// Returns whether one of these bodies is a link that is moved now.
     fn solves_one_of(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
     }
@@ -366,7 +366,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Is there a multibody with links that turn far?
+    /// Returns whether a multibody has links that rotate far.
     fn any_turns_far(&self) -> bool {
         self.moving.iter().any(|moving| moving.turns_far)
     }

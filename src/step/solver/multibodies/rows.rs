@@ -264,7 +264,7 @@ impl JacobianPool {
         });
     }
 
-    /// Do both sides of a row go back in time to be hit?
+    /// Returns whether both sides of a row go back in time to be hit.
     pub fn goes_back(&self, row: &Row, states: &ConstrainedStates<'_>) -> bool {
         row.parts.iter().all(|part| match part {
             Part::Links { multibody, .. } => states.multibodies[*multibody].moves_as_one(),

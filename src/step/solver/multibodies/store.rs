@@ -204,7 +204,7 @@ impl Moving {
         checked_pose(pose).unwrap_or(self.multibody.links[id].pose)
     }
 
-    /// Are all numbers such that one can go on with them?
+    /// Returns whether all numbers are usable.
     fn is_sound(&mut self) -> bool {
         let links = &self.multibody.links;
         let joints_are = links.iter().all(|link| link.joint.is_sound());

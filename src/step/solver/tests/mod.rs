@@ -1,4 +1,4 @@
-//! Do the contact kernels do what their formulas say? The same tests for both dimensions.
+//! The contact kernels against their formulas. The same tests for both dimensions.
 //!
 //! Everything is computed a second time here, body by body and with plain vectors, so that a wrong
 //! sign or a mistaken axis in the lanes shows.

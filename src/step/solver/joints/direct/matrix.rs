@@ -151,7 +151,8 @@ impl<const N: usize> Matrix<N> {
         self.substitute(component);
     }
 
-    /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
+    /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
+    /// impulses change.
     pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
         let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
         if is_done {

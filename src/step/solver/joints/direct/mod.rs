@@ -108,9 +108,9 @@ impl SolveState {
 /// What is asked about the members of a component.
 #[derive(Copy, Clone, Debug)]
 pub(super) enum StiffnessTest {
-    /// Do the pulls that were found make it taut?
+    /// Tests whether the computed forces make the component stiff.
     IsStiff,
-    /// It is, and has no impulses: are its bodies thrown so far that they must be held where they are?
+    /// For a stiff component without impulses, tests whether its unconstrained displacement is large.
     HasLargeDisplacement,
 }
 
@@ -137,7 +137,7 @@ impl Direct {
         }
     }
 
-    /// Is the joint solved here?
+    /// Returns whether the joint is solved directly.
     pub fn contains(&self, slot: u32) -> bool {
         self.pattern.contains(slot)
     }
@@ -147,7 +147,7 @@ impl Direct {
         self.pattern.place(slot, at)
     }
 
-    /// Is there nothing to do?
+    /// Returns whether there is nothing to solve.
     pub fn is_empty(&self) -> bool {
         self.pattern.component_count() == 0
     }

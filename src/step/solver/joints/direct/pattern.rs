@@ -53,7 +53,7 @@ impl DirectJoint {
         Self { slot, block: 0, lane: 0, bodies, inv_masses, form }
     }
 
-    /// Is there a joint?
+    /// Returns whether there is a joint.
     pub fn is_valid(&self) -> bool {
         self.slot != NONE
     }
@@ -93,7 +93,7 @@ pub(super) struct Component<'a> {
     pub members: &'a [DirectJoint],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
-    /// Are there two ways from one of its bodies to another, or to what cannot move?
+    /// Whether the component contains a loop, including loops through immovable bodies.
     pub has_loops: bool,
 }
 
@@ -107,7 +107,7 @@ struct Search {
     order: Vec<u32>,
     /// How many bodies these joints hold.
     body_count: usize,
-    /// By body: has it been counted?
+    /// By body: whether it has been counted.
     seen: Vec<bool>,
     /// By member: its position in its component.
     position: Vec<u32>,
@@ -118,7 +118,7 @@ impl Pattern {
         self.components.len()
     }
 
-    /// Is the joint in a component?
+    /// Returns whether the joint is in a component.
     pub fn contains(&self, slot: u32) -> bool {
         self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
     }
@@ -278,13 +278,13 @@ impl Search {
         self.order.iter().map(|&index| &members[index as usize])
     }
 
-    /// Is the component as well off in the sweeps?
+    /// Returns whether the iterative solver is as good for this component.
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_loose = self.component(members).all(|member| member.movable().count() == 2);
         FREE_JOINTS.contains(&self.order.len()) && is_loose && self.is_even(members)
     }
 
-    /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
+    /// Returns whether all joints are point-to-point joints, with few joints and no heavy body.
     fn is_net(&self, members: &[DirectJoint]) -> bool {
         let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
         is_wide
@@ -302,8 +302,8 @@ impl Search {
         most <= MASS_RATIO_MAX * least
     }
 
-    /// Has it loops? All that cannot move is one body here. A connected graph without loops
-    /// has one edge less than it has nodes.
+    /// Returns whether the component has loops. All that cannot move is one body here. A connected graph
+    /// without loops has one edge less than it has nodes.
     fn has_loops(&self, members: &[DirectJoint]) -> bool {
         let is_held = self.component(members).any(|member| member.movable().count() < 2);
         self.order.len() + 1 > self.body_count + usize::from(is_held)
