@@ -24,10 +24,10 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
-/// How many blocks before one is filled memory is asked for.
+/// Prefetch distance, in blocks.
 const BLOCKS_AHEAD: usize = 2;
 
-/// What contacts are loaded for.
+/// The context for which contacts are loaded.
 #[derive(Copy, Clone)]
 pub(super) struct LoadKind {
     /// Whether all moving bodies are solved together.
@@ -41,7 +41,7 @@ pub(super) struct LoadKind {
 pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
-    /// Those of the narrow phase while they are on loan, else its own.
+    /// The lanes of the narrow phase while they are borrowed, else an own set.
     lanes: ContactLanes,
     are_on_loan: bool,
     /// Whether the lanes begin with a reduced fraction of the last impulses.
@@ -77,8 +77,8 @@ impl SolverContacts {
         self.point_count = 0;
     }
 
-    /// Fills the lanes from the manifolds of the bodies that are solved: whole lanes of a colour, and of the overflow what does
-    /// not notice each other. Those of links are left to their multibodies.
+    /// Fills the lanes from the manifolds of the solved bodies: whole lanes of a colour, and independent
+    /// constraints of the overflow. Manifolds of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
@@ -92,14 +92,14 @@ impl SolverContacts {
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let capacity = is_only_group.then_some(&mut lanes.capacity);
         self.lay_out((graph, contacts, capacity), (bodies, are_all), multibodies);
-        // What stands elsewhere than before learns from its manifold, which must have been told by then. So must those be whose
-        // impulses are about to change before they act.
+        // A lane whose manifold changed is filled from the manifold, which must be written back by then. So
+        // must those be whose impulses are about to change before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
             narrow_phase.settle_all(tasks);
         }
-        // Who is solved with whom may change from step to step: of several groups none knows what the others did.
+        // The set of groups may change from step to step, and a group has no data of the others.
         self.lanes_are_scaled = bodies.any_scaled();
         self.are_on_loan = is_only_group;
         if is_only_group {
@@ -142,7 +142,7 @@ impl SolverContacts {
                 let members = members.into_iter().map(|at| (at, slots(at)));
                 self.layout.add_side_by_side(members, &mut self.overflow);
             } else if are_all {
-                // Nothing is to be asked, and the list is copied as it is.
+                // All manifolds are loaded, so the list is copied as it is.
                 self.layout.add(color, list.iter().copied());
                 self.starts.push(first as u32);
             } else {
@@ -231,7 +231,7 @@ impl SolverContacts {
         if self.has_deep_overlap {
             recovery.begin(bodies);
             let deep = deep_overlap(pass);
-            // Blocks that no colour fills hold what they held in an earlier step.
+            // Blocks beyond the colour's count keep the data of an earlier step.
             for index in self.layout.colors().iter().flat_map(Clone::clone) {
                 recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
             }
@@ -239,7 +239,7 @@ impl SolverContacts {
         self.has_deep_overlap
     }
 
-    /// Lets a substep start with this share of the last one's impulses, as the bodies do.
+    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
     pub fn scale_impulses(&mut self, factor: Real) {
         if factor != 1.0 {
             let factors = Lane::splat(factor);
@@ -309,7 +309,7 @@ impl SolverContacts {
         self.impacts.run(blocks, bodies, context, pass);
     }
 
-    /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
+    /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
     pub fn store(&mut self, narrow_phase: &mut NarrowPhase, simd: Simd, tasks: Tasks<'_>) {
         self.impacts.restore(&mut self.blocks);
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
@@ -330,7 +330,7 @@ impl SolverContacts {
     }
 
     /// Returns whether the blocks of a colour must write back to their manifolds now. Those of the overflow
-    /// stand at its beginning, in an order of their own.
+    /// come first, in an order of their own.
     fn needs_write_back(&self, color: &Range<usize>) -> bool {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
@@ -362,7 +362,7 @@ fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase
     }
 }
 
-/// Fills the lanes of a block that do not know their manifolds yet, and tells all of them where their bodies are.
+/// Fills the lanes of a block that are not up to date, and sets the body indices of all lanes.
 fn fill(
     block: &mut LaneBlock,
     chunk: &[ManifoldRef],
@@ -400,7 +400,7 @@ fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
     input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
 }
 
-/// Has all lanes start with the share of their impulses with which their bodies do.
+/// Scales the warm-start impulses of all lanes by the fraction of their bodies.
 fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
     for lane in 0..LANES {
         let share = bodies.share([input.bodies[0][lane], input.bodies[1][lane]]);
@@ -436,7 +436,7 @@ impl<'a> Blocks<'a> {
     }
 
     /// # Safety
-    /// Nobody else may use the block with this index meanwhile.
+    /// The caller must own the block with this index exclusively.
     #[inline(always)]
     pub unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
         // SAFETY: the caller's promise; every index of a colour is one of a block.
@@ -469,8 +469,8 @@ impl Kernel for Prepare<'_> {
         let Self { poses, states, prediction, .. } = self;
         let mut least = W::zero();
         for index in self.range {
-            // SAFETY: each block belongs to one task, and the constraints of one colour share no body
-            // that is not read-only.
+            // SAFETY: each block belongs to one task, and constraints of one colour have no common dynamic
+            // body.
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
@@ -528,8 +528,8 @@ macro_rules! pass_kernel {
             fn run<W: Wide>(self) {
                 let ($states, $pass) = (&self.states, self.pass);
                 for index in self.range {
-                    // SAFETY: each block belongs to one task, the constraints of one colour share no
-                    // body that is not read-only, and one colour is done before the next begins.
+                    // SAFETY: each block belongs to one task, constraints of one colour have no common
+                    // dynamic body, and the colours run in sequence.
                     unsafe {
                         let ($block, $coulomb) = self.blocks.get(index);
                         $visit

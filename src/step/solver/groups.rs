@@ -1,21 +1,22 @@
 //! Which bodies are solved with how many substeps.
 //!
-//! What light bodies carry reaches the ground in sweeps over the contacts, and each sweep passes on what the
-//! lighter of two bodies can: under a thing `r` times as heavy, a contact is pressed by `r` times the
-//! weight for which it is stiff, and sinks in by `r σ g h² / β` ([`Softness`](crate::model::params::Softness)).
-//! More visits per substep do not help (the error that is left after one is nearly all of it, 1 - 1/r), a
-//! harder contact flies apart; but the sag falls with the square of the substep `h`, as everything in a
-//! soft step does. So islands in which light bodies carry heavy ones get more substeps, and the others do
-//! not pay for it: groups of islands are solved one after the other, each with its own `h`.
+//! An iteration transfers through a contact what the lighter of two bodies can carry. Under a body `r` times
+//! as heavy, a contact carries `r` times the load for which it is stiff, and penetrates by `r σ g h² / β`
+//! ([`Softness`](crate::model::params::Softness)). More iterations per substep do not help: the residual
+//! after one is nearly all of it, 1 - 1/r. A harder contact is unstable. But the penetration decreases with
+//! the square of the substep `h`, as everything in a soft step. Islands in which light bodies carry heavy
+//! ones therefore get more substeps, without cost for other islands. Groups of islands are solved in
+//! sequence, each with its own `h`.
 //!
-//! Joints that light bodies hold heavy ones by need them for another reason: under a load `M g` that pulls at the lever
-//! `r` a link of mass `m` and inertia `I` swings like a string, with `ω² = M g r / (I + m r²)`, and from a substep in which
-//! it turns by too much the solver does not find back (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING`]: a chain
-//! under 1000 times the mass of a link gets twice the usual substeps at 30 steps a second, and no more than these at 60.
+//! Joints that connect light bodies to heavy ones need more substeps for another reason. Under a load `M g`
+//! with moment arm `r`, a link of mass `m` and inertia `I` vibrates with `ω² = M g r / (I + m r²)`. The
+//! solver does not recover from a substep in which the link rotates too far
+//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING`]. A chain under 1000 times the mass
+//! of a link gets twice the usual substeps at 30 steps a second, and the usual number at 60.
 //!
-//! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm
-//! with 32. The alternatives were a direct solution of the contacts that press (they come and go within a
-//! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
+//! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm with
+//! 32. The rejected alternatives: a direct solution of loaded contacts, which change within a substep, and
+//! increased masses of supporting bodies, which then fall incorrectly.
 
 use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::{Gather, Tasks};
@@ -49,7 +50,7 @@ pub(super) struct Group {
     pub substeps: usize,
 }
 
-/// What an island needs.
+/// Requirements of an island.
 #[derive(Copy, Clone, Debug)]
 struct IslandRequirement {
     /// Masses of the lightest and the heaviest of the bodies that touch another.
@@ -58,7 +59,7 @@ struct IslandRequirement {
     joined: [Real; 2],
     /// The largest `r / (I + m r²)` of these: how fast a force turns one aside.
     agility: Real,
-    /// Substeps that its bodies ask for.
+    /// Additional substeps that its bodies request.
     extra: usize,
 }
 
@@ -94,8 +95,8 @@ impl IslandRequirement {
             .any(|[lightest, heaviest]| *heaviest > MODERATE_MAX * MODERATE_MAX * lightest)
     }
 
-    /// How many times the usual substeps an island of so many bodies gets, if these take `h` seconds: a power of two,
-    /// that few groups do.
+    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds: a
+    /// power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_uneven = most > MASS_RATIO_EVEN_MAX * least;
@@ -119,7 +120,7 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
     (*lightest, *heaviest) = (lightest.min(mass), heaviest.max(mass));
 }
 
-/// What contacts need to know of a body, side by side with that of others: they are met in any order.
+/// Contact requirements of a body, stored contiguously because access is random.
 #[derive(Copy, Clone, Debug)]
 struct BodyRequirement {
     island: u32,

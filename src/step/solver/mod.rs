@@ -5,16 +5,17 @@
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
-//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in
-//! Physics Simulation": many small substeps with one visit of each constraint beat one step with many
-//! visits. Each substep lets what hits bounce, solves the constraints with a soft bias that undoes
-//! overlap, moves the bodies, and relaxes: solves once more without bias, so that the velocity that undid
-//! the overlap does not stay.
+//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in Physics
+//! Simulation": many small substeps with one iteration are better than one step with many iterations. Each
+//! substep processes restitution, solves the constraints with a soft bias that removes overlap, and
+//! integrates the positions. It then relaxes: a second iteration without bias removes the velocity that the
+//! bias added.
 //!
-//! **Warm starting without passes.** A substep should begin with the impulses of the last one. Lever
-//! arms and inertias of contacts are frozen during a step (joints turn theirs themselves), so what those impulses do to
-//! a body is what they did to it in the last substep: the difference between its velocity at that substep's end and before any
-//! impulse. We keep the latter per body and add the difference, instead of visiting all constraints.
+//! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
+//! and inertias of contacts are frozen during a step (joints rotate theirs), so warm-start impulses have the
+//! same effect on a body as in the last substep. That effect is the difference between the velocity at the
+//! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
+//! visiting all constraints.
 
 mod bodies;
 mod contacts;
@@ -61,7 +62,7 @@ pub(crate) struct SolverScratch {
     constraints: Vec<Constraints>,
 }
 
-/// What holds bodies.
+/// Joints, contacts and multibodies of a group.
 #[derive(Default)]
 struct Constraints {
     joints: SolverJoints,
@@ -70,7 +71,7 @@ struct Constraints {
     recovery: Recovery,
 }
 
-/// What the solver reads and writes.
+/// Input and output of the solver.
 pub(crate) struct SolverContext<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
@@ -84,7 +85,7 @@ pub(crate) struct SolverContext<'a> {
     pub islands: &'a mut IslandManager,
     /// Gets the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
-    /// Gets the ways of fast multibodies.
+    /// Output: the trajectories of fast multibodies.
     pub trajectories: &'a mut Vec<LinkTrajectory>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
@@ -175,7 +176,7 @@ fn for_each_group<'a>(
     &mut constraints[..count]
 }
 
-/// What constraints are stored in.
+/// Destination sets of stored results.
 struct World<'a> {
     narrow_phase: &'a mut NarrowPhase,
     set: &'a mut ImpulseJointSet,
@@ -184,14 +185,15 @@ struct World<'a> {
     bodies: &'a mut RigidBodySet,
 }
 
-/// What is noted for later stages while everything is stored.
+/// Notes for later stages, made while results are stored.
 struct Notes<'a> {
     fast: &'a mut Vec<FastMotion>,
     trajectories: &'a mut Vec<LinkTrajectory>,
     broken: &'a mut Vec<JointBreakEvent>,
 }
 
-/// Keeps the impulses of contacts, writes those of joints, and multibodies to their links; breaks joints that bear too much.
+/// Stores the impulses of contacts and joints, and the state of multibodies in their links; breaks overloaded
+/// joints.
 fn store_constraints(
     constraints: &mut [Constraints],
     world: World<'_>,
@@ -212,7 +214,7 @@ fn store_constraints(
     }
 }
 
-/// What is the same for all bodies that are solved.
+/// Common context of all solved bodies.
 struct GroupContext<'a> {
     gravity: Vector,
     params: &'a IntegrationParameters,

@@ -1,11 +1,11 @@
-//! What is left of contact constraints when a step ends: once per step.
+//! Stores contact constraints when a step ends: once per step.
 
 use crate::base::wide::{LANES, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::wide::WideVector;
 use crate::model::contact::{ContactInput, ContactReport, WideReport};
 
-/// Keeps the impulses of a block, with which its lanes start the next step, and tells of them, lane by lane.
+/// Stores the warm-start impulses of a block for the next step, and writes a report for each lane.
 ///
 /// A lane in which not all numbers stayed finite starts with none: its bodies would never get rid of them.
 #[inline(always)]

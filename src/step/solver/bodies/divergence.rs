@@ -1,12 +1,12 @@
 //! Divergence check: tests whether all states are storable before the first one is stored.
 //!
-//! What is added up until it is beyond all numbers is none, and that spreads: a pass later, whoever touches such a body has
-//! no numbers either. None of them ever gets any back, so it is enough to look when all passes are over, and before anybody
-//! is stored.
+//! A sum that overflows is infinite or not a number, and that spreads: one pass later, all touching bodies
+//! have no finite state either. Such a state never becomes finite again. One check after all passes, before
+//! the first body is stored, is therefore sufficient.
 //!
-//! That look is cheap, because it only asks whether everything is [`MODERATE_MAX`]: a comparison for each number of a state, in the
-//! order in which they stand in memory. Where something is not, or somebody is so far away that a calm motion could lead out of the world, each body is
-//! asked.
+//! The check is cheap: it compares each number of the states with [`MODERATE_MAX`], in memory order. If a
+//! number is larger, or a body is so far away that a moderate motion could leave the world, each body is
+//! checked.
 
 use super::SolverBodies;
 use super::store::outcome;

@@ -1,4 +1,4 @@
-//! From bodies to the places that the solver knows them by: once per step, on several threads.
+//! Gathers bodies into solver states: once per step, on several threads.
 
 use super::motion::motion_of;
 use super::{NEAR_REST, SolverBodies, WORLD};
@@ -19,7 +19,7 @@ use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverBodies {
-    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it.
+    /// Gathers all awake bodies. Links of multibodies have an index without a state.
     pub fn load(
         &mut self,
         groups: &Groups,
@@ -41,7 +41,7 @@ impl SolverBodies {
         self.any_scaled = self.impulse_scales.iter().any(|&impulse_scale| impulse_scale != 1.0);
     }
 
-    /// Makes places for some bodies, who fill all of them, and for the world.
+    /// Allocates states for some bodies, which fill all of them, and for the world.
     fn make_room(&mut self, count: usize, slot_count: usize) {
         for slot in self.listed.drain(..).filter(|&slot| slot != NONE) {
             self.indices[slot as usize] = WORLD;
@@ -54,7 +54,7 @@ impl SolverBodies {
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
         self.impulse_scales.resize(count + 1, 1.0);
         self.islands.resize(count + 1, NONE);
-        // SAFETY: a place is there, and nobody else has any.
+        // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
     }
 
@@ -107,14 +107,14 @@ impl SolverBodies {
     }
 }
 
-/// What bodies are loaded from.
+/// Context for loading bodies.
 struct LoadContext<'a> {
     multibodies: &'a SolverMultibodies,
     gravity: Vector,
     params: &'a IntegrationParameters,
 }
 
-/// What [`SolverBodies`] knows of one body, to be filled.
+/// The solver's data of one body, to be filled.
 struct Place<'a> {
     pose: &'a mut BodyPose,
     state: &'a mut BodyState,
@@ -125,7 +125,7 @@ struct Place<'a> {
 }
 
 impl Place<'_> {
-    /// Nobody is there.
+    /// Marks the index as empty.
     fn clear(self) {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
@@ -157,7 +157,7 @@ impl Place<'_> {
     }
 }
 
-/// The inverse inertia that contacts know, if it is not that of the body as it stands.
+/// The inverse inertia for contacts, if it differs from the body's current one.
 fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
     if !body.is_dynamic() || !mprops.rotates_freely() {
@@ -184,7 +184,7 @@ impl Places<'_> {
     /// The place with an index.
     ///
     /// # Safety
-    /// The index must be one of a place, and nobody else may use it meanwhile.
+    /// The index must be in range, and the caller must own it exclusively.
     unsafe fn at(&self, index: usize) -> Place<'_> {
         // SAFETY: the caller's promise.
         unsafe {
@@ -202,7 +202,7 @@ impl Places<'_> {
     /// Lets a body be found by its slot.
     ///
     /// # Safety
-    /// As [`Self::at`], and nobody else may use the slot, which must be one of a body.
+    /// As [`Self::at`], and the caller must own the slot, which must be that of a body, exclusively.
     unsafe fn list(&self, index: usize, body: &RigidBody, slot: u32) {
         // Colours keep constraints apart at bodies with an island, and at no others.
         let flags = if body.link.island == NONE { READ_ONLY } else { 0 };

@@ -29,7 +29,7 @@ pub(super) struct SolverBodies {
     pub states: Vec<BodyState>,
     /// Velocities before any impulse of the current substep, with the displacements of its beginning.
     pub before: Vec<BodyState>,
-    /// Velocities at the end of the last substep, before forces acted in this one, if somebody asked for them.
+    /// Velocities at the end of the last substep, before the forces of this one, if a stage requires them.
     pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
     /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`NEAR_REST`]. The world's for
@@ -45,7 +45,7 @@ pub(super) struct SolverBodies {
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
-    /// Where threads put down who is fast.
+    /// Buffers of threads for fast bodies.
     fast: Gather<FastMotion>,
     /// Whether any body was far from the origin when the step began.
     pub any_far: bool,
@@ -85,10 +85,10 @@ impl SolverBodies {
         self.any_scaled
     }
 
-    /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
-    /// impulses of a force are. If they have become longer it stays 1: the springs of soft contacts are then
-    /// pressed too far for shorter substeps, push out with more than the weight that they carry, and that must not
-    /// be multiplied.
+    /// The fraction of the last impulses with which two bodies begin. It is less than 1 if substeps have
+    /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer.
+    /// The penetration of soft contacts is then larger than at equilibrium, and they push harder than the
+    /// load; that must not be multiplied.
     pub fn share(&self, indices: [u32; 2]) -> Real {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
         moved.map_or(1.0, |index| self.impulse_scales[index as usize])
@@ -154,9 +154,9 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Takes over what an impact did to the velocities of bodies since the `start`, or as much of it as `share` says for an
-    /// island: as if it had happened at the mean time of the blows that a body got, and was no impulse. `delays` are
-    /// the sum of these and of each times its time, in place of two components of a velocity.
+    /// Commits the velocity changes of an impact since the `start`, scaled by the `share` of each island. The
+    /// changes count from the mean time of the impacts of a body, and are no warm-start impulses. `delays`
+    /// are the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],

@@ -8,7 +8,7 @@ use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
 use crate::model::body::RigidBody;
 
-/// What moves a dynamic body in a step with this substep.
+/// The free motion of a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
     let (force, torque) = body.forces();
     let mprops = &body.mprops;
@@ -54,7 +54,7 @@ impl Movers<'_> {
 pub(super) struct Accelerate<'a> {
     pub bodies: Movers<'a>,
     pub h: Real,
-    /// The share of the impulses that it starts with.
+    /// The fraction of the last impulses with which it starts.
     pub warm_start_coefficient: Real,
     pub speed_max: Real,
     /// The states hold the impulses of the last step already, which must not be damped with the velocity.

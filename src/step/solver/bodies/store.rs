@@ -39,7 +39,7 @@ impl SolverBodies {
                     let (shift, rotvec) = commit(body, state, motion);
                     let displacement =
                         BodyMotion::of(body.mprops.world_com - center, rotvec, body.extent);
-                    // Not less than that of the way: see `commit`.
+                    // Not less than that of the displacement: see `commit`.
                     let bound = shift.length() + displacement.rest;
                     body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
                     if body.ccd_active {
@@ -54,7 +54,7 @@ impl SolverBodies {
                             acceleration,
                             link,
                         });
-                        // It may be stopped on its way.
+                        // CCD may stop it.
                         BodyMotion::within(bound)
                     } else {
                         displacement
@@ -93,7 +93,8 @@ pub(super) fn outcome(
 fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
     body.use_up_push();
     let Some((pose, velocity)) = outcome(body, state, motion) else {
-        // The survey finds who is fast or far; left is who turns about a centre of mass at the other end of the world.
+        // The divergence check finds fast and far bodies. The remaining case is a rotation about a very
+        // distant centre of mass.
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         return (Vector::ZERO, ANG_ZERO);
@@ -108,7 +109,7 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vect
     (shift, rotvec)
 }
 
-/// Puts a position-based kinematic body where the user wants it.
+/// Moves a position-based kinematic body to its target pose.
 fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> BodyMotion {
     let old_center = body.mprops.world_com;
     body.pose = pose;

@@ -1,8 +1,8 @@
 //! The contacts that hit in a round, side by side.
 //!
-//! Among hundreds that could be hit a few are, seldom two of one block. They are visited again and again until the round
-//! is settled, so what a visit reads of them is copied to blocks of their own: 2D `spinner` visits a quarter of the blocks
-//! that way. Lanes do not depend on each other, and the order of colours is kept.
+//! Among hundreds that could be hit a few are, seldom two of one block. Each round iterates until it
+//! converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a quarter of
+//! the blocks. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
 use super::rows::{ActiveRow, ImpactBlock, ImpactMark};
@@ -15,16 +15,18 @@ use crate::dim::state::{BodyState, gather_states, scatter_states};
 use crate::step::solver::contacts::Blocks;
 use core::ops::Range;
 
-/// Gauss–Seidel sweeps over the points of a manifold in one visit: they depend on each other more than on others.
+/// Gauss–Seidel iterations over the points of a manifold per pass. The points couple with each other more
+/// than with other manifolds.
 pub(in super::super) const SWEEPS: usize = 4;
-/// A round of an impact is settled when no point has to change its velocity by more than this share of that of its approach.
+/// A round has converged when no point changes its velocity by more than this fraction of its approach
+/// velocity.
 pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
 
 /// All contacts of a round.
 #[derive(Default)]
 pub(super) struct Active {
     pub blocks: Vec<ActiveBlock>,
-    /// Those of one colour stand together.
+    /// Blocks of one colour are contiguous.
     pub colors: Vec<Range<usize>>,
     /// The islands that they are in.
     pub islands: Vec<u32>,
@@ -45,7 +47,7 @@ impl Active {
         }
     }
 
-    /// Copies the contacts of a colour that hit, in the islands that have visits left.
+    /// Copies the hitting contacts of a colour in islands with iterations left.
     pub fn add_color(
         &mut self,
         color: Range<usize>,
@@ -90,7 +92,7 @@ struct RoundRow {
 /// Up to [`LANES`] contacts of one colour that hit.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ActiveBlock {
-    /// Copies of what normal impulses need to know.
+    /// Copies of the input of normal impulses.
     contact: ContactBlock,
     rows: [RoundRow; MAX_MANIFOLD_POINTS],
     restitution: Lane,
@@ -168,7 +170,7 @@ impl ActiveBlock {
         self.rows.iter_mut().for_each(|row| row.strike.mass.0[lane] = 0.0);
     }
 
-    /// Counts the impulses of the round: of each lane the share that its island went.
+    /// Commits the impulses of the round, scaled by the fraction of each lane's island.
     pub fn commit(&self, impacts: &mut [ImpactBlock], share: impl Fn(u32) -> Real) {
         for lane in self.lanes() {
             let (share, (index, from)) = (share(self.islands[lane]), self.from[lane]);
@@ -177,11 +179,11 @@ impl ActiveBlock {
         }
     }
 
-    /// Visits the points, in turn: pushes until they part as they are to. A lane is done when a sweep had nothing to change, and after
-    /// the first if no more than one of its points hits.
+    /// Visits the points, in turn: pushes until they part as they are to. A lane is done when an iteration
+    /// changed nothing, or after the first one if at most one of its points hits.
     ///
     /// # Safety
-    /// Nobody else may touch the states of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn iterate<W: Wide>(&mut self, states: &DisjointMut<BodyState>) {
         let Self { contact, rows, moving, .. } = self;
@@ -215,11 +217,11 @@ impl ActiveBlock {
         unsafe { normals.scatter(states) };
     }
 
-    /// Ends the round: does the accounts of its energy, and tells the bodies when they were hit (see
+    /// Ends the round: sums up its energy, and records the hit times of bodies (see
     /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
     ///
     /// # Safety
-    /// Nobody else may touch the states and delays of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states and delays of the block's bodies.
     #[inline(always)]
     pub unsafe fn end<W: Wide>(
         &mut self,
@@ -267,7 +269,7 @@ fn have_several<W: Wide>(rows: &[RoundRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
     several
 }
 
-/// What is done with each block.
+/// The operation on each block.
 #[derive(Copy, Clone)]
 pub(super) enum Phase {
     Iterate,
@@ -289,8 +291,8 @@ impl Kernel for Round<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, the constraints of one colour share no body that is not
-            // read-only, and one colour is done before the next begins.
+            // SAFETY: each block belongs to one task, constraints of one colour have no common dynamic body,
+            // and the colours run in sequence.
             unsafe {
                 let block = self.blocks.get_mut(index);
                 match self.phase {

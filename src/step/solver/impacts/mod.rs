@@ -1,19 +1,21 @@
 //! Impacts: what happens in no time, before forces act.
 //!
-//! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). With several contacts
-//! this says nothing of those that were at rest. Solved as forces are, all at once, the blow on a row of balls spreads
-//! over the whole row; a real row sends off its last ball, because the blow travels.
+//! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). With several
+//! contacts this says nothing of those that were at rest. A simultaneous solution, as for forces, would
+//! spread an impact on a row of balls over the whole row. A real row sends off its last ball, because the
+//! impact travels.
 //!
 //! So we use the generalised reflections of Smith, Kaufman, Vouga, Tamstorf and Grinspun, "Reflections on
 //! simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
 //!
 //! 1. `S` is the set of contacts that hit now: approach, and would overlap before the substep ends.
 //! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this round.
-//! 3. This makes others approach. Those are the next round's `S`.
+//! 3. This makes others approach. They are the `S` of the next round.
 //!
-//! What is hit at the same moment is thrown back together, so a box that lands flat rises flat; what is hit by what was
-//! hit follows. Rounds end when nothing approaches any more, or when the island's visits are used up (`IterationBudget`): the
-//! rest of the approach is stopped by the passes that follow, without a bounce, as an approach that is slower than the threshold is.
+//! Simultaneous contacts get their restitution together, so a box that lands flat rises flat. Contacts that
+//! they cause follow. Rounds end when nothing approaches, or when the island's iterations are used up
+//! (`IterationBudget`). The following passes stop the remaining approach without restitution, as for
+//! approaches below the threshold.
 //!
 //! ## Energy
 //! With all impulses `λ` of a round the kinetic energy changes by
@@ -22,42 +24,46 @@
 //! ΔT = ½ Σ λ_i (Ċ_i' + c_i)                     Ċ': after the round
 //! ```
 //!
-//! whatever the couplings between the contacts are. A solution of 2 has `Ċ_i' = -e_i c_i` wherever `λ_i > 0`: every term
-//! is negative, for any mixture of `e_i ≤ 1`. Sweeps leave errors, so we look: where the sum over an island is above zero, its
-//! round goes only the share `s = a / (a + ΔT)` of its way, with `a = -Σ λ_i c_i`, which is where the energy is back at
-//! what it was. (Where `a` is below zero the round adds energy from the beginning, and goes no way.) Impacts never add energy.
+//! whatever the couplings between the contacts are. A solution of 2 has `Ċ_i' = -e_i c_i` wherever `λ_i > 0`:
+//! every term is negative, for any mixture of `e_i ≤ 1`. Iterations leave errors. If the sum over an island
+//! is positive, its round is scaled by `s = a / (a + ΔT)` with `a = -Σ λ_i c_i`, which restores the energy.
+//! (If `a` is negative, the round adds energy from the beginning, and is scaled by zero.) Impacts never add
+//! energy.
 //!
 //! ## Joints
-//! Joints transmit blows. Locked axes that are solved exactly take part: after each sweep over `S` the velocities are
-//! projected on what they allow. What a blow changes they hold against, so of their impulses `μ` the work is `μ Jv`, with the
-//! velocities before the blow. That is none where the joint held these, and forces alone have acted since. But in a substep that
-//! turns a body by a radian the joint's axes turn away from the velocities that it left. Then the work is anything, and
-//! it counts in the sum above, and in `-a`: without it two cubes on a hinge that fell into a heap at 250 rad/s had 10¹⁶ times
-//! their velocity after as many rounds as there may be.
+//! Joints transmit impacts. Directly solved locked axes take part. After each iteration over `S`, the
+//! velocities are projected on the admissible ones. Joints resist the changes of an impact. The work of their
+//! impulses `μ` is `μ Jv`, with the velocities before the impact. That is zero where the joint held these
+//! velocities, and only forces have acted since. But in a substep that turns a body by a radian the joint's
+//! axes turn away from the velocities that it left. Then the work is arbitrary, and is added to the sum
+//! above, and to `-a`. Without it, two cubes on a hinge that fell into a heap at 250 rad/s had 10¹⁶ times
+//! their velocity after the maximum of rounds.
 //!
-//! What a round's impulses are, of contacts and of joints, is known when its share is: `s λ` and `s μ` are what bodies got, what
-//! friction acts under, and what is told of contacts and joints and breaks these. An island whose round goes no way is where it was,
-//! and would go no way again: its impact ends.
+//! The impulses of a round, of contacts and joints, are final when its fraction is known. Bodies, friction,
+//! reports and break limits get `s λ` and `s μ`. An island whose round has the fraction zero is unchanged,
+//! and would stay unchanged: its impact ends.
 //!
-//! All that holds for one mass matrix `M`. The changes that joints allow are the nearest ones in its metric, that of the kinetic
-//! energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988), and in this one they still part what
-//! hit. Contacts know the inertias with which the step began. Had joints those of the moment, then the contact of a thin board
-//! that has turned by a radian would approach as before or faster, however hard it is pushed: rounds added up to a
-//! quarter of the energy, and no account knew. So in impacts joints take the inertias that contacts have.
+//! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, that of
+//! the kinetic energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988). In
+//! this metric they still separate the contacts that hit. Contacts use the inertias of the start of the step.
+//! If joints used the current ones, the contact of a thin board that has rotated by a radian would approach
+//! faster under any impulse. Rounds then added up to a quarter of the energy, without being detected. So in
+//! impacts joints take the inertias that contacts have.
 //!
 //! ## What bears loads
-//! A substep starts with the impulses of the last one, and they need not fit any more: what stopped a blow then would be
-//! a kick now. So impacts see the velocities before any impulse, in which forces have acted and nothing holds
-//! against them. A contact that bears a load would then approach. To its velocity we add what these impulses take of
-//! that: `o_i`, from 0 to all that the forces did, a constant of the substep. With it, what lies or is pressed is at
-//! rest. The energy added is then less than the sum above, by `Σ λ_i o_i`. Joints are asked about changes alone: what a
-//! blow changes must be what they allow.
+//! A substep starts with the impulses of the last one, which may be outdated: an impulse that stopped an
+//! impact would accelerate the body now. So impacts see the velocities before any impulse, in which forces
+//! have acted and nothing holds against them. A loaded contact would then approach. To its velocity we add
+//! what these impulses take of that: `o_i`, from 0 to all that the forces did, a constant of the substep.
+//! With it, resting and pressed bodies are at rest. The energy added is then less than the sum above, by `Σ
+//! λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
 //!
 //! ## When
-//! A blow falls at a time `τ = C / |c|` within the substep, or before it if a fast body was noticed too late. The
-//! bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv` (`accept_impact`). That must not
-//! tear joints, which would turn gaps into speed: bodies that joints hold exactly have one `τ`, and those
-//! of swept joints stay (`SolverJoints::share_delays`).
+//! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected
+//! late. The bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv`
+//! (`accept_impact`). The correction must not violate joints, which would turn errors into velocity. Bodies
+//! of directly solved joints have one `τ`, and those of iterated joints have none
+//! (`SolverJoints::share_delays`).
 //!
 //! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
 //! velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
@@ -68,12 +74,12 @@
 //!
 //! so a ball that bounces with `e = 1` keeps its height to second order in `h`.
 //!
-//! A body that comes fast but does not arrive before the substep ends is put aside until the next: the passes that let
-//! it come no nearer than to touch would take off its speed before it is there.
+//! A fast body that does not arrive before the substep ends is deferred to the next one. The other passes
+//! only prevent penetration, and would remove its speed before it arrives.
 //!
 //! ## Friction
-//! Acts once at the end, under all normal impulses of the impact. What an impact adds to the velocities is added to the
-//! velocities "before any impulse" of the substep too: it is no load that the next one could start with.
+//! Acts once at the end, under all normal impulses of the impact. The velocity changes of an impact are also
+//! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
 mod points;
 mod rows;
@@ -111,37 +117,40 @@ const ITERATIONS_MAX: usize = 128;
 const SMALL_ISLAND: usize = 32;
 /// And per round.
 const ROUND_ITERATIONS: usize = 16;
-/// Blocks that are worth handing over to another thread together. A visit of few is over before another thread has noticed.
+/// Blocks that are worth handing over to another thread together. An iteration of few blocks ends before
+/// another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
 
-/// Of so many blocks about one has been struck.
+/// One of this many blocks is active on average.
 const FRICTION_INTERVAL: usize = 4;
 
 /// The contacts with restitution.
 #[derive(Default)]
 pub(super) struct Impacts {
-    /// Those of one colour stand together.
+    /// Blocks of one colour are contiguous.
     blocks: Vec<ImpactBlock>,
     /// Of each block.
     marks: Vec<ImpactMark>,
     colors: Vec<Range<usize>>,
-    /// What a round is about, often little of all that could be hit.
+    /// The active part of a round, often a small part of all contacts.
     active: Active,
     touched: Touched,
     memory: Memory,
 }
 
-/// What is known of islands.
+/// Data of islands.
 #[derive(Default)]
 struct Memory {
     energy_budgets: Vec<EnergyBudget>,
     /// Nothing until something hits in this step.
     iteration_budgets: Vec<IterationBudget>,
-    /// Of those that are struck: what the contacts and joints add to [`EnergyBudget::dissipated`] and [`EnergyBudget::energy_gain`] in this round.
+    /// By active block: the contributions of contacts and joints to [`EnergyBudget::dissipated`] and
+    /// [`EnergyBudget::energy_gain`] in this round.
     sums: IslandSums<2>,
 }
 
-/// How many visits an island is worth: how many of its contacts bounce, and the largest restitution among them.
+/// The iterations of an island follow from the number of its contacts with restitution, and from their
+/// largest restitution.
 #[derive(Copy, Clone, Default)]
 struct IterationBudget {
     contacts: usize,
@@ -180,11 +189,11 @@ impl EnergyBudget {
     }
 }
 
-/// What acts on bodies beside contacts.
+/// Constraints and context besides the contacts of bodies.
 pub(super) struct ImpactContext<'a> {
     pub joints: &'a mut SolverJoints,
     pub joint_pass: &'a JointPass,
-    /// The contacts of links, which take part, and where they know from where they are.
+    /// The contacts of links, which take part, and their input.
     pub links: (&'a mut SolverMultibodies, (&'a NarrowPhase, &'a RigidBodySet)),
     pub simd: Simd,
     pub tasks: Tasks<'a>,
@@ -260,7 +269,7 @@ impl Impacts {
         bodies.swap_before();
     }
 
-    /// Takes back what the last substep has put aside.
+    /// Restores the points that the last substep deferred.
     pub fn restore(&mut self, contacts: &mut [ContactBlock]) {
         for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
             if mark.is_aside() {
@@ -269,8 +278,9 @@ impl Impacts {
         }
     }
 
-    /// Opens the accounts of all islands. What is left of a blow when the visits are used up parts without a bounce: an error of the
-    /// share `e` of its speed. So a large island gets as many as its largest `e` is worth. In a small one they cost nothing.
+    /// Opens the accounts of all islands. When the iterations are used up, the rest of an impact has no
+    /// restitution: an error of the fraction `e` of its speed. So a large island gets as many as its largest
+    /// `e` is worth. In a small one they cost nothing.
     fn open_energy_budgets(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
         let Self { blocks, active, memory, .. } = self;
         let Memory { energy_budgets, iteration_budgets, .. } = memory;
@@ -279,7 +289,7 @@ impl Impacts {
                 bodies.island_bound().max(links.island_bound()),
                 IterationBudget::default(),
             );
-            // Whose lanes stand in a block with others' must not count: who these are depends on all of the world.
+            // The lanes beside it in a block must not matter: they depend on all of the world.
             let mut count = |island: u32, restitution: Real| {
                 if let Some(grant) =
                     iteration_budgets.get_mut(island as usize).filter(|_| restitution != 0.0)
@@ -309,7 +319,7 @@ impl Impacts {
         self.touched.begin(bodies.states.len());
         self.touched.add(context.joints.held());
         let of_joints = self.touched.bodies.len();
-        // What a multibody that is hit pushes can be anything.
+        // The set of bodies that a hit multibody pushes is unknown.
         if context.links.0.bounce() {
             self.touched.add_all(bodies.moving());
         }
@@ -317,7 +327,7 @@ impl Impacts {
         of_joints
     }
 
-    /// Finds the contacts that hit, in islands that have visits left. Returns whether there is any.
+    /// Finds the contacts that hit, in islands with iterations left. Returns whether there is any.
     fn find_active(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
         let Self { blocks, marks, colors, active, touched, memory } = self;
         let energy_budgets = &mut memory.energy_budgets;
@@ -394,7 +404,7 @@ impl Impacts {
         self.commit_round(bodies, context, pass);
     }
 
-    /// Lets each island go the share of the round that its energy allows.
+    /// Scales the round of each island by the fraction that its energy allows.
     fn commit_round(
         &mut self,
         bodies: &mut SolverBodies,
@@ -423,7 +433,7 @@ impl Impacts {
         self.accept(bodies, context, share, pass);
     }
 
-    /// Bodies and multibodies take over what the round did, or the share of it for their island.
+    /// Commits the changes of the round to bodies and multibodies, scaled by the fraction of each island.
     fn accept(
         &self,
         bodies: &mut SolverBodies,
@@ -436,8 +446,8 @@ impl Impacts {
         context.links.0.accept_impact(pass.substep, share);
     }
 
-    /// Finds the islands where the last visit had something to change, and lets the others be for the rest of
-    /// the round. Returns whether there is any.
+    /// Finds the islands that the last iteration changed, and deactivates the others for the rest of the
+    /// round. Returns whether there is any.
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
         let Self { active, memory, .. } = self;
         let energy_budgets = &mut memory.energy_budgets;
@@ -525,7 +535,7 @@ pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
 }
 
-/// What is done with each block.
+/// The operation on each block.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Stage {
     Begin,
@@ -554,8 +564,9 @@ impl Kernel for Look<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range.clone() {
-            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour, and the
-            // constraints of one colour share no body that is not read-only; the others change their block alone.
+            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour,
+            // and constraints of one colour have no common dynamic body. The other stages change their block
+            // alone.
             unsafe { self.look_at::<W>(index) };
         }
     }
@@ -568,7 +579,7 @@ impl Look<'_> {
     }
 
     /// # Safety
-    /// Nobody else may touch the block, or write the states of its bodies, meanwhile.
+    /// The caller has exclusive access to the block, and no other thread writes the states of its bodies.
     #[inline(always)]
     unsafe fn look_at<W: Wide>(&self, index: usize) {
         let (states, pass) = (&self.states, self.pass);
@@ -595,7 +606,7 @@ impl Look<'_> {
                     impact.begin(&rows, block, self.known, pass);
                     impact.mark(mark, &rows, block, pass);
                 }
-                // What nobody has changed is as it was when it was marked last.
+                // Unchanged blocks keep their last mark.
                 Stage::Mark if !self.is_changed(block) => {}
                 Stage::Mark => {
                     let rows = NormalRows::<W>::gather(states, block);

@@ -1,4 +1,4 @@
-//! What impacts need of a block: the velocities of its points, impulses at them, and friction under these.
+//! Access of impacts to a block: velocities of its points, impulses at them, and their friction.
 //!
 //! Which points hit, and how they part, is decided in `rows.rs`.
 
@@ -20,7 +20,7 @@ pub struct NormalRows<'a, W> {
 
 impl<'a, W: Wide> NormalRows<'a, W> {
     /// # Safety
-    /// Nobody may write the states of the block's bodies meanwhile.
+    /// No other thread writes the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &'a ContactBlock) -> Self {
         // SAFETY: the caller's promise.
@@ -28,7 +28,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     }
 
     /// # Safety
-    /// Nobody else may touch the states of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn scatter(self, states: &DisjointMut<BodyState>) {
         // SAFETY: the caller's promise.
@@ -90,11 +90,11 @@ pub fn velocities_of<W: Wide>(
     values_at(block, NormalRow::new(&Frame::load(block), c, velocities))
 }
 
-/// Solves the friction rows once under these normal impulses alone. What they add is no load that the next substep
-/// could start with: nothing of it is remembered.
+/// Solves the friction rows once under these normal impulses alone. These impulses are no warm-start load,
+/// and are not stored.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub unsafe fn solve_friction<W: Wide>(
     block: &mut ContactBlock,

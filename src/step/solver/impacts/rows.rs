@@ -1,4 +1,5 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `active.rs`.
+//! The points of one block in an impact: which of them hit, and how fast they are to part. The rounds are in
+//! `active.rs`.
 
 use super::lanes;
 use super::points::{self, NormalRows};
@@ -11,26 +12,27 @@ use crate::model::params::ImpactPass;
 
 /// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
 pub(in super::super) const CURVATURE_ANGLE_MAX: Real = 0.25;
-/// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
-/// the speed below which nothing bounces. Rounding must not wake them.
+/// Points at rest when the impact began take part when their approach increases by this fraction of the
+/// restitution threshold. Rounding must not wake them.
 pub(in super::super) const APPROACH_CHANGE_MIN: Real = 0.01;
 
-/// Where points are that are put aside: beyond the reach of all passes.
+/// Separation of deferred points: beyond the reach of all passes.
 pub(in super::super) const COORDINATE_MODERATE_MAX: Real = 1.0e10;
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
 struct ImpactRow {
-    /// While it is put aside: its separation when the step began, which the block does not show.
+    /// While the point is deferred: its separation at the start of the step, which the block does not
+    /// contain.
     separation: Lane,
-    /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
-    /// act again in this one may be larger, and must not pass for forces.
+    /// Velocity change in this substep by forces and their supports. Impulses of the last substep that act
+    /// again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
-    /// Impulses of the whole impact: of each round the share that it went.
+    /// Impulses of the whole impact: the committed fraction of each round.
     given: Lane,
-    /// What is borne, and where the block is struck what is to happen in this round.
+    /// Support velocity and, in active blocks, the data of this round.
     strike: ActiveRow<Lane>,
 }
 
@@ -39,7 +41,7 @@ struct ImpactRow {
 pub(super) struct ActiveRow<T> {
     /// `1 / K` where it hits in this round, zero elsewhere.
     pub mass: T,
-    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    /// The part of the force-induced velocity change that supports cancel.
     pub support_velocity: T,
     /// Its velocity of approach in this round (negative), and the one with which it is to part.
     pub approach: T,
@@ -49,7 +51,7 @@ pub(super) struct ActiveRow<T> {
 }
 
 impl ActiveRow<Lane> {
-    /// That of one lane.
+    /// Data of one lane.
     pub fn lane(&self, lane: usize) -> ActiveRow<Real> {
         ActiveRow {
             mass: self.mass.0[lane],
@@ -81,8 +83,8 @@ pub(in super::super) struct ImpactBlock {
     pub islands: [u32; LANES],
 }
 
-/// What is asked of every block in every round, and often the answer is that nothing is to be done. So it stands apart: thousands of
-/// blocks are passed over without a look at their rows.
+/// Flags that each round reads for every block; often they show that nothing is to do. So it stands apart:
+/// thousands of blocks are passed over without a look at their rows.
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
     /// One bit per lane: set if any point hits in this round.
@@ -91,7 +93,7 @@ pub(in super::super) struct ImpactMark {
     pub was_active: bool,
     /// One bit per point and lane: set if it approaches fast and does not arrive in this substep.
     waiting: u32,
-    /// And which of these are put aside.
+    /// The deferred ones among these.
     aside: u32,
 }
 
@@ -120,7 +122,7 @@ impl ImpactBlock {
         Self { at, restitution, rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS], islands }
     }
 
-    /// Takes back the points that were put aside in the last substep.
+    /// Restores the points that the last substep deferred.
     pub fn restore(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.aside, k)) {
@@ -142,8 +144,9 @@ impl ImpactBlock {
         mark.aside = mark.waiting;
     }
 
-    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended (`last`).
-    /// `loaded` are the velocities with the impulses of the last substep, which bear these forces.
+    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended
+    /// (`last`). `loaded` are the velocities with the impulses of the last substep, which support these
+    /// forces.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,
@@ -231,7 +234,7 @@ impl ImpactBlock {
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
     ///
     /// # Safety
-    /// Nobody else may touch the states of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn solve_friction<W: Wide>(
         &self,

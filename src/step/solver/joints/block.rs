@@ -8,7 +8,7 @@ use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideVector, ang_lane, set_ang_lane,
 };
 
-/// What stands for "no limit": far beyond every length, and still a number to calculate with.
+/// Value for "no limit": far beyond every length, and finite.
 pub(super) const UNLIMITED: Real = 1.0e30;
 
 /// An impulse on the second body at `p`, and the moments that it and the couples give each body about
@@ -33,15 +33,15 @@ pub(super) struct JointBlock {
     pub frames: [WideRotation<Lane>; 2],
     /// One for locked axes, zero for free ones.
     pub locked: [Lane; SPATIAL_DIM],
-    /// One where the locked axes are solved in sweeps, zero where they are solved exactly.
+    /// One where the locked axes are solved iteratively, zero where they are solved directly.
     pub swept: Lane,
     /// Velocity per unit of error (1/s).
     pub bias_rate: Lane,
     /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
     pub is_spring: Lane,
-    /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
+    /// Compliance of the rows (see [`Softness`](crate::model::params::Softness)).
     pub compliance: Lane,
-    /// One for joints of taut components (see `geometric_stiffness.rs`), zero for others.
+    /// One for joints of stiff components (see `geometric_stiffness.rs`), zero for others.
     pub is_stiff: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
@@ -49,9 +49,9 @@ pub(super) struct JointBlock {
     pub impulses: [Lane; SPATIAL_DIM],
     /// The couple of the angular impulses, in the first frame: in when the step starts, out when it ends.
     pub couple: WideAngVector<Lane>,
-    /// What the impulses of all rows have done to the bodies in this substep.
+    /// Total impulse of all rows on the bodies in this substep.
     pub applied: Wrench<Lane>,
-    /// What that has made of the bodies' angular velocities. (Their inertias turn.)
+    /// Angular velocities that result from it. (Their inertias turn.)
     pub turned: [WideAngVector<Lane>; 2],
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
@@ -103,7 +103,7 @@ impl JointBlock {
         }
     };
 
-    /// Leaves the locked axes of a lane to the exact solution, with this yield unless they are springs.
+    /// Leaves the locked axes of a lane to the direct solver, with this compliance unless they are springs.
     pub fn solve_exactly(&mut self, lane: usize, compliance: Real) {
         self.swept.0[lane] = 0.0;
         self.has_exact = true;
@@ -145,7 +145,7 @@ pub(super) struct AxisRow {
     pub linear: WideVector<Lane>,
     pub coupled: [Lane; DIM],
     pub angle_tracker: AngleTracker,
-    /// Where the joint is along or about the axis, at the last visit where the bodies are.
+    /// Joint position along or about the axis, at the last iteration with the bodies' current poses.
     pub position: Lane,
     pub motor: MotorRow,
     pub min: Lane,

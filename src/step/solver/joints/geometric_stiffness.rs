@@ -1,45 +1,48 @@
 //! Taut joints: forces that hold light bodies stiffly.
 //!
-//! A force `F` that pulls at the lever `r` of a body of mass `m` and inertia `I` holds the body's direction like
-//! a spring: turned aside, the body swings about its anchor with `ω² = F r / (I + m r²)`. A method that keeps the
-//! direction of the force through a substep, as the symplectic one does, is stable only for `h ω < 2`, and near
-//! that it turns its small errors into vibrations of what is light. The links of a chain under a weight a thousand
-//! times as heavy are near that, and those under more are beyond. (Of a chain's swings, in which neighbours turn against
-//! each other, the fastest has four times the sum of `ω²` over the two bodies of a joint.)
+//! A force `F` with the moment arm `r` on a body of mass `m` and inertia `I` acts like a spring on the body's
+//! direction. A deflected body swings about its anchor with `ω² = F r / (I + m r²)`. A method with a constant
+//! force direction within a substep, such as the symplectic one, is stable only for `h ω < 2`. Near that
+//! limit, its small errors grow to vibrations of light bodies. The links of a chain under a weight a thousand
+//! times as heavy are near that, and those under more are beyond. (Among the modes of a chain, the fastest
+//! one, with opposite rotations of neighbours, has four times the sum of `ω²` over the two bodies of a
+//! joint.)
 //!
-//! So where `(h ω)²`, summed over the two bodies of a joint, is above [`STIFFNESS_MAX`], its whole component is solved by a
-//! method that loses energy instead (Müller et al., "Detailed rigid body simulation with extended position based
-//! dynamics", 2020; with all joints at once: Deul et al., "Direct position-based solver for stiff rods", 2018):
-//! starting without impulses, the bodies are led to where they would go freely, and from there projected on what
-//! the joints allow, along the rows *there*. A projection never adds energy, however stiff. It takes about the share
-//! `(h ω)²` of the motion across the pull in each substep, and of the angular momentum: of vibrations all, of a heavy
-//! weight that swings slowly next to nothing, but the spin of a fast rotor within a second.
+//! If `(h ω)²`, summed over the two bodies of a joint, exceeds [`STIFFNESS_MAX`], a dissipative method solves
+//! its whole component. It is position-based (Müller et al., "Detailed rigid body simulation with extended
+//! position based dynamics", 2020; with all joints at once: Deul et al., "Direct position-based solver for
+//! stiff rods", 2018). Starting without impulses, the bodies move freely, and are then projected on the
+//! joints, along the rows at the *predicted* poses. A projection never adds energy, however stiff. It removes
+//! about the fraction `(h ω)²` of the motion across the force in each substep, and of the angular momentum.
+//! It removes vibrations completely, and hardly affects a heavy weight that swings slowly. A fast rotor loses
+//! its spin within a second.
 //!
 //! ## What turns as a whole
-//! A pull that does no more than lead bodies round holds nothing stiffly: it turns with them, and the symplectic method
-//! follows it exactly. Of bodies that turn as a whole at the rate `Ω`, each is pulled with about `ω² = Ω²`; so much, twice
-//! for each of two bodies, is no tautness. `Ω` is that of the component's angular momentum about its centre of mass: light
-//! links that vibrate have little of it.
+//! A centripetal force causes no stiffness: it rotates with the bodies, and the symplectic method follows it
+//! exactly. If the bodies rotate as a whole at the rate `Ω`, each centripetal force has about `ω² = Ω²`. That
+//! amount, twice for each of two bodies, is subtracted. `Ω` is that of the component's angular momentum about
+//! its centre of mass: light links that vibrate have little of it.
 //!
-//! One thing that turns as a whole is braked all the same: thin bodies on hinges, faster than [`TUMBLING_TURN`] (36 rad/s at
-//! 240 substeps per second). Their inertias turn with them, at the beginning of a substep for impulses and in its middle for
-//! free motion, and what a hinge holds between the two grows slowly: at 60 rad/s the axis of two rods would tumble after
-//! four seconds.
+//! One case of common rotation is damped nevertheless: thin bodies on hinges, faster than [`TUMBLING_TURN`]
+//! (36 rad/s at 240 substeps per second). Impulses use their inertias at the start of a substep, and free
+//! motion those in its middle. The error of a hinge between the two grows slowly: at 60 rad/s the axis of two
+//! rods would tumble after four seconds.
 //!
 //! ## What is thrown
-//! Where bodies would go freely, joints must find back from. When only gravity and their own speed lead them, that is near.
-//! But what pushes into a joint (a contact, a limit, a motor) starts with its impulses of the last substep, and without those
-//! with which the joints held against it, it throws what is light: a board of 1.4 kg between the ground and the 140 kg behind
-//! it would turn by 2 rad in a substep. The rows there say nothing of where it will be, Newton's steps from there wander, and a
-//! chain got 10⁹ times its energy from that. So a component with a body that is thrown by more than [`UNCONSTRAINED_ANGLE_MAX`] is projected
-//! where the bodies are, in one step and without a look ahead. Along rows that stay the same a projection is one exactly: of
-//! all velocities that the joints allow it finds the nearest (Gauss's principle of least constraint), and never adds energy
-//! whatever pushes. What it leaves of the curvature is undone as an error of the next substep.
+//! Where bodies would go freely, joints must find back from. When only gravity and their own speed lead them,
+//! that is near. But contacts, limits and motors start with their impulses of the last substep. Without the
+//! opposing joint impulses, they accelerate light bodies: a board of 1.4 kg between the ground and a load of
+//! 140 kg would rotate by 2 rad in a substep. The rows there say nothing of where it will be, Newton's steps
+//! from there wander, and a chain got 10⁹ times its energy from that. A component with a body whose
+//! unconstrained rotation exceeds [`UNCONSTRAINED_ANGLE_MAX`] is therefore projected at the current poses, in
+//! one step without prediction. With constant rows, one projection is exact. It finds the nearest admissible
+//! velocity (Gauss's principle of least constraint), and never adds energy. The next substep corrects the
+//! remaining curvature error.
 //!
 //! ## When
-//! Whether a component is taut shows in the pulls of its last substep; then it is projected from the beginning. Where
-//! it turns out by the pulls that the symplectic method finds (a slack chain is tightened by a weight at its end), or that
-//! Newton's steps lead nowhere, these are taken back and it is projected after all.
+//! The forces of the last substep show whether a component is stiff; then it is projected from the beginning.
+//! A component may become stiff by the forces of the symplectic solution (a weight at the end of a slack
+//! chain), or Newton's steps may diverge. These impulses are rolled back, and the component is projected.
 
 use super::block::JointBlock;
 use super::direct::DirectJoint;
@@ -50,15 +53,15 @@ use crate::dim::math::{
 };
 use crate::dim::state::{BodyPose, BodyState};
 
-/// The `(h ω)²` above which a joint is taut: a quarter of what is stable in a chain. Pendulums of 2 cm and double pendulums
-/// of 10 cm are below at 240 substeps per second.
+/// The `(h ω)²` above which a joint is stiff: a quarter of the stability limit of a chain. Pendulums of 2 cm
+/// and double pendulums of 10 cm are below at 240 substeps per second.
 const STIFFNESS_MAX: Real = 0.25;
 /// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
 const WHOLE: Real = 4.0;
 /// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
 const TURN: Real = 0.85;
 
-/// Where no joint has more than this, nothing else is asked.
+/// If no joint exceeds this value, no other test is made.
 const LOOSE: Real = 0.01;
 /// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
 const TUMBLING_TURN: Real = 0.15;
@@ -74,7 +77,7 @@ fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
 }
 
 /// Returns whether a body has a large unconstrained displacement after the impulses of its joints were reset.
-/// What it has got since it moved without any impulse says so: its own spin, however fast, throws nothing.
+/// The test uses the motion without any impulse, so a body's own spin has no effect.
 pub(super) fn have_large_displacement(
     members: &[DirectJoint],
     Moving { states, before, .. }: Moving<'_>,
@@ -90,7 +93,7 @@ pub(super) fn have_large_displacement(
 #[derive(Default)]
 pub(super) struct GeometricStiffness {
     bodies: Vec<JointedBody>,
-    /// How often [`Self::turning`] was asked.
+    /// Number of calls of [`Self::turning`].
     evaluations: u32,
 }
 
@@ -163,8 +166,8 @@ impl GeometricStiffness {
         swings.sum()
     }
 
-    /// How fast a component turns as a whole about its centre of mass (rad/s): its angular momentum over its moment of
-    /// inertia about the axis of that.
+    /// The common angular velocity of a component about its centre of mass (rad/s): its angular momentum
+    /// divided by its moment of inertia about the axis of that.
     fn turning(&mut self, members: &[DirectJoint], moving: Moving<'_>) -> Real {
         let Moving { poses, states, before } = moving;
         let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);

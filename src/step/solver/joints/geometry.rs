@@ -11,7 +11,7 @@ use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
 use crate::dim::state::WideDisplacement;
 use crate::dim::wide::{WideAngVector, WideRotation, WideVector, torque};
 
-/// Frames and levers of a block's joints after the bodies have moved.
+/// Frames and moment arms of a block's joints after the bodies have moved.
 pub(super) struct Geometry<W> {
     /// Axes of the first frame.
     pub axes: [WideVector<W>; DIM],
@@ -77,10 +77,11 @@ impl<W: Wide> Geometry<W> {
         errors
     }
 
-    /// The errors of the locked axes in components along the axes of an earlier moment, along which impulses act. The axes
-    /// turn with the first body, and errors along its own later ones ask for impulses that are off by this turn: of a
-    /// substep that turns a body by a quarter of a radian, a Newton step would leave a tenth instead of a thirtieth. Rotations
-    /// are seen from the middle of the way: so far, on average, the way has turned what an impulse adds to it.
+    /// The errors of the locked axes in components along the axes of an earlier moment, along which impulses
+    /// act. The axes rotate with the first body, and errors along the second body's axes require impulses
+    /// that are rotated relative to them. In a substep with a rotation of a quarter of a radian, a Newton
+    /// step would leave a tenth instead of a thirtieth. Rotations are measured in the middle of the substep,
+    /// which is the average rotation of an added impulse.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn errors_seen_from<const N: usize>(&self, earlier: &Self, block: &JointBlock) -> [W; N] {
         let mut errors = [W::zero(); SPATIAL_DIM];

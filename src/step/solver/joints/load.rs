@@ -24,9 +24,8 @@ use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::multibodies::SolverMultibodies;
 
-/// The least yield of joints that are solved in sweeps. A sweep leaves errors, and a chain that does not yield
-/// to them is pumped by its own corrections: see
-/// [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
+/// The least compliance of iteratively solved joints. Iterations leave errors, and a chain without compliance
+/// gains energy by its own corrections: see [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
 const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
 /// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
@@ -35,7 +34,7 @@ const TURN_MIN: Real = 1.0e-4;
 /// Joints that are worth being looked at by another thread.
 const JOINTS_PER_TASK: usize = 64;
 
-/// What joints are loaded from.
+/// Context for loading joints.
 #[derive(Copy, Clone)]
 pub(in crate::step::solver) struct JointSources<'a> {
     pub islands: &'a IslandManager,
@@ -45,7 +44,7 @@ pub(in crate::step::solver) struct JointSources<'a> {
 }
 
 impl SolverJoints {
-    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
+    /// Makes constraints of the joints that have a colour. Joints of links are left to their multibodies.
     pub fn load(
         &mut self,
         joints: &mut ImpulseJointSet,
@@ -61,7 +60,7 @@ impl SolverJoints {
         self.point_to_point.load(joints, from, pass, tasks);
     }
 
-    /// Finds out which joints take part.
+    /// Finds the active joints.
     fn find_members(&mut self, from: JointSources<'_>, tasks: Tasks<'_>) {
         self.slots.clear();
         self.colors.clear();
@@ -111,7 +110,7 @@ impl SolverJoints {
         }
     }
 
-    /// Makes blocks of the joints that are no pins, and their rows.
+    /// Makes the blocks of all joints that are not point-to-point joints, and their rows.
     fn fill_blocks(
         &mut self,
         joints: &mut ImpulseJointSet,
@@ -143,7 +142,7 @@ impl SolverJoints {
                 rows.fill(AxisRow::EMPTY);
                 for (lane, lane_slot) in layout.block(index).iter().enumerate() {
                     let Some(link) = from.islands.joints.get(lane_slot.slot) else { continue };
-                    // SAFETY: each joint has one seat.
+                    // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     load_lane(block, rows, lane, &mut entry.joint, from, pass);
                     if direct.contains(lane_slot.slot) {
@@ -182,7 +181,7 @@ impl SolverJoints {
 }
 
 impl JointSources<'_> {
-    /// The joint in a slot, if it takes part.
+    /// The joint in a slot, if it is active.
     fn member(&self, slot: u32) -> Option<DirectJoint> {
         let Self { bodies, multibodies, .. } = self;
         let link = self.islands.joints.get(slot)?;
@@ -196,7 +195,7 @@ impl JointSources<'_> {
     }
 }
 
-/// One end of a joint: the body as the solver knows it, and the joint's frame there.
+/// One end of a joint: the solver's data of the body, and the joint's frame on it.
 struct End {
     index: u32,
     center: Vector,

@@ -3,8 +3,8 @@
 //! ## Motors
 //! `force = k (target - C) + c (target velocity - Ċ)`. The damper acts on the velocity `v'` *after* the
 //! substep (implicit Euler), so it never overshoots. A spring on the position after the substep would lose
-//! energy: it dies down as if its damping ratio were `h ω / 2` more than it is. On the position before the
-//! substep (symplectic Euler) it keeps its energy, but only soft springs do, `h ω < 2`. Softened to
+//! energy: its damping ratio increases by `h ω / 2`. On the position before the substep (symplectic Euler) it
+//! keeps its energy, but only soft springs do, `h ω < 2`. Softened to
 //!
 //! ```text
 //! k' = k / (1 + h² k K / 4)          K = J M⁻¹ Jᵀ
@@ -12,7 +12,7 @@
 //!
 //! it keeps it at any stiffness: the solution then turns by `2 atan(h ω / 2)` per substep, as that of the
 //! trapezoidal rule does. With `g = h c` and `p = h k' (C - target) - h c · target velocity` the impulse
-//! obeys `λ = -(g v' + p)`, or as a step towards it
+//! satisfies `λ = -(g v' + p)`, or as a step towards it
 //!
 //! ```text
 //! Δλ = -(g Ċ + λ + p) / (1 + g K)
@@ -21,36 +21,38 @@
 //! Both passes use the stretch `C - target` of the beginning of the substep.
 //!
 //! ## Limits
-//! A limit is a contact along the axis: it pushes only, and from afar it lets the axis come as near as it gets
-//! in one substep. That is asked of the axis by the end of the substep: with what bending adds (`substep_end.rs`), and with what the
-//! locked axes, which are solved after it, will do about their own bending. So a rope leads round in a circle of its length, and
-//! a pendulum on it keeps its energy, as one on a locked joint does.
+//! A limit is a contact along the axis: it pushes only, and at a distance it lets the axis approach by that
+//! distance in one substep. The condition applies at the end of the substep. It includes the curvature
+//! (`substep_end.rs`), and the corrections of the locked axes, which are solved afterwards. A rope thus
+//! guides a body on a circle of its length, and a pendulum on it keeps its energy, as on a locked joint.
 //!
-//! Limits that press on each other, as those of a telescope do, are solved in sweeps. One between bodies of the mass `m` that
-//! holds a load `M` answers to the load's velocity as if it were as light: by `m (v + β C)` in each of the two visits of a
-//! substep, for which the load moves by
+//! Limits in series, as in a telescope, are solved iteratively. A limit between bodies of the mass `m` under
+//! a load `M` responds to the load's velocity as if the load were as light: by `m (v + β C)` in each of the
+//! two passes of a substep, for which the load moves by
 //!
 //! ```text
 //! v‴ + a v″ + a/h (v′ + β v) = 0          a = 2 m / (M h)
 //! ```
 //!
-//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a telescope that holds
-//! ten times its sections' mass shakes them by a fifth of a metre; with [`LIMIT_SHARE`] it comes to rest. A limit can be
-//! patient: it has little to undo, because it stops what comes before that is too far.
+//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a
+//! telescope under ten times the mass of its sections vibrates by a fifth of a metre; with [`LIMIT_SHARE`] it
+//! comes to rest. A limit can be patient: it has little to undo, because it stops what comes before that is
+//! too far.
 //!
 //! ## What an acceleration is
-//! A motor that is given accelerations multiplies them by the mass that it moves in its own joint: of the two bodies, held by
-//! the joint's locked axes. What else hangs on these it does not know. At the root of an arm whose inertia is `n` times
-//! that of the first link it is `n` times too weak, and swings `√n` times too slowly. (The matrix of the exact solution knows
-//! that inertia, but only without motors and limits, whose neighbours in turn may hold or let go.)
+//! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
+//! with the joint's locked axes. Bodies behind other joints are excluded. At the root of an arm whose inertia
+//! is `n` times that of the first link, the motor is `n` times too weak, and oscillates `√n` times too
+//! slowly. (The matrix of the direct solver contains that inertia, but without motors and limits, whose
+//! neighbours may be active or not.)
 
 use super::block::{AxisRow, MotorRow};
 use crate::base::wide::Wide;
 use crate::dim::math::Real;
 use crate::model::params::JointPass;
 
-/// The share of a limit's error that a substep removes: see the module's head. Five sections under ten times their mass come
-/// to rest with 0.02, with 0.05 they nearly do not.
+/// The fraction of a limit's error that a substep removes: see the module's head. Five sections under ten
+/// times their mass come to rest with 0.02, with 0.05 they nearly do not.
 const LIMIT_SHARE: Real = 0.02;
 
 /// A free axis at the moment when it is solved.

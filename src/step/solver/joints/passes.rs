@@ -86,7 +86,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
 /// Turns what the last step left into impulses along the rows, and gives it to the bodies.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+/// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
 pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut JointBlock,
@@ -113,11 +113,11 @@ pub(super) unsafe fn warm_start<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Taut joints start without impulses, those of motors and limits among them: without the locked axes that held
-/// against them they would throw the bodies far from where the joints let them go.
+/// Joints of stiff components start without impulses, including motors and limits. Without the opposing
+/// locked axes, these impulses would move the bodies far away.
 ///
 /// # Safety
-/// Nobody else may touch the block's rows meanwhile.
+/// The caller has exclusive access to the block's rows.
 #[inline(always)]
 unsafe fn forget_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
     let kept = W::splat(1.0) - W::load(&block.is_stiff);
@@ -133,10 +133,10 @@ unsafe fn forget_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisR
     }
 }
 
-/// What the impulses of all rows do as the rows stand now.
+/// The effect of the impulses of all rows at the current poses.
 ///
 /// # Safety
-/// Nobody may write to the block's rows meanwhile.
+/// No other thread writes the block's rows.
 #[inline(always)]
 unsafe fn wrench_of<W: Wide, const N: usize>(
     block: &JointBlock,
@@ -159,11 +159,11 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: so that the bodies are where they should be at the
-/// end of the substep; otherwise so that nothing moves apart from where they are.
+/// Solves all rows once: free axes, then locked ones. `AHEAD`: towards zero error at the end of the substep;
+/// otherwise towards zero relative velocity.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+/// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
 pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
@@ -173,7 +173,7 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
 ) {
     // SAFETY: the caller's promise.
     unsafe {
-        // Without locked rotations the numbers are the same, but for half of the work.
+        // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
             true => visit_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
             false => visit_rows::<W, AHEAD, DIM>(block, rows, states, pass),
@@ -270,10 +270,10 @@ pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [Wid
     store_turned(turned, block);
 }
 
-/// What the axes of a block share at the moment when they are solved.
+/// Common data of the axes of a block during a pass.
 struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
-    /// Where the joints would be by the end of the substep, if that is asked, and by how much the locked axes would bend.
+    /// Joint positions at the end of the substep, if required, and the curvatures of the locked axes.
     substep_end: Option<&'a (SubstepEnd<W>, [W; N])>,
     masses: &'a Masses<W>,
     locked: &'a Locked<W, N>,
@@ -284,7 +284,7 @@ struct JointNow<'a, W, const N: usize> {
 /// Solves free axes, then locked ones; returns what they add.
 ///
 /// # Safety
-/// Nobody else may touch the block's rows meanwhile.
+/// The caller has exclusive access to the block's rows.
 #[inline(always)]
 unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -315,9 +315,9 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
 
 /// Solves motor and limits of a free axis; returns what they add.
 ///
-/// What they push, the locked axes hold: `J - K_fl K_ll⁻¹ J_l` in place of the axis's own row `J` moves the
-/// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
-/// the other in sweeps.
+/// The locked axes react to the impulses of a free axis. Using `J - K_fl K_ll⁻¹ J_l` in place of the axis's
+/// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
+/// iteration between the two is necessary.
 #[inline(always)]
 fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     row: &mut AxisRow,
@@ -358,7 +358,8 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// Solves all locked axes together; returns what they add. The `matrix` is that without yield, if it is known.
+/// Solves all locked axes together; returns what they add. The `matrix` is the one without compliance, if it
+/// is known.
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -399,8 +400,8 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
-/// ahead, which would feed the errors that sweeps leave back into them.
+/// Velocity errors of iterated rows in the solve pass: with bias, but without curvature, which would amplify
+/// the errors of the iteration.
 #[inline(always)]
 fn rates_with_bias<W: Wide, const N: usize>(
     block: &mut JointBlock,
@@ -433,7 +434,7 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
     rates
 }
 
-/// How much the rows yield in a pass: in the relax pass only springs do.
+/// The compliance of the rows in a pass: in the relax pass only springs have any.
 #[inline(always)]
 pub(super) fn compliance_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
     let compliance = W::load(&block.compliance);

@@ -20,7 +20,7 @@ impl SolverJoints {
         self.point_to_point.finish(states, simd, tasks);
     }
 
-    /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
+    /// Writes impulses, forces and turn counts back to the joints, and breaks overloaded joints.
     pub fn store(
         &self,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
@@ -38,7 +38,7 @@ impl SolverJoints {
                 let rows = &all_rows[block.first_row..block.first_row + block.row_count];
                 for (lane, lane_slot) in layout.block(index).iter().enumerate() {
                     let Some(link) = islands.joints.get(lane_slot.slot) else { continue };
-                    // SAFETY: each joint has one seat.
+                    // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { shared.get_mut(link.handle.0) }) else { continue };
                     store_lane(block, rows, lane, &mut entry.joint, inv_dt);
                     if is_overloaded(&entry.joint) {
@@ -108,7 +108,7 @@ fn load_of(joint: &ImpulseJoint) -> (Real, Real) {
     (joint.force.length(), ang_length_squared(joint.torque).sqrt())
 }
 
-/// Breaks a joint that bore more than it can, and says so.
+/// Breaks an overloaded joint, and reports it.
 pub(in crate::step::solver) fn break_if_overloaded(
     handle: ImpulseJointHandle,
     joint: &mut ImpulseJoint,

@@ -11,8 +11,8 @@ use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
 
-/// How much of its speed a free axis may bend in a substep. A circle bends by half of the angle that is gone: so this is half a
-/// radian, up to which one step towards the end of the way leads there.
+/// How much of its speed a free axis may bend in a substep. A chord deviates from a circle by half of the arc
+/// angle. This is half a radian, up to which one step towards the end of the substep converges.
 pub(in crate::step::solver) const CURVATURE_ANGLE_MAX: Real = 0.25;
 
 /// Where the joints of a block would be by the end of the substep.
@@ -58,8 +58,8 @@ impl<W: Wide> SubstepEnd<W> {
         rates
     }
 
-    /// What bending adds to the rates of locked axes over the substep, from where the joints are `now`: of those that are
-    /// solved exactly. Who comes before them in the substep must reckon with what they will do about it.
+    /// Curvature of locked axes over the substep, from the `now` positions, for directly solved joints.
+    /// Constraints that are solved before them in the substep must include their reaction.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn locked_curvatures<const N: usize>(
         &self,
@@ -83,9 +83,9 @@ impl<W: Wide> SubstepEnd<W> {
         curvatures
     }
 
-    /// What bending adds to the rate of a free axis over the substep, from where it is `now`: what swings on a rope, or round in
-    /// a cone, leaves along a tangent. No more than [`CURVATURE_ANGLE_MAX`]. Angles of joints that are swept are left out: most of these are
-    /// the limbs of ragdolls, which no one sees bend.
+    /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
+    /// leaves along a tangent. No more than [`CURVATURE_ANGLE_MAX`]. Angles of iterated joints are excluded:
+    /// most of these are limbs of ragdolls, where the curvature is invisible.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
         &self,
@@ -105,7 +105,8 @@ impl<W: Wide> SubstepEnd<W> {
         W::select(bent, curvature.min(bound).max(-bound), W::zero())
     }
 
-    /// One where locked axes bend: those that are solved exactly do, but taut ones are led back from where they fly.
+    /// One for locked axes with curvature: directly solved ones, except in stiff components, which are
+    /// projected from their free positions.
     #[inline(always)]
     fn bent(block: &JointBlock) -> W {
         let one = W::splat(1.0);
@@ -117,7 +118,7 @@ impl<W: Wide> SubstepEnd<W> {
         W::splat(0.5).lt(along.linear.dot(along.linear))
     }
 
-    /// How fast the joint moves in the way that an axis does, along or about whatever direction.
+    /// Speed of the joint in the mode of an axis (along or about it), in any direction.
     #[inline(always)]
     fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
         let [m1, m2] = &self.velocities;

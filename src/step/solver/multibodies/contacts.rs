@@ -1,8 +1,8 @@
 //! Contacts of links: with each other, with ordinary bodies, with the world.
 //!
-//! The rows are those of other contacts (`dim3/contact/mod.rs`), one point after the other: a normal row with the same softness,
-//! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
-//! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
+//! The rows are those of other contacts (`dim3/contact/mod.rs`), solved point by point. Each point has a
+//! normal row with the same softness, and friction within the exact cone `|λt| ≤ μ λn`, independent of
+//! [`FrictionModel`](crate::model::params::FrictionModel).
 
 use super::impacts::{ImpactImpulse, LinkImpact};
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
@@ -18,13 +18,15 @@ use crate::model::island::NONE;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
-/// How much a contact between a link and its parent yields at least, as a share of what it would if no joint held them.
+/// The least compliance of a contact between a link and its parent, as a fraction of the value without a
+/// joint.
 ///
-/// Where they touch close to their joint's axis the lever `l` is next to nothing, and so is `K = l²/I`. What stops
-/// them there is an impulse of `I ω / l`, and friction as large; and when the lever is another in the next substep, so is the turn
-/// that the same impulse gives. Twenty capsules in a row, hinged end to end with limits, threw each other to 10¹⁸ J in half a second.
-/// With a lever of a fifth of the radius of gyration or more nothing changes; with a shorter one the contact is obeyed more
-/// slowly, and what overlaps meanwhile is as small as the lever.
+/// Near the axis of their joint the moment arm `l` is almost zero, and so is `K = l²/I`. The contact impulse
+/// is then `I ω / l`, with friction of the same size. When the moment arm changes in the next substep, the
+/// same impulse causes a different rotation. Twenty capsules in a row, hinged end to end with limits, threw
+/// each other to 10¹⁸ J in half a second. With a moment arm of at least a fifth of the radius of gyration
+/// nothing changes. With a shorter one the contact converges more slowly, and the overlap is as small as the
+/// moment arm.
 const COMPLIANCE_MIN: Real = 0.02;
 
 /// One contact point.
@@ -94,8 +96,8 @@ impl SolverMultibodies {
     ) {
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
-        // The links of one multibody take part in each other's contacts, so the order matters. That in which contacts stand in
-        // their colours depends on the rest of the world.
+        // The links of one multibody are coupled by each other's contacts, so the order matters. The order of
+        // contacts in their colours depends on the rest of the world.
         let order = |at: &ManifoldRef| (narrow_phase.contacts.collider_slots(at.pair), at.manifold);
         self.left_out.sort_unstable_by_key(order);
         for position in 0..self.left_out.len() {
@@ -187,8 +189,8 @@ impl SolverMultibodies {
 
     /// Makes the rows of a contact anew, where links and bodies are now.
     ///
-    /// Normal and levers stay as they were when the step began, as those of bodies do: below a ball that turns or rolls on is
-    /// another point of its surface, but always one below it.
+    /// Normal and moment arms stay constant during a step, as for bodies: the lowest point of a rolling ball
+    /// stays the lowest.
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
@@ -242,7 +244,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Adds this share of a contact's impulses to what the substep starts with.
+    /// Adds this fraction of a contact's impulses to the warm start of the substep.
     fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
         let Self { jacobians, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
@@ -251,7 +253,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// With what share of their last impulses two sides begin.
+    /// The fraction of their last impulses with which two sides begin.
     pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
         let place = sides.iter().find_map(Side::place);
         place.map_or(1.0, |place| self.moving[place.multibody].share)
@@ -271,7 +273,8 @@ impl SolverMultibodies {
         row.with_compliance_min(COMPLIANCE_MIN * self.yield_without_joint(sides))
     }
 
-    /// How much a link and its parent would yield to an impulse through their centres if no joint held them. Zero for other pairs.
+    /// The compliance of a link and its parent against an impulse through their centres, if no joint held
+    /// them. Zero for other pairs.
     fn yield_without_joint(&self, sides: &[Side<'_>; 2]) -> Real {
         let [Some(one), Some(two)] = [sides[0].link, sides[1].link] else { return 0.0 };
         let links = &self.moving[one.multibody].motion.kinematics.links;

@@ -4,10 +4,10 @@
 //! C = q₂ - r q₁ - c        Ċ = q̇₂ - r q̇₁        J = (… -r … 1 …)        K = J M⁻¹ Jᵀ
 //! ```
 //!
-//! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a step, unlike those
-//! that follow links round curves. An impulse of either sign holds it, softened like the locked axes of joints
-//! (`model/params/softness.rs`). `M⁻¹` knows nothing of gears; a train of them takes some visits to agree, and starts with
-//! the last substep's impulses.
+//! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a
+//! step, unlike those that follow links round curves. An impulse of either sign holds it, softened like the
+//! locked axes of joints (`model/params/softness.rs`). `M⁻¹` excludes gears. A train of gears converges
+//! within several iterations, and starts with the last substep's impulses.
 
 use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};

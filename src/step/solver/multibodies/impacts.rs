@@ -1,26 +1,28 @@
 //! Contacts of links in impacts.
 //!
-//! They take part in the rounds of `impacts/mod.rs`, beside the blocks of bodies' contacts and with the same rules: here they are
-//! told one point after the other. All that those rules need to know of a contact is its velocity, its `1/K` and what an
-//! impulse does to the velocities of others; whether the inertia behind it is that of a body or, with `W = M⁻¹ Jᵀ`
-//! (`rows.rs`), of a whole multibody, makes no difference to them. So a blow travels through chains as through rows of
-//! bodies, and the sum that guards the energy of an island counts both.
+//! They take part in the rounds of `impacts/mod.rs`, beside the blocks of bodies' contacts and with the same
+//! rules, processed point by point. These rules use a contact's velocity, its `1/K` and its effect on the
+//! velocities of others. The inertia may be that of a body or, with `W = M⁻¹ Jᵀ` (`rows.rs`), of a whole
+//! multibody. An impact thus travels through chains as through rows of bodies, and the energy sum of an
+//! island includes both.
 //!
-//! A multibody bears a blow as a body does: its rates change, by the share of the round that its island goes, and what the blow
-//! did is no load for the next substep. But it turns on its way: `J`, `W` and the velocities of a substep's middle are not those
-//! of the time `τ` at which it is hit, and with them a blow would give energy. So it is moved on to that time, `q + τ q̇`, its velocities
-//! are flown back to it, the rows of the blows are made there, and behind the round all goes back the same way at the new
-//! velocities. Both halves of the flight are taken at the place of the blow, so that without one they cancel out to the last digit:
-//! one corner strikes, another one leans on the ground, rounds go by the dozen, and what each left behind would add up.
-//! A multibody that is hit several times in a round goes to the mean of these. To a time before the substep it goes
-//! back only if all its links move as one: that is farther than tangents are the way of a chain, and on the way forward
-//! links that were not hit would end up in the ground.
+//! A multibody takes an impact as a body does: its generalised velocities change by the fraction of its
+//! island's round, and the impulse is no warm-start load. But its configuration changes: `J`, `W` and the
+//! velocities in the middle of a substep differ from those at the time `τ` of the impact, and with them an
+//! impact would add energy. The multibody is therefore moved to that time, `q + τ q̇`, with the velocities of
+//! free motion. The impact rows are made there, and after the round everything returns the same way with the
+//! new velocities. Both halves of the free motion use the configuration at the impact, so that they cancel
+//! exactly without one. There may be dozens of rounds, for example when a corner bounces while another one
+//! rests, and their errors would add up. A multibody that is hit several times in a round goes to the mean of
+//! these. It returns to a time before the substep only if all its links move as one. That distance exceeds
+//! the range of the tangents of a chain, and on the way forward links that were not hit would end up in the
+//! ground.
 //!
-//! Impacts see multibodies, too, without the impulses that the substep starts with. What stopped a link that a blow drove into
-//! the ground would kick it back up in the next substep, against what had struck it: a blow out of nothing, which throws both
-//! apart, drives the link down harder, and is stopped by a larger impulse yet, until all of them fly about.
+//! Impacts see multibodies, too, without the impulses that the substep starts with. Without this rule, an
+//! impact could drive a link into the ground, and the contact there would throw it back in the next substep.
+//! That causes another impact with a larger impulse, until all links fly about.
 //!
-//! Limits, motors, gears and loops take no part: what a blow does to them they undo in the passes that follow.
+//! Limits, motors, gears and loops take no part: the following passes undo the effect of an impact on them.
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{ConstrainedStates, JacobianPool};
@@ -43,9 +45,9 @@ pub struct ImpactImpulse {
     /// Its velocity when the last substep ended, and with the impulses of that in this one.
     last: Real,
     loaded: Real,
-    /// By how much forces and what bears them have changed its velocity in this substep.
+    /// Velocity change in this substep by forces and their supports.
     accelerated: Real,
-    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
+    /// The part of the force-induced velocity change that supports cancel.
     support_velocity: Real,
     /// It hits where its velocity is below this.
     limit: Real,
@@ -59,7 +61,7 @@ pub struct ImpactImpulse {
     target: Real,
     /// When it hits, from the beginning of the substep (s).
     time: Real,
-    /// Impulses of this round, and of the whole impact: of each round the share that it went.
+    /// Impulses of this round, and of the whole impact: the committed fraction of each round.
     impulse: Real,
     given: Real,
 }
@@ -80,7 +82,7 @@ pub struct LinkImpact {
     pub energy_gain: Real,
 }
 
-/// What a multibody remembers of the beginning of a round.
+/// State of a multibody at the start of a round.
 #[derive(Debug, Default)]
 pub struct BeforeImpact {
     rates: Vec<Real>,
@@ -94,7 +96,7 @@ pub struct BeforeImpact {
 }
 
 impl BeforeImpact {
-    /// Notes that a blow comes at a time, and whether it may give energy.
+    /// Notes the time of an impact, and whether it may add energy.
     pub fn note(&mut self, time: Real, may_gain: bool) {
         self.may_gain |= may_gain;
         let [sum, count] = self.times;
@@ -135,8 +137,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a substep: notes how contacts move, what forces did to that and what bears it, and takes the last substep's impulses
-    /// away from multibodies. Bodies move without theirs already.
+    /// Begins a substep: notes the contact velocities, with the effect of forces and their supports, and
+    /// removes the warm-start impulses from multibodies. Bodies move without theirs already.
     pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
         self.note_loaded(&mut bodies.before);
         self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
@@ -162,7 +164,7 @@ impl SolverMultibodies {
         {
             impact_impulse.loaded = jacobians.velocity(normal, &states);
         }
-        // What inertia does is reckoned with where the links are moved on to where they are hit.
+        // Inertial terms are evaluated at the configuration of the impact.
         let before_flight = |moving: &mut Moving| {
             let before = moving.motion.rates_before_flight();
             core::mem::replace(&mut moving.motion.rates, before)
@@ -223,7 +225,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Moves the multibodies that are hit to where they are then, and makes the rows of their blows there.
+    /// Moves the hit multibodies to the time of their impact, and makes the impact rows there.
     fn move_to_impact(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),
@@ -265,7 +267,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Ends a round: does the accounts of its energy, and tells bodies and multibodies when they were hit.
+    /// Ends a round: sums up its energy, and records the hit times of bodies and multibodies.
     pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
         let (jacobians, contacts, states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
@@ -286,7 +288,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Counts the impulses of a round: the share that each island went.
+    /// Commits the impulses of a round, scaled by the fraction of each island.
     pub fn commit_round(&mut self, share: impl Fn(u32) -> Real) {
         for contact in self.active() {
             let share = share(contact.strike.island);
@@ -329,7 +331,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Takes over what an impact did to the velocities since the round began, or as much of it as `share` says for an island: see
+    /// Commits the velocity changes since the round began, scaled by the `share` of each island: see
     /// [`SolverBodies::accept_impact`].
     pub fn accept_impact(&mut self, h: Real, share: impl Fn(u32) -> Real) {
         for moving in &mut self.moving {
@@ -347,7 +349,7 @@ impl SolverMultibodies {
 }
 
 impl LinkContacts {
-    /// Those that bounce.
+    /// The contacts with restitution.
     fn bouncing(&mut self) -> impl Iterator<Item = &mut LinkContact> {
         self.contacts.iter_mut().filter(|contact| contact.bounces())
     }
@@ -406,7 +408,8 @@ impl ImpactImpulse {
     /// Finds how it is to part, at the velocity that it has when it hits.
     fn aim(&mut self, velocity: Real, restitution: Real, pass: &ImpactPass) {
         if velocity >= self.limit {
-            // It has parted by then, and only turns back on its way to the substep's middle, as it would in each further round.
+            // It has separated by then, and only returns to the middle of the substep, as it would in each
+            // further round.
             self.mass = 0.0;
             self.limit = self.middle - pass.threshold * APPROACH_CHANGE_MIN;
         }
@@ -453,8 +456,9 @@ impl Moving {
         }
     }
 
-    /// Changes the energy that impulses may leave as a round changed it from `before`, at the time of the blow. The world gives
-    /// none. Links that turn far may have another energy there; then the fraction counts.
+    /// Changes the energy limit of impulses by the energy change of a round since `before`, at the time of
+    /// the impact. The world gives none. Links that turn far may have another energy there; then the fraction
+    /// counts.
     fn note_impulse_energy(&mut self, before: Real) {
         let change = self.motion.kinetic_energy() - before;
         let may_gain = core::mem::take(&mut self.before_impact.may_gain);

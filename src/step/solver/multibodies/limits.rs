@@ -6,12 +6,14 @@
 //! friction   q̇ = 0,  |λ| ≤ h friction
 //! ```
 //!
-//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
-//! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
+//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0`. With `v = (k (target - q) + d target
+//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))` it gives `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a
+//! largest force are no rows: see `load.rs`.
 //!
-//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient. That turns with the
-//! ball, and what goes round in a cone would leave it along a tangent: rows of such angles that are [`NEAR`] a limit are made
-//! anew in each substep, and reckon with how the way will bend, as those of impulse joints do (`joints/substep_end.rs`).
+//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
+//! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
+//! of angles [`NEAR`] a limit are made in each substep, and include the curvature, as those of impulse joints
+//! do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, SoftPass};
@@ -39,11 +41,11 @@ pub enum Owner {
     },
 }
 
-/// From how far (rad) a limit of a ball's angle is followed. Nothing turns by more in a substep that is to be held within half
-/// a degree.
+/// From how far (rad) a limit of a ball's angle is followed. Joints that must stay within half a degree
+/// rotate by less in a substep.
 const NEAR: Real = 0.25;
 
-/// Both limits of an axis. They share a row: the one pushes along it, the other against it.
+/// Both limits of an axis. They have a common row: one pushes along it, the other against it.
 #[derive(Copy, Clone, Debug)]
 struct Limit {
     owner: Owner,
@@ -193,7 +195,7 @@ impl JointRows {
                 });
                 jacobians.push_early(&limit.row, limit.impulse(), states);
             }
-            // What the row takes for the way so far is none any more.
+            // The row's past displacement is reset.
             let moved = jacobians.displacement(&limit.row, states);
             limit.room = [limit.room[0] - moved, limit.room[1] + moved];
         }
@@ -323,7 +325,7 @@ impl Limit {
         self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < NEAR
     }
 
-    /// What bending adds to the rate of a ball's angle over the substep.
+    /// The curvature term of a ball joint's angle over the substep.
     fn curvature(&self, states: &ConstrainedStates<'_>, inv_substep: Real) -> Real {
         let Owner::Link { multibody, link } = self.owner else { return 0.0 };
         if !self.is_followed || inv_substep <= 0.0 {
@@ -413,8 +415,8 @@ impl Drive {
     }
 }
 
-/// The angle or length that an axis's limits are about, and how much each axis of the joint changes it; `None` if another
-/// axis's limits stand for this one's.
+/// The angle or length of an axis's limits, and its derivatives by each axis of the joint; `None` if another
+/// axis represents it.
 fn limited_angle(
     joint: &MultibodyJoint,
     axis: JointAxis,

@@ -125,7 +125,7 @@ fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
 }
 
 impl Moving {
-    /// Takes the share of the last impulses that fits substeps of `h` seconds
+    /// Scales the last impulses for substeps of `h` seconds
     /// ([`SolverBodies::share`](crate::step::solver::bodies::SolverBodies::share)).
     fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
         self.share = 1.0;
@@ -181,7 +181,7 @@ impl Moving {
         }
     }
 
-    /// Motors that know no largest force are dampers and springs like others.
+    /// Motors without a largest force are dampers and springs like others.
     fn add_motors(&mut self) {
         for position in 0..self.multibody.dofs.len() {
             let dof = self.multibody.dofs[position];
@@ -199,7 +199,7 @@ impl Moving {
         }
     }
 
-    /// What a motor's stiffness and damping are multiplied by: the inertia that it moves, all other joints being free.
+    /// The factor on a motor's stiffness and damping: the inertia that it moves if all other joints are free.
     fn inertia_against(&mut self, dof: usize, motor: &JointMotor) -> Real {
         if motor.model == MotorModel::ForceBased {
             return 1.0;

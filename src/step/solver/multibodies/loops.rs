@@ -1,16 +1,17 @@
 //! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an ordinary body.
 //!
-//! A locked axis is a row that must stay where it is: `C = 0` with an impulse of either sign, softened like other joints
-//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of the first frame at the
-//! second anchor, rotations about them. Limits and motors of free axes are rows like those of multibody joints (`limits.rs`).
+//! A locked axis is a row with `C = 0` and an impulse of either sign, softened like other joints
+//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of
+//! the first frame at the second anchor, rotations about them. Limits and motors of free axes are rows like
+//! those of multibody joints (`limits.rs`).
 //!
-//! Contacts may be frozen during a step, but a loop that swings must follow its links, or its rows would brake it: they are made
-//! anew in each substep ([`SolverMultibodies::follow_loops`]).
+//! Contacts may be frozen during a step, but rows of a swinging loop must follow its links, or they would
+//! brake it. They are made in each substep ([`SolverMultibodies::follow_loops`]).
 //!
-//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
-//! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
-//! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
-//! connected joints is for ordinary bodies.
+//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`, because they act
+//! on the same two links. Redundant axes (a hinge across a plane in which everything moves anyway) have no
+//! pivot in it and get no impulse. Joints are visited one after the other; the exact solution of connected
+//! joints is for ordinary bodies.
 
 use super::SolverMultibodies;
 use super::contacts::Side;
@@ -42,7 +43,7 @@ use arrayvec::ArrayVec;
 struct Locked {
     axis: JointAxis,
     row: Row,
-    /// What an impulse of 1 does to the second body, at its anchor, in world space.
+    /// Effect of a unit impulse on the second body, at its anchor, in world space.
     wrench: SpatialVector,
     error: Real,
     impulse: Real,
@@ -55,7 +56,7 @@ struct Locked {
 struct Loop {
     handle: ImpulseJointHandle,
     slots: [u32; 2],
-    /// With what share of its last impulses it begins.
+    /// The fraction of the last impulses with which it begins.
     share: Real,
     joint: GenericJoint,
     softness: Softness,
@@ -149,7 +150,7 @@ impl SolverMultibodies {
         self.warm_loops(bodies, 1.0);
     }
 
-    /// Adds this share of the impulses so far to what the substep starts with.
+    /// Adds this fraction of the impulses so far to the warm start of the substep.
     pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
         let Self { jacobians, loops, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
@@ -158,7 +159,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Makes the rows of one joint's locked axes. `known` tells each one's impulse and total.
+    /// Makes the rows of one joint's locked axes. `known` returns the impulse and the total of each.
     fn lock(
         &mut self,
         position: usize,
@@ -294,7 +295,7 @@ impl Frames {
         })
     }
 
-    /// What moves the second body along a free axis, the coordinate, and whether that is a distance.
+    /// The direction of the second body along a free axis, the coordinate, and whether that is a distance.
     fn free_axis(&self, joint: &GenericJoint, axis: JointAxis) -> (SpatialVector, Real, bool) {
         let coupled = joint.coupled_axes & !joint.locked_axes;
         if axis as usize >= DIM {
@@ -365,7 +366,7 @@ impl Loops {
         }
     }
 
-    /// Breaks the joints that bear too much. All their forces must have been written.
+    /// Breaks the overloaded joints. All their forces must have been written.
     pub fn break_overloaded(
         &self,
         joints: &mut ImpulseJointSet,

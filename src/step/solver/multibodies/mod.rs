@@ -1,11 +1,12 @@
 //! Multibodies in the solver: substeps of their own, between the same lines as the ordinary bodies'.
 //!
-//! Links stand in the list of awake bodies, but [`SolverBodies`](super::bodies::SolverBodies) knows them as nobody, and their
-//! manifolds are left out of the lanes: a push on one link moves all of its multibody, so no two of their constraints could
-//! stand in one colour. They are solved here one after the other, behind the colours, in the order of the constraint graph.
+//! Links are in the list of awake bodies, but have no state in [`SolverBodies`](super::bodies::SolverBodies),
+//! and the lanes exclude their manifolds. An impulse on one link moves all of its multibody, so no two of
+//! their constraints could have one colour. They are solved here one after the other, behind the colours, in
+//! the order of the constraint graph.
 //!
-//! As bodies do, multibodies start a substep with the last one's impulses, without visiting them: what the impulses did to the
-//! rates is kept ([`Moving::pushed`]) and added.
+//! Multibodies warm-start a substep as bodies do, without an iteration: the effect of the impulses on the
+//! generalised velocities is stored ([`Moving::pushed`]) and added.
 
 mod impacts;
 mod contacts;
@@ -42,7 +43,7 @@ const MULTIBODIES_PER_TASK: usize = 2;
 /// While overlap is undone, links may have this multiple of the energy that they may keep.
 const PUSH_ENERGY_MAX: Real = 2.0;
 
-/// A multibody that is awake. It is taken out of its set for as long as the solver runs.
+/// A multibody that is awake. It is moved out of its set while the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
     index: MultibodyIndex,
@@ -50,21 +51,21 @@ pub(super) struct Moving {
     island: u32,
     multibody: Multibody,
     motion: Motion,
-    /// With what share of its last impulses it begins.
+    /// The fraction of the last impulses with which it begins.
     share: Real,
-    /// What the impulses so far in this substep did to the rates.
+    /// Effect of this substep's impulses on the generalised velocities.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
     root_pushed: Vec<Real>,
     /// How far the degrees of freedom moved since the step began.
     shift: Vec<Real>,
-    /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
+    /// By link: the path length of its centre of mass, and the angle that it rotated (rad).
     travel: Vec<[Real; 2]>,
     before_impact: BeforeImpact,
     /// Whether it has contacts.
     touches: bool,
-    /// Whether links rotate so far in a step that contacts must be updated in each substep. Not if it has
-    /// none: what flies freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    /// Whether links rotate so far in a step that contacts must be updated in each substep. Without contacts
+    /// there is no update: free motion conserves momentum.
     turns_far: bool,
     /// The kinetic energy that the impulses of this substep may leave.
     energy: Real,
@@ -78,7 +79,7 @@ pub(super) struct Moving {
     start: (Vec<MultibodyJoint>, Pose),
 }
 
-/// A link that somebody in the solver may meet.
+/// A link that a constraint of the solver may involve.
 #[derive(Copy, Clone, Debug)]
 struct Registration {
     /// The multibody's position in its set.
@@ -120,7 +121,7 @@ pub(super) struct SolverMultibodies {
     contacts: LinkContacts,
 }
 
-/// What constraints are made of.
+/// Input for making constraints.
 #[derive(Copy, Clone)]
 pub(super) struct MultibodyContext<'a> {
     pub narrow_phase: &'a NarrowPhase,
@@ -129,7 +130,7 @@ pub(super) struct MultibodyContext<'a> {
     pub world: &'a RigidBodySet,
 }
 
-/// How limits and contacts are softened, and how much of a row's error a visit removes.
+/// Softness of limits and contacts, and the fraction of a row's error that an iteration removes.
 #[derive(Copy, Clone, Debug)]
 struct SoftPass {
     softness: Softness,
@@ -232,7 +233,7 @@ impl SolverMultibodies {
         self.lock_loops(joints, world, bodies);
     }
 
-    /// Gives everybody last step's impulses.
+    /// Applies the last step's impulses to all multibodies.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies) {
         let Self { jacobians, joints, gears, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
@@ -308,8 +309,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Removes the energy that the impulses of a substep gave to multibodies, apart from the work of motors, of joints
-    /// that close loops and of moving bodies and surfaces.
+    /// Removes the energy that the impulses of a substep added to multibodies. Excluded is the work of
+    /// motors, of loop joints and of moving bodies and surfaces.
     fn limit_energy(&mut self, states: &mut [BodyState]) {
         for moving in &mut self.moving {
             moving.has_gained = moving.motion.exceeds(moving.energy);
@@ -353,8 +354,8 @@ impl SolverMultibodies {
         contacts.scale_impulses(|row| row.least_of(moving, &factor));
     }
 
-    /// Adds the work of motors and other joints, and that of bodies and surfaces which push links before them, to the energy that
-    /// a substep may leave.
+    /// Adds the work of motors and other joints, and of bodies and surfaces that push links, to the energy
+    /// limit of a substep.
     fn add_work(&mut self, states: &mut [BodyState]) {
         let Self { jacobians, joints, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states };
@@ -390,8 +391,8 @@ impl SolverMultibodies {
 }
 
 impl Moving {
-    /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and the energy
-    /// before impulses.
+    /// Finds multibodies whose links rotate far in a step of `dt` seconds, so that contact rows must be
+    /// updated, and their energy before impulses.
     fn measure(&mut self, dt: Real) {
         self.turns_far = self.touches && self.motion.turns_far(dt);
         self.energy = self.motion.energy_before_impulses();
@@ -408,7 +409,7 @@ impl Moving {
         }
     }
 
-    /// Adds this share of what the impulses so far in this substep did to the rates.
+    /// Adds this fraction of the effect of the substep's impulses so far.
     fn add_pushed(&mut self, share: Real) {
         for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
             *rate += pushed * share;
@@ -423,14 +424,14 @@ impl Moving {
             }
             store::note_travel(travel, motion.link_velocities(), piece);
         });
-        // What a flight lost may be energy that impulses gave before.
+        // The energy loss of free motion may be energy that impulses added before.
         let least = self.energy.min(motion.kinetic_energy());
         self.energy = (self.energy + change).max(least);
         self.turns_far |= self.touches && motion.has_diverged;
     }
 }
 
-/// Works on the multibodies, several at once. None of them knows of another.
+/// Works on the multibodies, several at once. They are independent of each other.
 fn for_each(moving: &mut [Moving], tasks: Tasks<'_>, work: impl Fn(&mut Moving) + Sync) {
     let count = moving.len();
     let moving = DisjointMut::new(moving);

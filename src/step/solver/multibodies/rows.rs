@@ -1,12 +1,14 @@
 //! A constraint row between links of multibodies, ordinary bodies and the world.
 //!
-//! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial velocity; for the
-//! links of a multibody it is the list of all its rates `q̇`, because a push on one link moves all of them. An impulse `λ` adds
-//! `W λ` with the response `W = M⁻¹ Jᵀ`, and the row resists with `K = J W`.
+//! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial
+//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`, because an
+//! impulse on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the
+//! row resists with `K = J W`.
 //!
-//! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
-//! during a step, for bodies as for links; what turns far is followed from substep to substep) in time proportional to the number of links. A visit of the row then is one
-//! product of two lists, as long as `J` is not zero (a limit's is one number), and one addition if there is anything to push.
+//! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
+//! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
+//! rotate far are updated in each substep.) An iteration of the row is one product of two lists if `J` is not
+//! zero (a limit's is one number), and one addition if the impulse changes.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
@@ -18,8 +20,8 @@ use crate::dim::state::{BodyState, READ_ONLY};
 pub enum Part {
     /// Something that stands still.
     Nothing,
-    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
-    /// Of `J` only the numbers of the degrees of freedom in `span` are not zero.
+    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They are
+    /// movable or immovable. Of `J` only the numbers of the degrees of freedom in `span` are not zero.
     Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
@@ -29,12 +31,12 @@ pub enum Part {
 #[derive(Copy, Clone, Debug)]
 pub struct Row {
     pub parts: [Part; 2],
-    /// `1 / K`; zero if nothing gives way.
+    /// `1 / K`; zero if both sides are immovable.
     pub mass: Real,
 }
 
 impl Row {
-    /// The same row, taken to yield to an impulse by no less than this.
+    /// The same row with at least this compliance.
     pub fn with_compliance_min(self, k: Real) -> Self {
         Self { mass: if k > 0.0 { self.mass.min(1.0 / k) } else { self.mass }, ..self }
     }
@@ -82,8 +84,8 @@ pub struct JacobianPool {
     sizes: Vec<Real>,
 }
 
-/// What is below this share of what it could be is rounding. Where the joints leave a row nothing to move, all of `J` is, and
-/// `1/K` would be of any size.
+/// Values below this fraction of their largest possible size are rounding. Where the joints leave a row
+/// nothing to move, all of `J` is, and `1/K` would be of any size.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Everything that rows act on.
@@ -191,8 +193,8 @@ impl JacobianPool {
         }
     }
 
-    /// Adds the work on a link of what is on the other side, which an impulse keeps from getting into it, to the energy that
-    /// contacts may leave: the other one, or the belt on it, moves on as fast as it does, and the link at least as fast.
+    /// Adds the work of the other side on a link to the energy limit of contacts. The other side, or the belt
+    /// on it, keeps its velocity, and the link moves at least as fast.
     pub fn note_shove(
         &self,
         row: &Row,
@@ -213,7 +215,7 @@ impl JacobianPool {
         self.sum(row, |part| self.rate(part, states))
     }
 
-    /// What a part of a row adds to `Ċ`.
+    /// Contribution of one side of a row to `Ċ`.
     fn rate(&self, part: &Part, states: &ConstrainedStates<'_>) -> Real {
         match part {
             Part::Nothing => 0.0,
@@ -256,7 +258,7 @@ impl JacobianPool {
         });
     }
 
-    /// Pushes with an impulse that is no load for the next substep: that of a blow.
+    /// Applies an impulse that is no warm-start load for the next substep: that of an impact.
     pub fn strike(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
@@ -272,7 +274,7 @@ impl JacobianPool {
         })
     }
 
-    /// Notes in the multibodies of a row when a blow comes (s), and whether it may give energy.
+    /// Notes the time of an impact (s) in the multibodies of a row, and whether it may add energy.
     pub fn note_time(
         &self,
         row: &Row,
@@ -288,8 +290,8 @@ impl JacobianPool {
         }
     }
 
-    /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
-    /// of a velocity.
+    /// Adds an impact of a row to its bodies: its impulse and its time. They have it in `delays`, in place of
+    /// two components of a velocity.
     pub fn note_impulse(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
         for part in &row.parts {
             match part {

@@ -15,7 +15,7 @@ use crate::model::params::IntegrationParameters;
 use crate::step::notes::{Diverged, FastMotion};
 
 impl SolverMultibodies {
-    /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
+    /// Writes impulses to manifolds and joints, and breaks overloaded joints.
     pub fn store_constraints(
         &mut self,
         joints: &mut ImpulseJointSet,
@@ -31,11 +31,11 @@ impl SolverMultibodies {
         self.loops.break_overloaded(joints, broken);
     }
 
-    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns whether all others
-    /// are calm.
+    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns
+    /// whether all others are moderate.
     ///
-    /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
-    /// where their joints are.
+    /// The limit is lower than for other bodies: after a rotation of more than a radian within a substep, the
+    /// coordinates of joints are ambiguous.
     pub fn finish(&mut self, diverged: &mut Vec<Diverged>, h: Real) -> bool {
         let mut is_moderate = true;
         for moving in &mut self.moving {
@@ -55,8 +55,8 @@ impl SolverMultibodies {
         is_moderate
     }
 
-    /// Puts the multibodies back into their set as they were when the step began, but for impulses that were made to fit
-    /// its substeps.
+    /// Returns the multibodies to their set in their state at the start of the step, except impulses that
+    /// were scaled to its substeps.
     pub fn give_back(&mut self, set: &mut MultibodyJointSet) {
         for mut moving in self.moving.drain(..) {
             moving.undo();
@@ -96,7 +96,7 @@ fn link_is_moderate(velocity: &SpatialVector, h: Real) -> bool {
     linear(velocity).abs().max_element() <= MODERATE_MAX && turn_squared <= 1.0
 }
 
-/// Adds to the ways and angles of links what they go in `h` seconds.
+/// Adds the motion of `h` seconds to the path lengths and angles of links.
 pub(super) fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
     for (travel, velocity) in travels.iter_mut().zip(velocities) {
         travel[0] += linear(velocity).length() * h;
@@ -132,7 +132,7 @@ impl Moving {
         }
     }
 
-    /// The way that it has gone.
+    /// The trajectory of the step.
     fn trajectory(&mut self, dt: Real) -> LinkTrajectory {
         let mut root = [0.0; SPATIAL_DIM];
         if self.motion.root_dofs() == 0 {
@@ -148,7 +148,8 @@ impl Moving {
         }
     }
 
-    /// Writes the pose and velocity of a link to its body. Returns how it moved, and no more than how far, if it is moved.
+    /// Writes the pose and velocity of a link to its body. Returns its displacement and a bound on it, if it
+    /// moved.
     fn store_link(
         &mut self,
         id: usize,
@@ -219,8 +220,8 @@ impl Moving {
             })
     }
 
-    /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
-    /// itself.
+    /// The first link that cannot be stored. If none is invalid on its own, the one behind the root, which
+    /// may be immovable.
     fn first_diverged(&mut self) -> Option<Diverged> {
         let velocities = self.motion.link_velocities();
         let velocity =

@@ -67,7 +67,7 @@ impl Body {
         }
     }
 
-    /// What an impulse at a world point does to the velocities.
+    /// Effect of an impulse at a world point on the velocities.
     pub fn pushed(&self, impulse: Vector, point: Vector) -> (Vector, AngVector) {
         let moment = torque(point - self.center, impulse);
         (
@@ -240,7 +240,7 @@ impl Scene {
         self.run(Pass::Relax);
     }
 
-    /// What the lanes start the next step with.
+    /// The warm-start impulses of the lanes for the next step.
     pub fn keep(&mut self) {
         self.run(Pass::Keep);
     }
@@ -306,7 +306,7 @@ impl Kernel for Run<'_> {
         let prediction = self.scene.prediction;
         let loaded = states.to_vec();
         let states = DisjointMut::new(states);
-        // SAFETY: no other thread knows these states.
+        // SAFETY: this thread owns the states exclusively.
         unsafe {
             match self.pass {
                 Pass::Prepare => {
@@ -334,7 +334,7 @@ impl Kernel for Run<'_> {
 }
 
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 unsafe fn bounce<W: Wide>(
     block: &mut ContactBlock,

@@ -1,4 +1,4 @@
-//! The matrix of one component, with room for the rows that its joints have.
+//! The matrix of one component, with blocks of the size of its joints' rows.
 
 use super::matrix::{Matrix, Progress};
 use super::memory::JacobianBlock;
@@ -32,7 +32,7 @@ macro_rules! of_matrix {
 }
 
 impl Factor {
-    /// Makes room for the rows of a component, and forgets the matrix of the last one.
+    /// Resizes the blocks for a component, and clears the last matrix.
     pub fn make_room(&mut self, component: Component<'_>) {
         let turns = component.members.iter().any(|member| member.form.locks_rotations());
         if turns != matches!(self, Self::All(_)) {

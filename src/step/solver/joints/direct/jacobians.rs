@@ -58,7 +58,7 @@ impl<const N: usize> Rows<N> {
         change
     }
 
-    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
+    /// Diagonal element of a translation row without its moment arms; of a rotation row, the whole element.
     pub fn without_arms(&self, row: usize) -> f64 {
         let share = |components: core::ops::Range<usize>| {
             let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
@@ -71,7 +71,7 @@ impl<const N: usize> Rows<N> {
     }
 }
 
-/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
+/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over their common bodies.
 #[inline(always)]
 pub(super) fn couple<const N: usize>(
     members: &[DirectJoint],
@@ -93,7 +93,7 @@ pub(super) fn couple<const N: usize>(
     }
 }
 
-/// How much the rows of a joint yield.
+/// Compliance of the rows of a joint.
 #[inline(always)]
 pub(super) fn compliance_of(member: &DirectJoint, memory: &[JacobianBlock]) -> f64 {
     f64::from(memory[member.block as usize].compliance.0[member.lane as usize])

@@ -23,7 +23,7 @@ use crate::model::params::JointPass;
 pub(in super::super) struct JacobianBlock {
     /// By axis and body: the row `J`, with the sign of that body.
     pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
-    /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
+    /// `J v + bias + Γ λ`, where `Γ` is the compliance times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub compliance: Lane,
@@ -54,7 +54,7 @@ impl JacobianBlock {
         }
     };
 
-    /// Takes the inverse inertias that contacts know.
+    /// Loads the inverse inertias of contacts.
     pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose]) {
         for (inertias, bodies) in self.inv_inertia.iter_mut().zip(&block.bodies) {
             for (lane, &body) in
@@ -81,14 +81,14 @@ impl JacobianBlock {
         work
     }
 
-    /// What impulses do to a body of the joint in a lane.
+    /// Response of a body of the joint in a lane to impulses.
     pub(super) fn inverse_mass(&self, side: usize, lane: usize) -> InverseMass {
         let inv_inertia = symmetric_lane(&self.inv_inertia[side], lane);
         InverseMass::new(self.inv_mass[side].lane(lane), &inv_inertia)
     }
 }
 
-/// What the joints of a block have given in the blows of a round: impulses, and their moments about the second anchors.
+/// Impulses of a block's joints in the impacts of a round, with their moments about the second anchors.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ImpactImpulse {
     impulse: WideVector<Lane>,
@@ -98,8 +98,8 @@ pub(in super::super) struct ImpactImpulse {
 impl ImpactImpulse {
     pub const NONE: Self = Self { impulse: WideVector::ZERO, moment: ANG_ZERO_LANES };
 
-    /// Counts this share of what a lane has given into its impulses of the step, and nowhere else: what an impact did is no load
-    /// that the next substep could start with.
+    /// Adds this fraction of a lane's impact impulses to its impulses of the step, and nowhere else: they are
+    /// no warm-start load.
     pub fn commit(&self, block: &mut JointBlock, lane: usize, share: Real) {
         let impulse = block.total_impulse.lane(lane) + self.impulse.lane(lane) * share;
         block.total_impulse.set_lane(lane, impulse);
@@ -112,7 +112,7 @@ impl ImpactImpulse {
 /// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a joint locks one.
 ///
 /// # Safety
-/// Nobody may write the states of the block's bodies meanwhile.
+/// No other thread writes the states of the block's bodies.
 #[inline(always)]
 pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
@@ -162,8 +162,9 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
-/// where they are. Those that are thrown (`../geometric_stiffness.rs`) do not look ahead.
+/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows
+/// there, others where they are. Joints with a large unconstrained displacement (`../geometric_stiffness.rs`)
+/// are excluded.
 #[inline(always)]
 fn rows_ahead<W: Wide, const N: usize>(
     block: &mut JointBlock,
@@ -240,8 +241,8 @@ fn finish_first_rows<W: Wide, const N: usize>(
     }
 }
 
-/// Counts the changes of the impulses into those of a blow. Each visit of a round changes velocities that the last one has left as
-/// the joints allow: so what the joints give in a round is the sum over its visits.
+/// Adds the changes of the impulses to those of an impact. Each iteration of a round starts from admissible
+/// velocities, so the joint impulses of a round are the sum over its iterations.
 #[inline(always)]
 pub(in super::super) fn count<W: Wide>(
     impact_impulse: &mut ImpactImpulse,
@@ -276,7 +277,7 @@ fn rows_of<W: Wide, const N: usize>(memory: &JacobianBlock) -> [Row<W>; N] {
     rows
 }
 
-/// What the changes of the impulses give the bodies.
+/// Velocity changes of the bodies by the changes of the impulses.
 #[inline(always)]
 fn added<W: Wide, const N: usize>(memory: &JacobianBlock, rows: &[Row<W>; N]) -> Wrench<W> {
     let mut added = Wrench::zero();

@@ -1,33 +1,34 @@
 //! Joints that hold each other, solved together and exactly.
 //!
-//! Sweeping over the joints of a chain carries a force from one end to the other by a link or two per sweep.
-//! A long chain, or a light one with something heavy at its end, is far from done when the substep is. So the
-//! locked axes of all joints that are connected through bodies are one system of linear equations,
+//! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
+//! with something heavy at its end, is far from done when the substep is. So the locked axes of all joints
+//! that are connected through bodies are one system of linear equations,
 //!
 //! ```text
 //! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
 //! ```
 //!
-//! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. A
-//! block stands where two joints share a body that can move. Joints are eliminated from the leaves to the root of
-//! a breadth-first search: a tree then gets no blocks beyond these (Baraff, "Linear-time dynamics using Lagrange
-//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more, as few as a good
-//! order lets them (`order.rs`). What would get too many (a net, a cloth of joints) is left to the sweeps.
+//! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. It
+//! has a block for each two joints with a common movable body. Joints are eliminated from the leaves to the
+//! root of a breadth-first search. A tree gets no further blocks (Baraff, "Linear-time dynamics using
+//! Lagrange multipliers", 1996), and the work is proportional to the number of joints. Loops get some more,
+//! as few as a good order lets them (`order.rs`). Components with too many blocks (a net, a cloth of joints)
+//! are left to the iterative solver.
 //!
-//! The matrix depends on where the bodies are, so it is made once per substep: the relax pass and the solve pass
-//! of the next substep share it, unless they soften it differently.
+//! The matrix depends on the poses of the bodies, so it is made once per substep. The relax pass and the next
+//! solve pass use the same one, unless their softness differs.
 //!
-//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
-//! (`matrix.rs`).
+//! `Γ` is the compliance of a row times its diagonal. Loops have redundant rows; redundant rows share the
+//! load (`matrix.rs`).
 //!
-//! Taut components (`../geometric_stiffness.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
-//! one too; those that are thrown are solved once, where their bodies are. All rounds end when there is nothing left to do:
-//! each component by itself, whatever others need.
+//! Stiff components (`../geometric_stiffness.rs`) use the rows at the predicted poses, and need a new matrix
+//! in each round. Components with a large unconstrained displacement are solved once, at the current poses.
+//! All rounds end when there is nothing left to do: each component by itself, whatever others need.
 //!
-//! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
-//! of even masses. A ragdoll bears no load for long.
+//! Components with little gain are left to the iterative solver, too: free ones with few joints and moderate
+//! mass ratios. A ragdoll carries no load for long.
 //!
-//! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
+//! Limits and motors are no equations. They are solved iteratively, before each direct solution.
 
 mod dense;
 mod factor;
@@ -55,7 +56,7 @@ use pattern::Pattern;
 /// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
 /// where bodies turn by much in a substep.
 const ROUNDS: usize = 8;
-/// The same for taut components, which are projected from afar.
+/// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
 /// Components of connected joints, and their matrices.
@@ -75,7 +76,7 @@ enum Linearization {
     Ahead,
     /// Taut: projected from where the bodies would go freely, along the rows there.
     There,
-    /// Taut, and thrown too far for that: projected where the bodies are.
+    /// Stiff, with a large unconstrained displacement: projected at the current poses.
     Here,
 }
 
@@ -83,19 +84,19 @@ enum Linearization {
 #[derive(Copy, Clone, Debug)]
 struct SolveState {
     linearization: Linearization,
-    /// How many rounds of this visit it has had in this way.
+    /// Number of rounds of this pass with this linearisation.
     rounds: usize,
     next: Next,
 }
 
 impl SolveState {
-    /// It is taut.
+    /// Selects the linearisation of a stiff component.
     fn hold(&mut self, has_large_displacement: bool) {
         self.linearization =
             if has_large_displacement { Linearization::Here } else { Linearization::There };
     }
 
-    /// What follows a round of a taut component.
+    /// The step after a round of a stiff component.
     fn next_if_stiff(&self) -> Next {
         if self.linearization == Linearization::There && self.rounds < STIFF_ROUNDS_MAX {
             Next::Solve
@@ -105,7 +106,7 @@ impl SolveState {
     }
 }
 
-/// What is asked about the members of a component.
+/// Test of a component's joints.
 #[derive(Copy, Clone, Debug)]
 pub(super) enum StiffnessTest {
     /// Tests whether the computed forces make the component stiff.
@@ -114,11 +115,11 @@ pub(super) enum StiffnessTest {
     HasLargeDisplacement,
 }
 
-/// What happens to a component in the next round.
+/// The next step of a component.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Next {
     Solve,
-    /// It turned out to be taut: its impulses are taken back, and the next round begins anew.
+    /// It became stiff: its impulses are rolled back, and the round is repeated.
     Rollback,
     Nothing,
 }
@@ -152,7 +153,7 @@ impl Direct {
         self.pattern.component_count() == 0
     }
 
-    /// Notes which components are taut from the beginning, as `find` says of the members of each.
+    /// Marks the components that are stiff from the beginning, as `find` returns for the joints of each.
     pub fn select_method(&mut self, mut find: impl FnMut(&[DirectJoint]) -> bool) {
         self.solve_states.clear();
         for index in 0..self.pattern.component_count() {
@@ -167,14 +168,14 @@ impl Direct {
         }
     }
 
-    /// Begins a visit.
+    /// Begins a pass.
     pub fn begin(&mut self) {
         for solve_state in &mut self.solve_states {
             (solve_state.rounds, solve_state.next) = (0, Next::Solve);
         }
     }
 
-    /// Begins to look ahead: finds out which of the taut components are thrown, as `test` knows.
+    /// Begins a solve pass: finds the stiff components with a large unconstrained displacement by `test`.
     pub fn find_large_displacements(
         &mut self,
         rows: &mut [JacobianBlock],
@@ -204,8 +205,8 @@ impl Direct {
         }
     }
 
-    /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `test` knows, by its
-    /// members.
+    /// Ends a round of the solve pass, and says whether another one is wanted. `test` returns whether a
+    /// component is stiff.
     pub fn go_on(
         &mut self,
         rows: &mut [JacobianBlock],
@@ -271,8 +272,7 @@ impl Direct {
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
             for index in range.filter(is_wanted) {
-                // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
-                // task.
+                // SAFETY: components have no common joints or movable bodies, and each is solved by one task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
                     let solve_state = solve_states[index];

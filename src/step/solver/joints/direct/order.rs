@@ -1,10 +1,10 @@
 //! In which order the joints of loops are eliminated.
 //!
-//! Eliminating a joint couples all that it is coupled with. So the next one is always one with the fewest others left
-//! that it is coupled with by now: the minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
-//! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree ordering
-//! algorithm", 1989). The joints of a leg go before those by which a dozen legs are joined to their hub. Of several, the first
-//! one in the given order goes: no hash and no address has a say in it.
+//! Eliminating a joint couples all that it is coupled with. The next joint is therefore one with the fewest
+//! remaining couplings: minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
+//! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree
+//! ordering algorithm", 1989). The joints of a limb precede the joints that connect a dozen limbs to their
+//! hub. Of several, the first one in the given order goes: no hash and no address has a say in it.
 //!
 //! Components are small, so the graph of what is left is kept as it is, a sorted list for each joint.
 

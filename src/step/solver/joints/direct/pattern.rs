@@ -7,22 +7,24 @@ use crate::model::island::NONE;
 use crate::model::joint::JointForm;
 use core::ops::{Range, RangeInclusive};
 
-/// Most products of blocks that a joint may take on average: beyond that the sweeps are so much cheaper that they may leave
-/// errors. A walking machine of 109 joints on twelve legs takes 113, 30 hinges between the same two bodies take 165.
+/// Largest average number of block products per joint. Beyond that, iterations are so much cheaper that their
+/// errors are acceptable. A walking machine of 109 joints on twelve legs needs 113, and 30 hinges between the
+/// same two bodies need 165.
 const WORK: usize = 200;
 /// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even masses. Sweeps
 /// let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by 10 are not.
 const WORK_OF_NETS: usize = 40;
-/// Most joints for each body of a net: those of cubes that are braced. A board on 25 pins is none.
+/// Most joints for each body of a net: those of cubes that are braced. A board on 25 point-to-point joints is
+/// none.
 const NET_JOINTS: usize = 6;
 
-/// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
-/// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
-/// Fewer joints cost little, and keep the energy of what turns about itself.
+/// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
+/// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
+/// keep the energy of what turns about itself.
 const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MAX: Real = 32.0;
 
-/// A joint as the factorisation knows it.
+/// A joint in the factorisation.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(in super::super) struct DirectJoint {
     /// The joint's slot in its set: the order of members must not depend on other islands.
@@ -257,7 +259,7 @@ impl Search {
         self.position.resize(members.len(), 0);
     }
 
-    /// Adds the positions of all joints that share a body with one.
+    /// Adds the positions of all joints with a common body.
     fn add_neighbours(&self, member: &DirectJoint, list: &mut Vec<u32>) {
         for (_, body) in member.movable() {
             let others = self.joints_of(body).iter();
@@ -336,8 +338,8 @@ impl Search {
 /// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work` products of
 /// blocks.
 ///
-/// A column's blocks reach the column of the first of them when it is eliminated (George and Liu, "Computer
-/// Solution of Large Sparse Positive Definite Systems", 1981).
+/// When a column is eliminated, its blocks are added to the column of the first of them (George and Liu,
+/// "Computer Solution of Large Sparse Positive Definite Systems", 1981).
 fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>), work: usize) -> bool {
     let mut done = 0;
     for at in 0..columns.len() {

@@ -33,8 +33,8 @@ struct Net {
 }
 
 impl Net {
-    /// With joints between these bodies that lock these axes. Their rows are those of a joint without levers, bent
-    /// by random numbers.
+    /// With joints between these bodies that lock these axes. Their rows are those of a joint without moment
+    /// arms, perturbed by random numbers.
     fn new(joints: &[[u32; 2]], locked: impl Fn(usize) -> u8) -> Self {
         let mut numbers = Numbers(7);
         let place = |slot: usize| (slot as u32, (slot % LANES) as u32);
@@ -61,15 +61,15 @@ impl Net {
         pattern
     }
 
-    /// Solves the one component that the joints are. Returns how far the worst row is from its equation
-    /// `J v + Γ Δλ = -rate`, with the velocities `v` that bodies at rest have got.
+    /// Solves the one component that the joints are. Returns the largest residual of the equation `J v + Γ Δλ
+    /// = -rate`, with the velocities `v` of bodies that were at rest.
     fn solve(&mut self) -> f64 {
         let pattern = self.pattern();
         assert_eq!(pattern.component_count(), 1);
         let mut states = vec![BodyState::default(); self.body_count];
         let mut factor = Factor::default();
         factor.make_room(pattern.component(0));
-        // SAFETY: nobody else knows the states.
+        // SAFETY: this thread owns the states exclusively.
         unsafe {
             let shared = DisjointMut::new(&mut states);
             factor.solve(pattern.component(0), false, &self.memory, &shared, Simd::detect());
@@ -170,7 +170,7 @@ fn what_is_held_twice_is_held_once() {
     assert!(found < DAMPED, "{found}");
 }
 
-/// Of joints that are the same joint, each bears the same.
+/// Identical joints carry equal loads.
 #[test]
 fn what_is_held_twice_is_shared() {
     let mut net = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL);
@@ -207,8 +207,9 @@ fn trees_get_no_blocks_but_their_own() {
     assert_eq!(blocks, 1 + 3 + 3 + 1 + 1 + 1);
 }
 
-/// A dozen legs of four joints, each a loop from a hub to a light wheel: the joints at these two are coupled with each other, 24
-/// at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all would be coupled with all.
+/// A dozen limbs of four joints, each a loop from a hub to a light wheel. The joints at these two are
+/// coupled, 24 at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all
+/// would be coupled with all.
 #[test]
 fn legs_go_before_their_hubs() {
     const LEGS: u32 = 12;
@@ -221,8 +222,8 @@ fn legs_go_before_their_hubs() {
     let pattern = Net::new(&joints, |_| ALL).pattern();
     assert_eq!(pattern.component_count(), 1);
     let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
-    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of twice that. The
-    // joints of the legs have a handful each.
+    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of
+    // twice that. The joints of the limbs have a handful each.
     let (at_hubs, of_legs) = (2 * (2 * LEGS as usize + 1), 6 * LEGS as usize);
     assert!(blocks < at_hubs * at_hubs / 2 + 4 * of_legs, "{blocks}");
 }

@@ -1,4 +1,4 @@
-//! The memory of pins, and the passes over it.
+//! Blocks of point-to-point joints, and the passes over them.
 
 use super::super::rows::Factored;
 use crate::base::disjoint::DisjointMut;
@@ -12,10 +12,11 @@ use crate::dim::wide::{
 };
 use crate::model::params::JointPass;
 
-/// The least yield of pins: half that of other joints in sweeps. In a net of 100 × 100 a quarter of it pumps.
+/// The least compliance of point-to-point joints: half that of other iterated joints. In a net of 100 × 100 a
+/// quarter of it pumps.
 const POINT_COMPLIANCE: Real = 1.0 / 16.0;
 
-/// [`LANES`] pins of one colour.
+/// [`LANES`] point-to-point joints of one colour.
 #[derive(Clone, Debug)]
 pub(super) struct PointToPointBlock {
     pub bodies: [[u32; LANES]; 2],
@@ -30,7 +31,7 @@ pub(super) struct PointToPointBlock {
     /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's first
     /// frame.
     pub impulse: WideVector<Lane>,
-    /// What it has made of the bodies' angular velocities.
+    /// Angular velocities that result from it.
     pub turned: [WideAngVector<Lane>; 2],
     /// The impulse of all substeps together.
     pub total: WideVector<Lane>,
@@ -64,7 +65,7 @@ impl PointToPointBlock {
     }
 }
 
-/// How all pins of a substep are softened.
+/// The softness of all point-to-point joints of a substep.
 #[derive(Copy, Clone)]
 pub(super) struct PointToPointPass {
     bias_rate: Real,
@@ -98,7 +99,7 @@ impl<W: Wide> Masses<W> {
         Self { linear: load_both(&block.inv_mass), angular: block.inertias.load() }
     }
 
-    /// What the moments of an impulse make of the angular velocities.
+    /// The angular velocities that result from the moments of an impulse.
     #[inline(always)]
     fn turned(&self, [first, second]: [WideAngVector<W>; 2]) -> [WideAngVector<W>; 2] {
         [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
@@ -134,7 +135,7 @@ impl<W: Wide> Masses<W> {
     }
 }
 
-/// The moments of an impulse at two levers.
+/// The moments of an impulse at two moment arms.
 #[inline(always)]
 fn moments_of<W: Wide>(arms: &[WideVector<W>; 2], impulse: WideVector<W>) -> [WideAngVector<W>; 2] {
     [torque(arms[0], impulse), torque(arms[1], impulse)]
@@ -143,7 +144,7 @@ fn moments_of<W: Wide>(arms: &[WideVector<W>; 2], impulse: WideVector<W>) -> [Wi
 /// Gives the bodies the impulse with which the step starts.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut PointToPointBlock,
@@ -167,10 +168,10 @@ pub(super) unsafe fn warm_start<W: Wide>(
     }
 }
 
-/// Solves the pins once: `BIASED` towards where they should be, otherwise so that they stay as they are.
+/// Solves the joints once: with bias (`BIASED`), otherwise towards zero relative velocity.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     block: &mut PointToPointBlock,
@@ -191,7 +192,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     let impulse = WideVector::<W>::load(&block.impulse);
     let mut turned = [load_ang::<W>(&block.turned[0]), load_ang(&block.turned[1])];
     if BIASED {
-        // The bodies have the last substep's impulse already; its levers and their inertias have turned since.
+        // The bodies already have the last substep's impulse; moment arms and inertias have rotated since.
         let now = masses.turned(moments_of(&arms, impulse));
         for side in 0..2 {
             velocities[side].angular = velocities[side].angular + (now[side] - turned[side]);
@@ -231,7 +232,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
 /// Expresses the impulses along the axes of the joints' first frames, where the next step finds them.
 ///
 /// # Safety
-/// Nobody may write the states of the block's first bodies meanwhile.
+/// No other thread writes the states of the block's first bodies.
 #[inline(always)]
 pub(super) unsafe fn turn_back<W: Wide>(
     block: &mut PointToPointBlock,

@@ -1,4 +1,4 @@
-//! From joints to pins: once per step.
+//! Loads point-to-point joints: once per step.
 
 use super::super::load::is_gyroscopic;
 use super::block::PointToPointBlock;
@@ -33,7 +33,7 @@ pub(super) fn load_lane(
     block.impulse.set_lane(lane, frame * Vector::from_slice(&joint.impulses) * share);
 }
 
-/// Fills what a lane knows of one of its bodies; returns the lever.
+/// Fills a lane's data of one of its bodies; returns the moment arm.
 fn load_end(
     block: &mut PointToPointBlock,
     side: usize,

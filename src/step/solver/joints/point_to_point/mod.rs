@@ -1,19 +1,19 @@
 //! # Pins — joints that hold two points together and do nothing else
 //!
-//! Hinges in 2D and balls in sockets in 3D, without limits, motors or springs, where they are not solved exactly
-//! (`../direct/`): the nets and cloths that have thousands of them. What a joint needs in full generality (frames,
-//! rows of rotations, free axes) is left out here, and the rows are the axes of the world:
+//! Point-to-point joints: hinges in 2D and ball joints in 3D, without limits, motors or springs, that are not
+//! solved directly (`../direct/`). Nets and cloths have thousands of them. The general data of joints
+//! (frames, rows of rotations, free axes) is omitted, and the rows are the axes of the world:
 //!
 //! ```text
 //! C = p2 - p1        Ċ = v2 + ω2 × r2 - v1 - ω1 × r1        K = Σ (1/m - [r]ₓ I⁻¹ [r]ₓ)
 //! ```
 //!
-//! In sweeps that is better besides. The load that a net bears has a direction in the world, and the bodies of the
-//! net tremble as long as the sweeps have not converged. Impulses along axes that turn with a body are turned to and
-//! fro by that, and the net stretches by a multiple. Along the axes of the world a pin starts each substep with what
-//! it bore in the last one, and may yield half as much as other joints in sweeps without being pumped. For the same
-//! reason each end has its own lever: the moment of a gap is not given to one of the bodies. It is taken from the
-//! angular momentum, as long as the gap is there.
+//! That also improves the iteration. The load of a net has a direction in the world, and the bodies of the
+//! net tremble until the iteration has converged. Impulses along axes that turn with a body are turned to and
+//! fro by that, and the net stretches by a multiple. Along the axes of the world, a joint starts each substep
+//! with its last load, and needs half the compliance of other iterated joints. For the same reason each end
+//! has its own moment arm: the moment of the position error is not applied to one of the bodies. It is taken
+//! from the angular momentum, as long as the gap is there.
 
 mod block;
 mod load;
@@ -36,7 +36,7 @@ use block::{PointToPointBlock, PointToPointPass};
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// All pins of a step.
+/// All point-to-point joints of a step.
 #[derive(Default)]
 pub(super) struct PointToPointJoints {
     blocks: Vec<PointToPointBlock>,
@@ -105,12 +105,12 @@ impl PointToPointJoints {
         });
     }
 
-    /// Lets a substep start with this share of the last one's impulses.
+    /// Scales the warm-start impulses of a substep by this fraction.
     pub fn scale_impulses(&mut self, factor: Real) {
         self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
     }
 
-    /// Solves all pins once: with bias (`BIASED`), or so that nothing moves apart from where it is.
+    /// Solves all joints once: with bias (`BIASED`), or towards zero relative velocity.
     pub fn iterate<const BIASED: bool>(
         &mut self,
         states: DisjointMut<'_, BodyState>,
@@ -133,7 +133,8 @@ impl PointToPointJoints {
         });
     }
 
-    /// Writes impulses and forces back to the joints. `overload` tells whether one bears too much.
+    /// Writes impulses and forces back to the joints. `overload` returns whether the load of a joint exceeds
+    /// its limit.
     pub fn store(
         &self,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
@@ -175,8 +176,7 @@ impl Kernel for WarmStart<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, and the joints of one colour share no body that is not
-            // read-only.
+            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
             unsafe { block::warm_start::<W>(self.blocks.get_mut(index), &self.states) };
         }
     }
@@ -196,8 +196,8 @@ impl<const BIASED: bool> Kernel for Visit<'_, BIASED> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, the joints of one colour share no body that is not
-            // read-only, and one colour is done before the next begins.
+            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
+            // the colours run in sequence.
             unsafe {
                 block::iterate::<W, BIASED>(self.blocks.get_mut(index), &self.states, &self.pass);
             }
@@ -218,7 +218,7 @@ impl Kernel for TurnBack<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, and nobody writes states.
+            // SAFETY: each block belongs to one task, and no thread writes states.
             unsafe { block::turn_back::<W>(self.blocks.get_mut(index), &self.states) };
         }
     }

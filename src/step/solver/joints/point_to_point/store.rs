@@ -1,4 +1,4 @@
-//! From pins back to joints: once per step.
+//! Stores point-to-point joints: once per step.
 
 use super::block::PointToPointBlock;
 use crate::dim::math::{ANG_ZERO, DIM, Real};
