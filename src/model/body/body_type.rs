@@ -1,6 +1,6 @@
-//! What moves a body.
+//! The cause of a body's motion.
 
-/// What moves a body.
+/// The cause of a body's motion.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyType {

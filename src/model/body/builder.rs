@@ -42,7 +42,7 @@ pub struct RigidBodyBuilder {
     pub linear_damping: Real,
     /// Share of the angular velocity lost per second, to first order (1/s). Default: 0.
     pub angular_damping: Real,
-    /// What moves the body.
+    /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,
     /// The world axes along and about which the body cannot be pushed. Default: none.
     pub locked_axes: LockedAxes,
@@ -64,7 +64,7 @@ pub struct RigidBodyBuilder {
     pub additional_solver_iterations: usize,
     /// Whether gyroscopic forces act on the body. Default: yes. Means nothing in 2D.
     pub gyroscopic_forces_enabled: bool,
-    /// Whatever the user wants to find again. Default: 0.
+    /// User data. Default: 0.
     pub user_data: u128,
 }
 
@@ -155,8 +155,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how the body's frame is turned: by the angle (in 2D), or about the direction and by the
-    /// length of the vector (in 3D), in radians.
+    /// Sets the orientation of the body's frame, in radians: the angle (in 2D), or a rotation vector (in 3D).
     pub fn rotation(mut self, angle: AngVector) -> Self {
         self.position.rotation = rotation_from_angle(angle);
         self
@@ -180,13 +179,13 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the linear velocity lost per second, to first order (1/s, at least 0).
     pub fn linear_damping(mut self, factor: Real) -> Self {
         self.linear_damping = factor;
         self
     }
 
-    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the angular velocity lost per second, to first order (1/s, at least 0).
     pub fn angular_damping(mut self, factor: Real) -> Self {
         self.angular_damping = factor;
         self
@@ -257,7 +256,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Says whether the body takes part in the simulation.
+    /// Sets whether the body takes part in the simulation.
     pub fn enabled(mut self, enabled: bool) -> Self {
         self.enabled = enabled;
         self

@@ -1,4 +1,4 @@
-//! What a body weighs: its own record and what the solver sees of it.
+//! Mass of a body: its record, and the solver's view of it.
 
 use super::RigidBodyType;
 use crate::base::measure::is_point;
@@ -12,8 +12,8 @@ use crate::model::check::refuse;
 use crate::model::collider::MassSpread;
 use parry::mass_properties::MassProperties;
 
-/// Returns whether a body can have this mass. Zero stands for "none"; otherwise the inverse must be finite,
-/// too, and its own inverse.
+/// Returns whether a body can have this mass. Zero means "none". Otherwise the inverse must be finite, too,
+/// and its own inverse.
 pub(super) fn mass_is_usable(mass: Real) -> bool {
     let inv_mass = 1.0 / mass;
     mass == 0.0 || (mass > 0.0 && inv_mass.is_finite() && (1.0 / inv_mass).is_finite())
@@ -48,7 +48,7 @@ pub struct RigidBodyMassProps {
     pub(crate) inv_inertia: AngularInertia,
     /// Colliders and additional mass together, in the body's frame.
     pub local_mprops: MassProperties,
-    /// What the body is kept from doing.
+    /// Locks of the body's degrees of freedom.
     pub(crate) locked_axes: LockedAxes,
     /// The colliders' part of [`Self::local_mprops`].
     pub(crate) from_colliders: MassProperties,
@@ -135,8 +135,8 @@ impl RigidBodyMassProps {
         &self.inv_inertia
     }
 
-    /// The mass that impulses meet along each world axis. Zero stands for an infinite mass: along
-    /// locked axes, and altogether unless the body is dynamic.
+    /// The mass that impulses meet along each world axis. Zero means an infinite mass: along locked axes, and
+    /// altogether unless the body is dynamic.
     pub fn effective_mass(&self) -> Vector {
         self.inv_mass.map(|inv_mass| if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 })
     }

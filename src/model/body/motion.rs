@@ -186,8 +186,8 @@ impl RigidBody {
         self.predict(&self.vels(), dt)
     }
 
-    /// Where the body will be in `dt` seconds if its forces and torques stay as they are, with its
-    /// damping. Gravity, which the body does not know, and contacts are left out.
+    /// Where the body will be in `dt` seconds if its forces and torques stay as they are, with its damping.
+    /// Gravity, which the body does not store, and contacts are excluded.
     ///
     /// One step of the symplectic Euler method: first the velocity changes, then the pose.
     pub fn predict_position_using_velocity_and_forces(&self, dt: Real) -> Pose {

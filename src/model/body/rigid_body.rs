@@ -27,8 +27,9 @@ use parry::mass_properties::MassProperties;
 /// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that
 /// are not finite or not possible: the old value stays, and `log` gets a warning with the value.
 //
-// The order of the fields is fixed (`repr(C)`): what each step reads of every awake body and writes back to it stands together at the
-// front, up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). What few bodies use comes last.
+// The order of the fields is fixed (`repr(C)`). The fields that each step reads and writes are at the front,
+// up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). Rarely used fields come
+// last.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -78,8 +79,8 @@ pub struct RigidBody {
     // From here on: cold.
     /// The pose from which drift is measured, while the body rests.
     pub(crate) rest: RestPose,
-    /// Where a position-based kinematic body will be after the next step. Means nothing for others:
-    /// [`RigidBody::next_position`] knows.
+    /// Where a position-based kinematic body will be after the next step. It is undefined for others: see
+    /// [`RigidBody::next_position`].
     pub(crate) next_pose: Pose,
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
@@ -93,7 +94,7 @@ pub struct RigidBody {
     /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world warns again.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) warned_without_mass: bool,
-    /// Whatever the user wants to find again. The engine never reads it.
+    /// User data. The engine never reads it.
     pub user_data: u128,
 }
 
@@ -228,7 +229,7 @@ impl RigidBody {
         self.update_mass();
     }
 
-    /// Forgets the set that the body stood in, and all that it held there.
+    /// Resets all references to the set that contained the body.
     pub(super) fn detach_from_set(&mut self) -> (AttachedColliders, BodyLink) {
         self.changes = RigidBodyChanges::everything();
         let colliders = core::mem::take(&mut self.colliders);
@@ -241,7 +242,7 @@ impl RigidBody {
         (colliders, core::mem::take(&mut self.link))
     }
 
-    /// What moves the body.
+    /// Type of the body: the cause of its motion.
     pub fn body_type(&self) -> RigidBodyType {
         self.body_type
     }
@@ -287,8 +288,8 @@ impl RigidBody {
         self.enabled
     }
 
-    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept, but for why the step
-    /// [took it out](Self::quarantine).
+    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept,
+    /// except the cause of its [quarantine](Self::quarantine).
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
@@ -308,12 +309,12 @@ impl RigidBody {
 
     // ---- Sleep ----
 
-    /// Whether the body sleeps, and how calm it must be to fall asleep.
+    /// Whether the body sleeps, and its thresholds for sleep.
     pub fn activation(&self) -> &RigidBodyActivation {
         &self.activation
     }
 
-    /// Whether the body sleeps, and how calm it must be to fall asleep, for changing it.
+    /// Mutable access to the sleep state and its thresholds.
     pub fn activation_mut(&mut self) -> &mut RigidBodyActivation {
         self.changes.insert(RigidBodyChanges::SLEEP);
         &mut self.activation

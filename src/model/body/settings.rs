@@ -12,7 +12,7 @@ impl RigidBody {
         self.linear_damping
     }
 
-    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the linear velocity lost per second, to first order (1/s, at least 0).
     pub fn set_linear_damping(&mut self, damping: Real) {
         if !is_non_negative(damping) {
             return refuse("the linear damping of a rigid body", damping);
@@ -25,7 +25,7 @@ impl RigidBody {
         self.angular_damping
     }
 
-    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the angular velocity lost per second, to first order (1/s, at least 0).
     pub fn set_angular_damping(&mut self, damping: Real) {
         if !is_non_negative(damping) {
             return refuse("the angular damping of a rigid body", damping);
@@ -134,9 +134,9 @@ impl RigidBody {
         self.soft_ccd_prediction
     }
 
-    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0
-    /// switches soft continuous collision detection off). A cheaper and softer way than
-    /// [`Self::enable_ccd`] to keep fast bodies from passing through each other.
+    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0 switches
+    /// soft continuous collision detection off). It is cheaper and softer than [`Self::enable_ccd`] for fast
+    /// bodies that must not pass through each other.
     pub fn set_soft_ccd_prediction(&mut self, prediction_distance: Real) {
         if !is_non_negative(prediction_distance) {
             return refuse("the soft CCD prediction of a rigid body", prediction_distance);
@@ -149,9 +149,8 @@ impl RigidBody {
         self.additional_solver_iterations
     }
 
-    /// Sets how many more substeps the solver takes for this body while it is awake, and for all that touches it,
-    /// directly or through other dynamic bodies; at most 1000. Where light bodies carry heavy ones it takes more
-    /// of itself.
+    /// Sets the number of additional substeps for this body while it is awake, and for its whole island; at
+    /// most 1000. Where light bodies carry heavy ones it takes more of itself.
     pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
         if additional_iterations > ITERATIONS_MAX {
             let what = "the number of additional solver iterations of a rigid body";

@@ -54,15 +54,15 @@ impl RigidBodyVelocity {
         self.linvel + cross(self.angvel, point - center_of_mass)
     }
 
-    /// Where a body at `pose` gets within `dt` seconds at this velocity, turning about its centre of
-    /// mass, which is at `local_center_of_mass` in the body's frame.
+    /// The pose after `dt` seconds at this velocity, from `pose`. The rotation is about the centre of mass,
+    /// at `local_center_of_mass` in the body's frame.
     pub fn integrate(&self, dt: Real, pose: &Pose, local_center_of_mass: Vector) -> Pose {
         let center_of_mass = pose * local_center_of_mass + self.linvel * dt;
         let rotation = (rotation_from_angle(self.angvel * dt) * pose.rotation).normalize();
         Pose::from_parts(center_of_mass - rotation * local_center_of_mass, rotation)
     }
 
-    /// What is left of the velocity after `dt` seconds of damping (both factors in 1/s).
+    /// The velocity after `dt` seconds of damping (both factors in 1/s).
     ///
     /// The implicit Euler step `v / (1 + dt·c)`: no factor, however large, turns the body around.
     #[must_use]

@@ -1,5 +1,4 @@
-//! What is done with the pairs of a collider: between which kinds of bodies it collides, which hooks
-//! of the user are called and which events are sent.
+//! Options of a collider's pairs: the body types it collides with, the user's hooks, and the events.
 
 use crate::model::body::RigidBodyType;
 
@@ -7,9 +6,8 @@ bitflags::bitflags! {
     /// Between which kinds of bodies a collider's pairs are looked at. A collider without a body
     /// counts as attached to a fixed one.
     ///
-    /// A pair is looked at if either of its two colliders asks for it. The default is dynamic against
-    /// everything; the other combinations exert no forces and only serve events, queries of contacts
-    /// and sensors.
+    /// A pair is computed if either of its colliders requests it. The default is dynamic against everything;
+    /// the other combinations exert no forces and only serve events, queries of contacts and sensors.
     #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveCollisionTypes: u16 {

@@ -3,7 +3,7 @@
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::TriMeshBuilderError;
 
-/// Why a collider cannot be built, with the parameter and the value that stands in the way.
+/// The reason why a collider cannot be built, with the parameter and its value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidCollider {
@@ -12,9 +12,9 @@ pub enum InvalidCollider {
     Number {
         /// The parameter.
         parameter: &'static str,
-        /// What it was set to.
+        /// The refused value.
         value: Real,
-        /// What it may be.
+        /// The admissible values.
         expected: &'static str,
     },
     /// A point or vector has a coordinate that is not finite, or too large to calculate with.
@@ -52,10 +52,10 @@ pub enum InvalidCollider {
         parameter: &'static str,
         /// Its length.
         count: usize,
-        /// What is needed.
+        /// The necessary elements.
         least: usize,
     },
-    /// More cells are asked for than can be stored.
+    /// The grid has more cells than can be stored.
     #[error("{parameter} results in {cells} cells, but at most {most} are possible")]
     TooFine {
         /// The parameter.
@@ -84,7 +84,7 @@ pub enum InvalidCollider {
     Degenerate {
         /// Which kind of shape.
         shape: &'static str,
-        /// What is missing.
+        /// The missing elements.
         reason: &'static str,
     },
     /// A part of a compound is itself made of parts.

@@ -124,7 +124,7 @@ impl ColliderBuilder {
     /// A surface of triangles, with parry's options for it.
     ///
     /// # Errors
-    /// As for [`Self::trimesh`], and if no triangle is left after the deletions asked for.
+    /// As for [`Self::trimesh`], and no triangle is left after the requested deletions.
     pub fn trimesh_with_flags(
         vertices: Vec<Vector>,
         indices: Vec<[u32; 3]>,
@@ -222,7 +222,7 @@ impl ColliderBuilder {
         )
     }
 
-    /// Those boxes of a grid that hold at least one of the points.
+    /// The boxes of a grid that contain at least one of the points.
     pub fn voxels_from_points(voxel_size: Vector, points: &[Vector]) -> Self {
         let checked = check_points("points", points).and_then(|()| {
             grid::check_cells(voxel_size, points.iter().map(|point| *point / voxel_size))

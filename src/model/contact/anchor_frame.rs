@@ -13,35 +13,36 @@ use crate::model::check::is_saved_unit;
 ///
 /// # Contacts that are held in place
 ///
-/// While both bodies *creep*, normal and levers are what they were then, and only the separations follow. Else piles
-/// would buckle that cannot. The faces of two rigid boxes on each other do not give way, but the soft contacts of the
-/// solver do: under a moment they yield like a hinge with a spring. A tower of `n` unit cubes of mass `m` is then an
-/// elastic column, and under its own weight it buckles (Greenhill 1881) when the stiffness `k` of its hinges is less
-/// than
+/// While both bodies are *near rest*, normal and moment arms stay constant, and only the separations are
+/// updated. Else piles would buckle that cannot. The faces of two rigid boxes on each other are rigid, but
+/// the soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
+/// tower of `n` unit cubes of mass `m` is then an elastic column. It buckles under its own weight (Greenhill
+/// 1881) when the stiffness `k` of its hinges is less than
 ///
 /// ```text
 /// k  <  n³ m g / 7.84        k = β m / (8 σ h²)        (β, σ, h: see `model/params/softness`)
 /// ```
 ///
-/// which for our contacts are towers of some twenty cubes. What tips a column is the moment of its load about the
-/// leaning part below: the load times how far the levers have turned. With levers that are held in place that moment
-/// is zero, as it is between faces that cannot give way, and the column is a beam without a load along it, which is
-/// stable whatever its height. The alternative, stiffer contacts, would have to be a hundred times as stiff for a
-/// pile of a hundred layers, and one visit per substep does not converge for these. Box3D keeps its anchors for the
-/// same reason, for up to seven degrees and at any speed.
+/// which for our contacts are towers of some twenty cubes. A column tips by the moment of its load about the
+/// leaning part below: the load times the rotation of the moment arms. With frozen moment arms that moment is
+/// zero, as between rigid faces. The column is then a beam without axial load, which is stable at any height.
+/// The alternative, stiffer contacts, would need a hundred times the stiffness for a pile of a hundred
+/// layers, and one iteration per substep does not converge for these. Box3D keeps its anchors for the same
+/// reason, for up to seven degrees and at any speed.
 ///
-/// The price: that moment is real. Without it, action and reaction of a contact do not act along one line, and the
-/// angular momentum of a pair that is pressed together is not conserved. So only bodies that have weight and turn more
-/// slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`] are held, by no more than [`Self::FROZEN_ANGLE_MAX`], and not where the normal would lag by
-/// more than friction hides ([`Self::HELD_BY_FRICTION`]). What is wrong in the end is the load's lever, by a few
-/// hundredths of the body's size, on bodies that turn by less than 3 degrees a second.
+/// The price: that moment is real. Without it, action and reaction of a contact are not collinear, and the
+/// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under
+/// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`], up to an angle of
+/// [`Self::FROZEN_ANGLE_MAX`], and not where the error of the normal exceeds the friction
+/// ([`Self::HELD_BY_FRICTION`]). The remaining error is in the load's moment arm: a few hundredths of the
+/// body's size, on bodies that rotate by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct AnchorFrame {
     pub rotations: [Rotation; 2],
     /// From the first centre of mass to the second (length units).
     pub centers: Vector,
-    /// Did both bodies creep then, and whenever somebody looked since?
+    /// Whether both bodies were near rest then, and at each check since.
     pub may_freeze: bool,
 }
 
@@ -57,19 +58,18 @@ impl AnchorFrame {
         are_units && self.centers.is_finite()
     }
 
-    /// Dynamic bodies that turn faster than this (rad/s) do not creep. The layers of a pyramid of a hundred rows
-    /// that settles stay below it; at 0.02 they did not, and it was seen to lean.
+    /// Dynamic bodies that rotate faster than this (rad/s) are not near rest. The layers of a pyramid of a
+    /// hundred rows that settles stay below it; at 0.02 they did not, and it was seen to lean.
     const ANGULAR_SPEED_NEAR_REST_MAX: Real = 0.05;
 
-    /// The farthest (rad) that contacts are held behind a body that turns: three degrees.
+    /// The largest angle (rad) of a body relative to its frozen anchors: three degrees.
     const FROZEN_ANGLE_MAX: Real = 0.05;
 
     /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
     const HELD_BY_FRICTION: Real = 0.1;
 
-    /// Returns whether a body is near rest. One that the user moves, or that cannot move, does only if it
-    /// does not turn at all: nothing bends it, so there is nothing to hold straight. What stands on a
-    /// platform that tilts is to feel it.
+    /// Returns whether a body is near rest. A body that is not dynamic is near rest only if it does not
+    /// rotate at all: it does not buckle. Bodies on a tilting platform must follow it.
     pub fn near_rest(angular_speed_squared: Real, is_dynamic: bool) -> bool {
         if is_dynamic {
             angular_speed_squared
@@ -79,7 +79,7 @@ impl AnchorFrame {
         }
     }
 
-    /// How far (rad) contacts are held behind bodies that creep.
+    /// Largest angle (rad) of frozen anchors relative to bodies near rest.
     pub fn frozen_angle(friction: Real) -> Real {
         (Self::HELD_BY_FRICTION * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
     }
@@ -91,9 +91,9 @@ pub(crate) struct WideAnchorFrame {
     rotations: [WideRotation<Lane>; 2],
     centers: WideVector<Lane>,
     normal: WideVector<Lane>,
-    /// Square of how far (rad) bodies that creep may have turned since, and the contacts are still held. Zero: they follow.
+    /// Square of the largest angle (rad) up to which anchors stay frozen. Zero: they follow.
     frozen_angle_squared: Lane,
-    /// One where both bodies creep, else zero.
+    /// One where both bodies are near rest, else zero.
     near_rest: Lane,
 }
 
@@ -107,7 +107,8 @@ impl WideAnchorFrame {
         near_rest: Lane::ZERO,
     };
 
-    /// Sets one lane: the placement of a pair, a manifold's normal then, and for what turn (rad) it is held while its bodies creep.
+    /// Sets one lane: the anchor frame of a pair, a manifold's normal at that time, and the angle (rad) up to
+    /// which it is frozen near rest.
     pub fn set_lane(
         &mut self,
         lane: usize,
@@ -135,19 +136,20 @@ impl WideAnchorFrame {
     }
 }
 
-/// What two bodies moved since their contacts were placed.
+/// Motion of two bodies since their anchors were transformed.
 pub(crate) struct MotionSince<W: Wide> {
     turns: [WideRotation<W>; 2],
     /// Of the second centre of mass against the first.
     shift: WideVector<W>,
-    /// `c = x1 - x2`, which turns levers of the first body into those of the second: as placed, and now.
+    /// `c = x1 - x2`, which converts moment arms of the first body into those of the second: at the
+    /// transformation, and now.
     ///
     /// The world has no centre of mass. Levers are measured from the other body's then, as short as they
     /// can be, and `c` is zero.
     offsets: [WideVector<W>; 2],
-    /// The normal: on the first body, or held.
+    /// The normal: on the first body, or frozen.
     pub normal: WideVector<W>,
-    /// From where the levers of the first body are measured.
+    /// Reference point of the moment arms of the first body.
     pub origin: WideVector<W>,
     pub is_frozen: W::Mask,
     is_second_world: W::Mask,
@@ -187,14 +189,14 @@ impl<W: Wide> MotionSince<W> {
         }
     }
 
-    /// `c`, or what is held of it.
+    /// `c`, or its frozen value.
     #[inline(always)]
     pub fn offset(&self) -> WideVector<W> {
         WideVector::select(self.is_frozen, self.offsets[0], self.offsets[1])
     }
 
-    /// The lever, now, to midway between what was at a lever of the first body then; and how far the second
-    /// surface moved against the first there.
+    /// The current moment arm to the middle of the contact with the given original moment arm, and the
+    /// relative motion of the second surface there.
     #[inline(always)]
     pub fn at(&self, world_anchors: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
         let placed2 = world_anchors + self.offsets[0];
@@ -202,7 +204,7 @@ impl<W: Wide> MotionSince<W> {
         let turned2 = self.turns[1].displacement(placed2);
         let moved = self.shift + turned2 - turned1;
         let half = moved * W::splat(0.5);
-        // The surface of the world has not moved; from the other one it is half of the way.
+        // The surface of the world has not moved; from the other one it is half of the distance.
         let from_first = world_anchors + turned1 + half;
         let from_second = placed2 + turned2 - half - self.offsets[1];
         (WideVector::select(self.is_second_world, from_first, from_second), moved)

@@ -1,4 +1,4 @@
-//! What the solver is told of contact manifolds, lane by lane.
+//! The solver's input of contact manifolds, lane by lane.
 
 use super::anchor_frame::WideAnchorFrame;
 use crate::base::wide::{LANES, Lane};
@@ -6,7 +6,7 @@ use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::WideVector;
 
-/// What the solver is told of a block's manifolds.
+/// The solver's input of a block's manifolds.
 #[derive(Clone, Debug)]
 pub(crate) struct ContactInput {
     /// Solver indices of the two bodies, with [`READ_ONLY`] where it applies.

@@ -1,14 +1,16 @@
-//! What the solver knows of contact manifolds from step to step, lane by lane.
+//! The solver's data of contact manifolds, persistent from step to step, lane by lane.
 //!
-//! In a pile that has settled hardly a manifold is computed in a step. What the solver reads of the others is what it read in the
-//! last step, and the impulses are its own; and a pair is large, and may stand anywhere. So the lanes stay filled: a lane learns from
-//! its manifold only if it stood for another one before, or if the pair was [renewed](super::PairStore::renew).
+//! In a pile that has settled hardly a manifold is computed in a step. The data of other manifolds is that of
+//! the last step, and the impulses are the solver's own. A pair is large, and random access to it is slow. So
+//! the lanes stay filled: a lane learns from its manifold only if it stood for another one before, or if the
+//! pair was [renewed](super::PairStore::renew).
 //!
-//! For the same reason a manifold is not told by each step what became of it. Lanes are *ahead* of their pairs until somebody wants
-//! to know: the user, who looks at a pair or hears of it, or the narrow phase, which computes it anew. Then the pair is told, and once.
-//! Who takes a manifold out of its colour, or moves it to another place there, tells it before: the lane will be another's.
+//! For the same reason results are not written back to the manifolds in each step. Lanes are *ahead* of their
+//! pairs until the pair is read, by the user or by the narrow phase, which recomputes it. Then the pair is
+//! written back, once. Code that removes a manifold from its colour, or moves it to another place there,
+//! writes it back before: the lane will be reused.
 //!
-//! The alternative, all pairs told in each step, was a seventh of the step of a large pyramid.
+//! The alternative, a write-back of all pairs in each step, cost a seventh of the step of a large pyramid.
 
 use super::anchor_frame::AnchorFrame;
 use super::input::ContactInput;
@@ -29,7 +31,7 @@ const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MA
 /// A block's worth of manifolds.
 #[derive(Clone, Debug)]
 pub(crate) struct LaneBlock {
-    /// What the lanes were filled from.
+    /// The manifolds of the lanes.
     members: [ManifoldRef; LANES],
     /// Slots of their two bodies.
     pub slots: [[u32; LANES]; 2],
@@ -46,13 +48,13 @@ impl LaneBlock {
         input: ContactInput::EMPTY,
     };
 
-    /// Has a lane stand for a manifold, or for none. Returns whether it did not do so before.
+    /// Assigns a manifold, or none, to a lane. Returns whether it did not do so before.
     pub fn set_lane_slot(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
         let manifold = manifold.unwrap_or(NO_MANIFOLD);
         core::mem::replace(&mut self.members[lane], manifold) != manifold
     }
 
-    /// Has a lane stand for no manifold.
+    /// Removes the manifold of a lane.
     pub fn clear(&mut self, lane: usize) {
         if self.set_lane_slot(lane, None) {
             [self.slots[0][lane], self.slots[1][lane]] = [NONE; 2];
@@ -61,7 +63,7 @@ impl LaneBlock {
         }
     }
 
-    /// Do all lanes stand for nobody?
+    /// Returns whether all lanes are empty.
     pub fn is_empty(&self) -> bool {
         self.members == [NO_MANIFOLD; LANES]
     }
@@ -109,7 +111,7 @@ impl LaneBlock {
     }
 }
 
-/// Writes what is told of a manifold to it.
+/// Writes a report to its manifold.
 fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     if !report.is_sound() {
         return data.forget_impulses();
@@ -132,7 +134,7 @@ pub(crate) type LaneCapacity = [usize; COLORS as usize + 1];
 #[derive(Debug)]
 pub(crate) struct ContactLanes {
     pub blocks: Vec<LaneBlock>,
-    /// What the last step that was stored tells of them.
+    /// Reports of the last stored step.
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
     pub are_rough: bool,
@@ -142,9 +144,9 @@ pub(crate) struct ContactLanes {
     pub capacity: LaneCapacity,
     /// How often lanes were stored.
     stores: u32,
-    /// By pair: the turn of which it was told last. Pairs beyond the end, that are younger, have nothing to be told.
+    /// By pair: the store count at its last write-back. Newer pairs, beyond the end, have no results.
     written: Vec<AtomicU32>,
-    /// Held by who tells a pair behind a shared reference.
+    /// Locked by a write-back behind a shared reference.
     writing: Mutex<()>,
 }
 
@@ -183,8 +185,8 @@ impl Clone for ContactLanes {
     }
 }
 
-/// Makes room for so many blocks in all. They are large: where more are needed, an eighth more than that are asked for, and not as many
-/// again.
+/// Reserves this number of blocks in all. They are large: the reserve is an eighth more, and not twice as
+/// much.
 pub(crate) fn reserve_blocks<T>(blocks: &mut Vec<T>, count: usize) {
     if count > blocks.capacity() {
         blocks.reserve_exact(count + count / 8 - blocks.len());
@@ -192,7 +194,7 @@ pub(crate) fn reserve_blocks<T>(blocks: &mut Vec<T>, count: usize) {
 }
 
 impl ContactLanes {
-    /// Makes room for so many blocks. Lanes of earlier ones stay filled.
+    /// Reserves this number of blocks. Lanes of earlier ones stay filled.
     pub fn resize(&mut self, block_count: usize) {
         reserve_blocks(&mut self.blocks, block_count);
         self.blocks.resize_with(block_count, || LaneBlock::EMPTY);
@@ -216,13 +218,13 @@ impl ContactLanes {
         &self.starts
     }
 
-    /// All pairs have been told.
+    /// Marks all pairs as written back.
     pub fn fall_back(&mut self) {
         self.starts.clear();
     }
 
-    /// The lanes know more than their pairs now. Those of a colour, in the order of the graph, begin at one of `starts`; if there are
-    /// none, all pairs were told. `ids` is above the ids of all pairs.
+    /// Marks the lanes as ahead of their pairs. Those of a colour, in the order of the graph, begin at one of
+    /// `starts`; if there are none, all pairs are up to date. `ids` is above the ids of all pairs.
     pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
         self.starts.clear();
         self.starts.extend_from_slice(starts);
@@ -230,7 +232,8 @@ impl ContactLanes {
         self.written.resize_with(ids, AtomicU32::default);
     }
 
-    /// Has `write_back` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
+    /// Calls `write_back` for a pair, unless it is up to date: by one thread at a time, and not again until
+    /// lanes are stored.
     pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
         if !self.is_written(id) {
             let _telling = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
@@ -240,7 +243,7 @@ impl ContactLanes {
         }
     }
 
-    /// Tells a pair what became of it, unless it knows.
+    /// Writes the results of a pair back, unless it is up to date.
     pub fn write_back(&self, id: PairId, pair: &mut ContactPair) {
         if self.is_written(id) {
             return;
@@ -254,7 +257,7 @@ impl ContactLanes {
         self.written[id as usize].store(self.stores, Ordering::Release);
     }
 
-    /// The normal of a manifold of a pair, as of the last step whether or not it has been told.
+    /// The normal of a manifold of a pair after the last step, whether or not it is written back.
     pub fn normal_of(&self, id: PairId, index: usize, manifold: &ContactManifold) -> Vector {
         let at = ManifoldRef { pair: id, manifold: index as u32 };
         let ahead = if self.is_written(id) { None } else { self.find(at, manifold) };
@@ -264,7 +267,7 @@ impl ContactLanes {
             .map_or(manifold.data.normal, ContactReport::normal)
     }
 
-    /// Tells the manifold that a lane stands for what became of it.
+    /// Writes the results of a lane back to its manifold.
     pub fn write_back_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
         let data = &mut manifold.data;
         write_back(&self.reports[block][lane], data);
@@ -276,7 +279,7 @@ impl ContactLanes {
         }
     }
 
-    /// Asks for what a pair will be told, if it will be told anything, and for who stands there.
+    /// Prefetches the results and the lane of a pair that will be written back.
     pub fn prefetch(&self, pair: &ContactPair) {
         let first = pair.manifolds.first().filter(|_| self.are_ahead());
         if let Some((block, lane)) = first.and_then(|manifold| self.place_of(manifold)) {
@@ -292,12 +295,12 @@ impl ContactLanes {
             || stores.is_none_or(|stores| stores.load(Ordering::Acquire) == self.stores)
     }
 
-    /// The block and the lane in it that stands for a manifold.
+    /// The block and the lane of a manifold.
     fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
         self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].is_seated(lane, at))
     }
 
-    /// Where the block and the lane are that stand for a manifold, unless they stand for another by now.
+    /// The indices of the block and the lane of a manifold, unless the lane was reused.
     fn place_of(&self, manifold: &ContactManifold) -> Option<(usize, usize)> {
         let ColorSlot { color, position } = manifold.slot?;
         let start = *self.starts.get(color as usize)? as usize;

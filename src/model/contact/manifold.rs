@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
 bitflags::bitflags! {
-    /// What the solver does with a manifold.
+    /// Constraints that the solver makes of a manifold.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Hash)]
     pub struct SolverFlags: u32 {
@@ -97,7 +97,7 @@ impl Contact {
 /// The points of one manifold.
 pub type ContactPoints = ArrayVec<Contact, MAX_MANIFOLD_POINTS>;
 
-/// What the solver knows of a manifold.
+/// The solver's data of a manifold.
 ///
 /// Iterating over `&ContactManifoldData` yields its [`Contact`]s.
 #[derive(Clone, Debug)]
@@ -107,7 +107,7 @@ pub struct ContactManifoldData {
     pub rigid_body1: Option<RigidBodyHandle>,
     /// Body of the second collider, if it has one.
     pub rigid_body2: Option<RigidBodyHandle>,
-    /// What the solver does with the manifold.
+    /// Constraints that the solver makes of the manifold.
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
@@ -117,9 +117,10 @@ pub struct ContactManifoldData {
     pub friction: Real,
     /// Combined restitution coefficient.
     pub restitution: Real,
-    /// Velocity along the contact plane, in world space, at which friction makes the second body move
-    /// against the first (length/s): that of the surface of a conveyor belt that is the first body,
-    /// the opposite for one that is the second. Set by [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
+    /// Target velocity of friction: the velocity of the second body relative to the first along the contact
+    /// plane, in world space (length/s). It is the surface velocity of a conveyor belt that is the first
+    /// body, and the opposite for one that is the second. Set by
+    /// [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
     pub tangent_velocity: Vector,
     /// Dominance group of the first body minus that of the second. Positive: the first body moves
     /// the second as if it had infinite mass.
@@ -173,10 +174,12 @@ impl ContactManifoldData {
     /// Friction impulse at a contact point during the last substep, on the second body, in world space (mass·velocity). Zero for a
     /// point that does not exist.
     ///
-    /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction impulse per manifold. Each
-    /// point gets the fraction of it that its normal impulse is of the sum of all: the largest friction that a point can have is
-    /// proportional to its normal impulse. The sum over the points is exact. The torsional friction of a manifold is not included. With
-    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its `warmstart_tangent_impulse`.
+    /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction
+    /// impulse per manifold. Friction is distributed in proportion to the normal impulses: the largest
+    /// friction of a point is proportional to its normal impulse. The sum over the points is exact. The
+    /// torsional friction of a manifold is not included. With
+    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its
+    /// `warmstart_tangent_impulse`.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
         let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();

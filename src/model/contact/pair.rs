@@ -13,8 +13,8 @@ use smallvec::SmallVec;
 
 /// Two colliders that are close enough to touch, and their contact manifolds.
 ///
-/// A pair lives as long as the colliders' enlarged boxes overlap. Its manifolds persist from step to
-/// step: they carry the impulses with which the next step starts.
+/// A pair exists as long as the colliders' fat AABBs overlap. Its manifolds persist from step to step: they
+/// carry the impulses with which the next step starts.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactPair {
@@ -35,7 +35,8 @@ pub struct ContactPair {
     pub(crate) pose12: Pose,
     /// How the bodies stood when the contact points were put into the world.
     pub(crate) anchor_frame: AnchorFrame,
-    /// What of a mesh is around the other collider, while neither shape changes. Nothing but time depends on it.
+    /// Triangles of a mesh near the other collider, while neither shape changes. Nothing but time depends on
+    /// it.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) triangle_cache: Option<Box<TriangleCache>>,
 }
@@ -91,8 +92,8 @@ impl ContactPair {
             && self.manifolds.iter().all(ContactManifold::is_sound)
     }
 
-    /// Sum of the impulses of all contacts during the last step, in world space: what the first
-    /// collider's body did to the second's along the normals (friction is not counted).
+    /// Sum of the normal impulses of all contacts on the second body during the last step, in world space
+    /// (without friction).
     pub fn total_impulse(&self) -> Vector {
         self.manifolds.iter().map(|m| m.data.normal * m.impulse()).sum()
     }
@@ -116,9 +117,9 @@ impl ContactPair {
         result
     }
 
-    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the
-    /// second, the point midway between the two surfaces, and how far they overlap (negative: how
-    /// far they are apart). All in world space as of the last step. `None` if there is no contact.
+    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the second,
+    /// the point midway between the two surfaces, and the overlap (negative: the distance). All in world
+    /// space as of the last step. `None` if there is no contact.
     pub fn find_deepest_contact(&self) -> Option<(Vector, Vector, Real)> {
         let manifold = self
             .manifolds

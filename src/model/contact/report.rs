@@ -1,21 +1,21 @@
-//! What the solver tells of contact manifolds, one after the other.
+//! The solver's results of contact manifolds, contiguous.
 
 use crate::base::wide::{LANES, Wide, scatter};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim::wide::WideVector;
 
-/// Where what stands in a report, behind the normal at 0.
+/// Offsets in a report, after the normal at 0.
 const FRICTION: usize = DIM;
 const TWIST: usize = 2 * DIM;
 const IS_SOUND: usize = TWIST + 1;
 const POINTS: usize = IS_SOUND + 1;
 const POINT_LEN: usize = DIM + 3;
-/// Where what stands in the numbers of a point, behind its place.
+/// Offsets in the numbers of a point, after its position.
 const SEPARATION: usize = DIM;
 const TOTAL: usize = DIM + 1;
 const IMPULSE: usize = DIM + 2;
 
-/// What the solver tells of one manifold, in one cache line (3D: two; single precision). Somebody may ask for any of them.
+/// The solver's results of one manifold, in one cache line (3D: two; single precision). Access is random.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct ContactReport([Real; Self::LEN]);

@@ -1,10 +1,9 @@
 //! The pieces of a mesh around a body, kept from step to step.
 //!
-//! A body that slides over a mesh meets nearly the same triangles in each step, but they and the tree in
-//! which they are found are spread over memory: to find them took longer than all that is done with them. So
-//! they are looked up in a box that the body stays in for some steps, and kept side by side. Nothing that
-//! comes out depends on what is kept: of these pieces, those count that reach into the box of the moment, in the order
-//! of the tree.
+//! A body that slides over a mesh meets nearly the same triangles in each step, but they and their tree are
+//! spread over memory. Finding them took longer than all further work on them. So they are looked up in a box
+//! that the body stays in for some steps, and kept side by side. The cache affects no result: it is filtered
+//! by the current box, in the order of the tree.
 
 use crate::base::in_place::clone_in_place;
 use crate::base::wide::{LANES, prefetch};

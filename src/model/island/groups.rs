@@ -1,6 +1,6 @@
 //! Bodies that move and sleep as one because they are links of one multibody.
 //!
-//! The set of multibodies is the user's; this table says what the step has taken in of it.
+//! The user owns the set of multibodies; this table is the step's view of it.
 
 use super::link::NONE;
 use crate::base::fault::{Fault, ensure};
@@ -38,7 +38,8 @@ impl BodyGroups {
         self.groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty())
     }
 
-    /// Checks that each body of a group is listed once and has that group, that no other body has one, and that empty groups are free.
+    /// Checks that each body of a group is listed once and has that group, that no other body has one, and
+    /// that empty groups are free.
     pub fn check(&self) -> Result<(), Fault> {
         let mut is_free = vec![false; self.groups.len()];
         for &id in &self.free {

@@ -13,8 +13,8 @@ use crate::model::stamp::WorldStamp;
 
 /// Bodies that touch, directly or through other dynamic bodies.
 ///
-/// Islands persist: they merge at once when two of them touch, and are split lazily, when one whose
-/// links were cut wants to sleep. Finding them anew each step would cost all awake contacts.
+/// Islands persist. They merge at once when two of them touch, and are split lazily, when one with cut links
+/// is ready to sleep. Finding them anew each step would cost all awake contacts.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Island {
@@ -48,11 +48,11 @@ pub struct IslandManager {
     pub(crate) graph: ConstraintGraph,
     /// The same for joints, by their slots.
     pub(crate) joint_graph: ConstraintGraph<u32>,
-    /// The joints that have been taken in.
+    /// The joints that the step has applied.
     pub(crate) joints: JointLinks,
     /// Bodies that multibodies hold together.
     pub(crate) groups: BodyGroups,
-    /// Counts steps, to know how long ago an island was split.
+    /// Step count, for the time since an island was split.
     pub(crate) step: u32,
     /// By body slot: how far the body moved in the last step.
     pub(crate) motion: Vec<BodyMotion>,
@@ -94,9 +94,9 @@ impl IslandManager {
     /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake when this returns.
     /// Nothing happens if the handle is stale.
     ///
-    /// A sleeping island stays awake for its full time until sleep, whatever `strong` says: with the old time it would fall
-    /// asleep again in the next step, before any force could move it. If the body is awake, `strong` restarts its time, and a weak
-    /// wake-up has no effect.
+    /// A woken island stays awake for its full time until sleep, independent of `strong`: with the old time
+    /// it would fall asleep again in the next step, before any force could move it. If the body is awake,
+    /// `strong` restarts its time, and a weak wake-up has no effect.
     pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {
         let Some(body) = bodies.get_mut(handle) else { return };
         body.wake_up(strong);
@@ -168,7 +168,7 @@ impl IslandManager {
         }
     }
 
-    /// All pairs have heard of the last motion, and no other one follows.
+    /// Marks the last motion as applied to all pairs.
     pub(crate) fn forget_motion(&mut self) {
         for position in 0..self.awake.len() {
             let slot = self.awake[position].into_raw_parts().0;

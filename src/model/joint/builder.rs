@@ -39,7 +39,7 @@ impl GenericJointBuilder {
         self
     }
 
-    /// Sets whatever the user wants to find again.
+    /// Sets the user data.
     pub fn user_data(mut self, data: u128) -> Self {
         self.0.user_data = data;
         self

@@ -1,4 +1,4 @@
-//! What every joint is underneath: frames, and what happens on each axis.
+//! The general form of every joint: frames, and the constraint of each axis.
 
 use super::motor::check_threshold;
 use super::{InvalidJoint, JointLimits, JointMotor, MotorModel, SpringCoefficients};
@@ -14,7 +14,7 @@ pub enum JointEnabled {
     /// It does.
     #[default]
     Enabled,
-    /// It does not, because one of its bodies does not take part. It will when the body does.
+    /// It does not act, because one of its bodies does not take part. It will when the body does.
     DisabledByAttachedBody,
     /// It does not: switched off, or broken.
     Disabled,
@@ -22,10 +22,10 @@ pub enum JointEnabled {
 
 /// A joint between two bodies, in full generality: which axes are locked, limited or driven.
 ///
-/// A frame on each body; the axes are those of the first body's frame. Positions along them are those
-/// of the second frame's origin, and angles those by which the second frame is turned against the first.
-/// Where several rotations are free, the second frame's X axis is *swung* away from the first's, and
-/// turned about itself, the *twist*: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
+/// A frame on each body; the axes are those of the first body's frame. Positions along them are those of the
+/// second frame's origin, and angles those by which the second frame is turned against the first. Where
+/// several rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the
+/// *twist* rotates about it: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
 ///
 /// Setters refuse values that no simulation could survive: they say so in the log, and the old value
 /// stays. The methods called `try_…` return the error instead.
@@ -74,7 +74,7 @@ pub struct GenericJoint {
     pub limits: [JointLimits; SPATIAL_DIM],
     /// By axis: what drives it.
     pub motors: [JointMotor; SPATIAL_DIM],
-    /// Whatever the user wants to find again.
+    /// User data.
     pub user_data: u128,
 }
 
@@ -104,7 +104,7 @@ pub(crate) fn mask_of(axis: JointAxis) -> JointAxesMask {
     JointAxesMask::from_bits_truncate(1 << axis as u8)
 }
 
-/// What a plain setter does with a value that is refused.
+/// Treatment of a refused value in a plain setter.
 #[cold]
 fn log_refusal(error: InvalidJoint) {
     log::warn!("{error}; the old value stays");
@@ -133,8 +133,8 @@ impl GenericJoint {
         self.enabled == JointEnabled::Enabled
     }
 
-    /// Switches the joint on or off. Switching it on does not make it act while one of its bodies does
-    /// not take part.
+    /// Switches the joint on or off. An enabled joint does not act while one of its bodies does not take
+    /// part.
     pub fn set_enabled(&mut self, enabled: bool) {
         self.enabled = match (self.enabled, enabled) {
             (JointEnabled::Disabled, true) => JointEnabled::Enabled,
@@ -281,9 +281,8 @@ impl GenericJoint {
     /// Lets the joint break at a force larger than the first number, or a torque larger than the second.
     ///
     /// They are compared after each step with [`ImpulseJoint::force`](super::ImpulseJoint::force) and
-    /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint
-    /// that breaks is disabled, and the
-    /// [`EventHandler`](crate::model::event::EventHandler) hears of it.
+    /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint that
+    /// breaks is disabled, and the [`EventHandler`](crate::model::event::EventHandler) is called.
     pub fn set_break_thresholds(&mut self, force: Real, torque: Real) -> &mut Self {
         let force_is_usable = check_threshold("the force at which a joint breaks", force);
         match force_is_usable
@@ -326,12 +325,12 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// What drives an axis; `None` if it has no motor.
+    /// The motor of an axis; `None` if it has no motor.
     pub fn motor(&self, axis: JointAxis) -> Option<&JointMotor> {
         self.motor_axes.contains(mask_of(axis)).then(|| &self.motors[axis as usize])
     }
 
-    /// What a motor's stiffness and damping are measured in; `None` if the axis has no motor.
+    /// The motor model of an axis; `None` if it has no motor.
     pub fn motor_model(&self, axis: JointAxis) -> Option<MotorModel> {
         self.motor(axis).map(|motor| motor.model)
     }

@@ -1,9 +1,9 @@
-//! What the joints with a name have in common: macros that write their methods.
+//! Macros for the common methods of named joints.
 //!
 //! A named joint is a [`GenericJoint`](super::GenericJoint) whose axes are chosen, and methods for those
 //! that are left.
 
-/// A named joint, its builder, and the way from both to the generic joint.
+/// A named joint, its builder, and the conversions of both to the generic joint.
 macro_rules! joint_kind {
     ($(#[$doc:meta])* $joint:ident, $builder:ident) => {
         $(#[$doc])*
@@ -104,8 +104,8 @@ macro_rules! joint_kind {
     };
 }
 
-/// Methods that hand their arguments to the generic joint: getters of the joint, setters of the joint
-/// and of its builder. What stands before the semicolon in brackets is handed over first.
+/// Methods that hand their arguments to the generic joint: getters of the joint, setters of the joint and of
+/// its builder. The bracketed arguments before the semicolon are passed first.
 macro_rules! joint_methods {
     ($joint:ident, $builder:ident $([$($first:expr),*])?;) => {};
     (
@@ -194,7 +194,7 @@ macro_rules! joint_motor_methods {
     ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder [$($axis)?];
-            /// What drives it; `None`: it has no motor.
+            /// The motor; `None` if there is none.
             motor($($name: $type)?) -> Option<&$crate::model::joint::JointMotor>;
             /// Says what stiffness and damping of the motor are measured in.
             motor_model, set_motor_model(

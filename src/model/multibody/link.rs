@@ -12,7 +12,7 @@ use parry::mass_properties::MassProperties;
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyLink {
-    /// The joint to the parent. That of a root joins it to nothing, and means nothing.
+    /// The joint to the parent. That of a root has no parent, and no effect.
     pub joint: MultibodyJoint,
     pub(crate) id: usize,
     pub(crate) parent: Option<usize>,

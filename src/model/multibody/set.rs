@@ -240,7 +240,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Takes all joints of a body out of the set, and wakes the bodies that they held.
+    /// Removes all joints of a body, and wakes their bodies.
     ///
     /// This need not be called for bodies that are removed: the next step does it.
     pub fn remove_joints_attached_to_rigid_body(&mut self, body: RigidBodyHandle) {
@@ -401,7 +401,7 @@ impl MultibodyJointSet {
         joints.map(move |(parent, child, _)| if child == body { parent } else { child })
     }
 
-    /// Those of [`Self::attached_bodies`] whose joint is enabled.
+    /// Those of [`Self::attached_bodies`] with an enabled joint.
     pub fn bodies_attached_with_enabled_joint(
         &self,
         body: RigidBodyHandle,

@@ -1,9 +1,9 @@
-//! What is kept of the way of a multibody through a step.
+//! Record of a multibody's trajectory through a step.
 
 use super::{MultibodyIndex, MultibodyJoint};
 use crate::dim::math::{Pose, Real, SpatialVector};
 
-/// The way of a multibody through a step: where it began, and how far it went. What follows from it stands in
+/// The trajectory of a multibody through a step: its start and its displacement. Derived quantities are in
 /// `multibody/trajectory.rs`.
 #[derive(Debug)]
 pub(crate) struct LinkTrajectory {
@@ -14,6 +14,6 @@ pub(crate) struct LinkTrajectory {
     pub shift: Vec<Real>,
     /// How far a root without degrees of freedom moved.
     pub root: SpatialVector,
-    /// The longest way of a link's centre of mass, and the greatest angle (rad) that one turned.
+    /// The longest path of a link's centre of mass, and the largest rotation angle (rad) of a link.
     pub travel: [Real; 2],
 }

@@ -1,9 +1,9 @@
-//! What the solver's passes over contacts and joints are told.
+//! Parameters of the solver's passes over contacts and joints.
 
 use super::{IntegrationParameters, Softness};
 use crate::dim::math::{Real, Vector};
 
-/// The numbers that every contact constraint of a substep shares.
+/// The common numbers of all contact constraints of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct ContactPass {
     /// One over the length of a substep (1/s).
@@ -32,7 +32,7 @@ impl ContactPass {
     }
 }
 
-/// The numbers that all impacts of a substep share.
+/// The common numbers of all impacts of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct ImpactPass {
     /// Length of the step (s): nothing can have hit longer ago.
@@ -60,7 +60,7 @@ impl ImpactPass {
     }
 }
 
-/// The numbers that every joint constraint of a substep shares.
+/// The common numbers of all joint constraints of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct JointPass {
     /// Length of a substep (s).
@@ -89,8 +89,8 @@ impl JointPass {
 
     /// The factor on the bias of a joint whose anchors are `separation` apart: 1 unless the correction would be faster than it may be.
     ///
-    /// The separation is that of the beginning of the step: a factor that followed it within the step would make the bias a
-    /// constant velocity, which overshoots.
+    /// The separation is that of the start of the step. A factor that followed it within the step would make
+    /// the bias a constant velocity, which overshoots.
     pub fn bias_scale(&self, separation: Vector) -> Real {
         let correction = separation.length() * self.softness.bias_rate;
         if correction > self.correction_max { self.correction_max / correction } else { 1.0 }

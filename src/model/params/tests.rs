@@ -13,7 +13,7 @@ fn same(a: Softness, b: Softness) {
     close(a.impulse_scale, b.impulse_scale);
 }
 
-/// The relative velocity after one visit, from rest without load.
+/// The relative velocity after one iteration, from rest without load.
 fn correction(softness: Softness, error: Real) -> Real {
     -softness.mass_scale * softness.bias_rate * error
 }

@@ -14,9 +14,9 @@ pub(crate) const ITERATIONS_MAX: usize = 1000;
 pub struct InvalidParameters {
     /// Name of the field.
     pub field: &'static str,
-    /// What it held.
+    /// The refused value.
     pub value: Real,
-    /// What it may hold, in words.
+    /// The admissible values, in words.
     pub expected: &'static str,
 }
 

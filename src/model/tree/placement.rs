@@ -9,7 +9,7 @@ use parry::bounding_volume::Aabb;
 
 impl BroadPhaseBvh {
     /// Lets a collider's box follow the collider. `body` is the one that it is attached to. Returns whether
-    /// the enlarged box changed.
+    /// the fat AABB changed.
     pub(crate) fn follow(
         &mut self,
         handle: ColliderHandle,
@@ -26,7 +26,7 @@ impl BroadPhaseBvh {
         self.place(handle, &mut collider.proxy, kind_of(body), &tight, &margin)
     }
 
-    /// Takes in whom a collider may meet, so that no search is spared that might find somebody.
+    /// Adds the groups of a collider to the set of groups, so that no necessary search is skipped.
     pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
         self.note_sensor(collider.proxy.slot, collider.is_sensor());
         let groups = collider.collision_groups();
@@ -41,7 +41,8 @@ impl BroadPhaseBvh {
 /// Where a collider is that its body has carried, if it is not in its box.
 #[derive(Copy, Clone, Debug)]
 pub(crate) enum MovedProxy {
-    /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::put).
+    /// It left its box in this tree, and has a new one, with which the tree must be
+    /// [updated](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
     /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
@@ -82,7 +83,7 @@ fn margin_of(
     }
 }
 
-/// One collider's share of the distance at which contacts must be found.
+/// One collider's contribution to the prediction distance.
 fn reach(params: &IntegrationParameters, contact_skin: Real, soft_ccd: Real) -> Real {
     0.5 * params.prediction_distance() + contact_skin + soft_ccd
 }
