@@ -8,10 +8,10 @@ use parry::shape::Capsule;
 
 /// Axes whose directions have a smaller sine (squared) than this lie along each other: about 3°.
 const PARALLEL: Real = 3.0e-3;
-/// Capsules that lie along each other touch at one point only if the overlap is shorter than this
-/// share of the shorter axis.
+/// Parallel capsules touch at one point only if the overlap is shorter than this fraction of the shorter
+/// axis.
 const OVERLAP_RATIO_MIN: Real = 1.0e-2;
-/// Axes that are closer than this share of the radii do not tell in which direction to separate.
+/// Axes that are closer than this fraction of the radii do not define a separating direction.
 const AXIS_DISTANCE_RATIO_MIN: Real = 1.0e-3;
 
 /// Two segments in the frame of the first capsule.
@@ -93,7 +93,7 @@ impl Axes {
         Segments::new([self.start1, self.start2], [self.along1, self.along2])
     }
 
-    /// Where on the axes they are closest, as shares of their lengths.
+    /// Closest points on the axes, as fractions of their lengths.
     fn closest(&self) -> [Real; 2] {
         let segments = self.segments();
         segments.nearest_from(if self.is_parallel() { 0.5 } else { segments.crossing() })
@@ -117,7 +117,7 @@ impl Axes {
         a * c - b * b <= PARALLEL * a * c
     }
 
-    /// The two ends of where the axes lie along each other, each as shares of the lengths.
+    /// The two ends of the common interval of parallel axes, each as fractions of the lengths.
     fn common_range(&self) -> Option<[[Real; 2]; 2]> {
         let [a, b, c] = self.products;
         if !self.is_parallel() || a == 0.0 || c == 0.0 {

@@ -1,20 +1,19 @@
 //! Floors of many pieces: a body on a fine mesh costs what it costs on a plane.
 //!
-//! A body that lies on a plane touches it with the corners of one face. If the plane is a mesh, each of the
-//! dozens of triangles under the face asks to be clipped against it, and of all these points only the corners are
-//! left once they are put together: nothing else is as far out, and what lies between bears nothing that they do
-//! not. So where every corner is over *some* piece of the plane, the corners are the contacts, and the
-//! pieces need not be looked at one by one. What lies between the corners, be it other pieces, a hole or
-//! something that rises above the plane, does not matter to this: the last is in another plane, and
-//! looked at by itself.
+//! A body that lies on a plane touches it with the corners of one face. If the plane is a mesh, dozens of
+//! triangles under the face would be clipped against it. Of all these points only the corners remain after
+//! the merge: they are the outermost, and points in between carry nothing more. If every corner is over
+//! *some* piece of the plane, the corners are therefore the contacts, and the pieces need not be clipped one
+//! by one. The area between the corners is irrelevant: other pieces, a hole or an obstacle above the plane.
+//! The latter is in another plane, and processed separately.
 //!
-//! Only planes that the body touched a moment ago are tried. There is always one to begin with, because the
-//! first time the pieces *are* looked at one by one; and on rough ground, where no two triangles are in
-//! one plane, there is little to try for nothing.
+//! Only planes that the body touched a moment ago are tried. There is always a first plane, because the first
+//! time the pieces *are* processed one by one. On rough ground, without coplanar triangles, there are few
+//! failed attempts.
 //!
-//! Where a corner is over the edge of the plane, what lies under the body decides which points bear, and the
-//! pieces are clipped as ever. Box3D clusters the points that were clipped, PhysX and Bullet keep what
-//! they find from step to step; either way each triangle is clipped.
+//! If a corner is over the edge of the plane, the pieces under the body determine the contacts, and are
+//! clipped as usual. Box3D clusters the clipped points, PhysX and Bullet keep persistent points; either way
+//! each triangle is clipped.
 
 use super::convex::is_sound;
 use super::flat_parts::{Bits, FlatParts};
@@ -30,7 +29,7 @@ use crate::model::contact::{ContactManifold, TriangleCache};
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
-/// How far a piece may be off its floor's plane, as a share of the height of a step that is none.
+/// Largest distance of a piece from the plane of its patch, as a fraction of the step height tolerance.
 const FLATNESS_TOLERANCE: Real = 0.1;
 /// Fewer pieces are as quickly looked at one by one.
 const MIN_PIECES: u32 = 2;
@@ -43,7 +42,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// That of a contact of the shape on a side, as it was in that shape's frame.
+    /// The plane of a contact of the shape on a side, in that shape's frame at that time.
     fn of(manifold: &ContactManifold, side: usize) -> Option<Self> {
         let contact = manifold.contacts().first()?;
         Some(match side {
@@ -52,7 +51,7 @@ impl Plane {
         })
     }
 
-    /// That of a piece, which is not rounded anew in each step.
+    /// The plane of a piece, which has no new rounding error in each step.
     fn of_piece(&self, flat: &Flat) -> Self {
         let normal = flat.normal();
         let is_back = normal.dot(self.normal) < 0.0;
@@ -64,7 +63,7 @@ fn is_several(pieces: &[u32]) -> bool {
     pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= MIN_PIECES
 }
 
-/// The corners of the body over pieces of a floor.
+/// The corners of the body over pieces of a patch.
 #[derive(Default)]
 struct SupportedVertices {
     points: ArrayVec<RawPoint, SUPPORT_VERTICES_MAX>,
@@ -118,8 +117,8 @@ impl Search<'_> {
         pieces
     }
 
-    /// The corners with which the body stands on a floor; `None` if it is not over pieces with all of
-    /// them, is not near, or is so deep that it may have come from the side.
+    /// The supported corners of the body on a patch. `None` if some corner is not over a piece, not near, or
+    /// so deep that the body may have come from the side.
     fn stand(
         &self,
         flat_parts: &FlatParts<'_>,
@@ -157,8 +156,8 @@ impl Search<'_> {
         (dist <= prediction && is_shallow).then_some(stand)
     }
 
-    /// Adds the contacts with a floor, in the name of the piece under the deepest.
-    /// Returns whether they are usable.
+    /// Adds the contacts with a patch, with the part number of the piece under the deepest. Returns whether
+    /// they are usable.
     fn add_patch(&mut self, flat_parts: &FlatParts<'_>, stand: &SupportedVertices) -> bool {
         let (raw, prediction) = (&mut *self.raw, self.pair.prediction);
         let normals = [stand.normal, flat_parts.poses[1].rotation * -stand.normal];
@@ -174,7 +173,7 @@ impl Search<'_> {
         self.patches.add_on(self.pair, raw, &flat_parts.with_body(piece), Some(patch))
     }
 
-    /// Tells the patches of floors what these are made of, which only seams ask for.
+    /// Sets the pieces of coplanar patches, which only the internal-edge tests read.
     pub(super) fn build_patches(&mut self, triangle_cache: &TriangleCache) {
         for (patch, pieces) in self.culled.patches.iter().enumerate() {
             let bits = |(block, bits): (usize, &u32)| {
@@ -194,7 +193,7 @@ struct InPlane<'a> {
     plane: &'a Plane,
     tolerance: Real,
     blocks: &'a [FlatBlock],
-    /// Those of each block that count.
+    /// The matching lanes of each block.
     left: &'a [u32],
     pieces: &'a mut [u32],
 }

@@ -1,4 +1,4 @@
-//! Parts of surfaces go through a sieve: most of those whose boxes overlap a body's are far from it.
+//! Culling of surface parts: most parts whose boxes overlap a body's are far from it.
 
 use super::convex::{DISTANCE_SHARE, is_sound};
 use super::parts::{Near, Part, Parts};
@@ -15,13 +15,13 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Cuboid;
 use smallvec::SmallVec;
 
-/// The sieve lets pass what is within this many times the reach of contacts: more than rounding and the
-/// share of a distance that is trusted can make of it.
+/// The culling keeps parts within this many times the prediction distance, which is more than rounding
+/// errors.
 const CULLING_REACH: Real = 1.02;
 /// Parts are looked up for as many steps of the body's motion, unless it moves by more than its
 /// size.
 const STEPS_AHEAD: Real = 6.0;
-/// And for motion in other directions, as a share of its size.
+/// Margin for motion in other directions, as a fraction of its size.
 const MARGIN: Real = 0.05;
 
 /// Pieces of a surface times parts of a body, beyond which the pieces are found in the surface's tree.
@@ -30,14 +30,14 @@ const LOOKS_MAX: usize = 1 << 20;
 /// Some flat parts: a bit for each of each block.
 pub(super) type Bits = SmallVec<[u32; 16]>;
 
-/// What became of flat parts.
+/// Result of the culling of flat parts.
 #[derive(Default)]
 pub(super) struct CulledParts {
     /// Which of the shapes is the surface.
     pub side: usize,
-    /// Those that are still to be looked at.
+    /// Parts that remain.
     pub left: Bits,
-    /// The pieces of floors, by the floor's number.
+    /// The pieces of coplanar patches, by the patch number.
     pub patches: Vec<Bits>,
     /// The axes of a block.
     axes: FlatAxes,
@@ -113,8 +113,8 @@ impl Search<'_> {
         true
     }
 
-    /// Visits the parts of a surface that are near a body, `bounds` being where that can touch: what is a
-    /// [floor](super::floors) is taken as one, and the others go through the sieve.
+    /// Visits the parts of a surface near a body within `bounds`. [Coplanar patches](super::coplanar) are
+    /// processed as one, and other parts are culled.
     fn visit_over(&mut self, flat_parts: &FlatParts<'_>, bounds: &Aabb) {
         self.list_left(flat_parts.triangle_cache, bounds);
         if as_flat(flat_parts.body.shape).is_none() {
@@ -199,7 +199,7 @@ impl Search<'_> {
     }
 }
 
-/// Returns whether the tree of a surface finds what is near the parts of a body sooner than a look at all pieces around the body.
+/// Returns whether the tree of a surface is faster than a scan of all pieces around the body.
 fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
     !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > LOOKS_MAX
 }
@@ -215,7 +215,7 @@ fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &
     let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
     let (around, margin) = (bounds.merged(&later), Vector::splat(MARGIN * size));
     let region = Aabb::new(around.mins - margin, around.maxs + margin);
-    // What is as fast, or as far out, as numbers go is looked up for the moment.
+    // A body that is very fast, or very far away, uses the current box only.
     let is_wide = region.extents().is_finite() && !triangle_cache.is_crowded();
     let region = if is_wide { region } else { *bounds };
     surface.for_each_flat(&region, |id, flat| triangle_cache.add(id, flat));
@@ -226,7 +226,7 @@ fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &
 struct Inside<'a> {
     bounds: &'a Aabb,
     blocks: &'a [FlatBlock],
-    /// Those that do not go.
+    /// The lanes that are culled.
     left: &'a mut [u32],
 }
 

@@ -1,37 +1,36 @@
-//! Contacts that are only seams: how a surface of many pieces feels like one.
+//! Ghost contacts: contacts with internal edges of a surface of many pieces.
 //!
-//! A body that slides over a floor of tiles sinks in a little, because contacts are soft. To the next
-//! tile it then seems to come from the side: the shortest way out of that tile, or the way to it, is
-//! against the motion. Each tile by itself is right; together they are a floor without any sides.
-//! Bodies that catch on such seams are the oldest complaint about physics engines.
+//! A body that slides over tiles penetrates them a little, because contacts are soft. The next tile then
+//! seems to be hit from the side: its shortest separation is against the motion. Each contact by itself is
+//! correct; together the tiles are a floor without any sides. Bodies that catch on internal edges are the
+//! oldest complaint about physics engines.
 //!
-//! Two rules find contacts that are not there. Let `X` be a convex body that touches the obstacles `A`
-//! and `B`, with the normals `a` and `b`, which point to `X`.
+//! Two rules find contacts that are not there. Let `X` be a convex body that touches the non-dynamic pieces
+//! `A` and `B`, with the normals `a` and `b`, which point to `X`.
 //!
 //! 1. **Behind.** If no point of `B` is above the plane through the contact with `A`, then `B` cannot
-//!    be in the way of `X`, which is above that plane as far as it can be: the normal `a` separates `X`
-//!    from `B` as well as from `A`. This holds for tiles that are flush, for those behind a gap and
-//!    those that are lower. It needs no knowledge of how the obstacles hang together, so it is the same
-//!    for the triangles of a mesh, for colliders, and for bodies.
-//! 2. **Hidden.** If `X` meets `B` at an edge or a corner (`b` is no normal of a face of `B`), if this
-//!    place lies on `A`, if `A` rises from there above the plane of the contact, and if a face of `B`
-//!    that looks along `a` begins there, then the place is the lowest line of a valley, one of whose
-//!    sides `X` touches already: it comes to the other side before it comes to the line. A ball would
-//!    feel the lowest line of each valley of a terrain as a bump. (The foot of a wall is no such place:
-//!    the wall has no face there that looks along the floor's normal.)
+//!    obstruct `X`, which is above that plane up to its contact with `A`: the normal `a` separates `X` from
+//!    `B` as well as from `A`. This holds for tiles that are flush, for those behind a gap and those that are
+//!    lower. It needs no connectivity of the pieces, so it is the same for the triangles of a mesh, for
+//!    colliders, and for bodies.
+//! 2. **Hidden.** The rule has four conditions. `X` meets `B` at an edge or a corner (`b` is no normal of a
+//!    face of `B`); this point lies on `A`; `A` rises from there above the plane of the contact; and a face
+//!    of `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X`
+//!    touches one of its sides already: it reaches the other side before it reaches the line. A ball would
+//!    feel the lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the
+//!    wall has no face there with the floor's normal.)
 //!
-//! In either case `B` may still carry `X`, but with its face that looks along `a`: the contact is
-//! computed anew with that face, and only if there is none it goes.
+//! In either case `B` may still support `X` with its face whose normal is near `a`. The contact is recomputed
+//! with that face, and removed only if there is none.
 //!
 //! The limits: a step that is less high than the tolerance ([`IntegrationParameters::allowed_linear_error`]
-//! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. `X` must touch `A` in the same step:
-//! a body that comes down flat beside an edge, or so fast that it is deep in `B` when it is first seen, meets
-//! the nearest side of `B`. Of a compound, those parts glide that are above the plane as a whole; meshes that
+//! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. `X` must touch `A` in the same
+//! step. A body that lands flat beside an edge, or that is deep in `B` at its first contact, meets the
+//! nearest side of `B`. Of a compound, those parts glide that are above the plane as a whole; meshes that
 //! move themselves catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
 //!
-//! Others mark the edges of a mesh as convex or not (Bullet, Jolt, parry) or give segments the corners of
-//! their neighbours (Box2D); that needs the neighbours to be known beforehand, and works within one
-//! shape only.
+//! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
+//! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
 
 use super::parts::Parts;
 use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
@@ -42,12 +41,13 @@ use smallvec::SmallVec;
 
 /// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
 pub(super) const FACE: Real = 0.9998;
-/// The plane of a contact is that of the obstacle's face if their normals differ by no more than this
-/// squared length (0.17 degrees): bodies that lie on a face are level to about that.
+/// The plane of a contact is that of the piece's face if their normals differ by at most this squared length
+/// (0.17 degrees): bodies on a face are level to about that.
 const LEVEL: Real = 9.0e-6;
 /// A face with at least this cosine to a direction looks along it.
 pub(super) const LOOKS_ALONG: Real = 0.5;
-/// How far a hidden seam's other side rises above the contact plane, at least, as a share of the tolerance.
+/// Minimum rise of the other side of a hidden internal edge above the contact plane, as a fraction of the
+/// tolerance.
 const RISE: Real = 0.05;
 /// Normals whose difference has at most this squared length (0.06 degrees) are the same.
 pub(crate) const SAME_NORMAL: Real = 1.0e-6;
@@ -62,7 +62,8 @@ const MAX_PLANES: usize = 16;
 pub(super) enum Obstacle<'a> {
     /// A piece of a surface, in the common frame.
     Flat(Flat),
-    /// A piece of a [floor](super::floors) in the common frame, and all of them in one that stands at a pose.
+    /// A piece of a [coplanar patch](super::coplanar) in the common frame, and all of them in a frame at a
+    /// pose.
     Floor(Flat, &'a [FlatShape], Pose),
     /// A convex shape, the polytope that it is, if it is one, and its pose.
     Convex(&'a dyn Shape, Option<(Polytope<'a>, Real)>, Pose),
@@ -81,7 +82,7 @@ impl<'a> Obstacle<'a> {
         }
     }
 
-    /// The floor of these pieces, in a frame that stands at a pose; `None` if there are none.
+    /// The patch of these pieces, in a frame at a pose; `None` if there are none.
     pub fn floor(pieces: &'a [FlatShape], pose: Pose) -> Option<Self> {
         let flat = pieces.first().and_then(Flat::new)?;
         Some(Self::Floor(flat.at(&pose), pieces, pose))
@@ -93,7 +94,7 @@ impl<'a> Obstacle<'a> {
         mut f: impl FnMut(&dyn Shape, Option<(Polytope<'_>, Real)>, &Pose) -> T,
     ) -> Option<T> {
         match self {
-            // Any piece of a floor has the plane of all.
+            // Any piece of a patch has the plane of all.
             Self::Flat(flat) | Self::Floor(flat, ..) => {
                 Some(f(flat.as_shape(), Some((flat.as_polytope(), 0.0)), &Pose::IDENTITY))
             }
@@ -169,7 +170,7 @@ impl<'a> Obstacle<'a> {
     }
 }
 
-/// What of an obstacle looks along a direction.
+/// The face, edge or corner of a piece that is extreme along a direction.
 #[derive(Copy, Clone, PartialEq)]
 enum Face {
     /// A face of this normal.
@@ -180,20 +181,21 @@ enum Face {
     Round,
 }
 
-/// A contact of a convex part with an obstacle, in a frame that is common to all contacts of the part.
+/// A contact of a convex part with a non-dynamic piece, in a frame that is common to all contacts of the
+/// part.
 #[derive(Copy, Clone)]
 pub(super) struct Facet<'a> {
     obstacle: Obstacle<'a>,
-    /// What of the obstacle meets the body.
+    /// The touching feature of the piece.
     face: Face,
-    /// The body, and which part of it meets the obstacle.
+    /// The body, and its touching part.
     body: (Parts<'a>, u32),
-    /// Unit normal, from the obstacle to the body.
+    /// Unit normal, from the piece to the body.
     normal: Vector,
-    /// The same, or that of the obstacle's face if the contact is with a face: a plane that reaches
-    /// over other obstacles must not be tilted by how the body stands.
+    /// The same, or the normal of the piece's face if the contact is with a face: a plane that extends over
+    /// other pieces must not tilt with the body.
     plane: Vector,
-    /// The deepest point, on the obstacle.
+    /// The deepest point, on the piece.
     place: Vector,
     /// Distance there.
     dist: Real,
@@ -217,8 +219,8 @@ impl<'a> Facet<'a> {
 }
 
 impl Facet<'_> {
-    /// Returns whether the plane of `other` may constrain `self`. It must look another way, and what of the
-    /// body meets the obstacle of `self` must be above it.
+    /// Returns whether the plane of `other` may constrain `self`. Its normal must differ, and the touching
+    /// feature of the body must be above it.
     fn may_be_explained_by(&self, other: &Self, tolerance: Real) -> bool {
         if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
             return false;
@@ -273,16 +275,16 @@ impl Facet<'_> {
     }
 }
 
-/// A contact that is only a seam.
+/// A ghost contact.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct InternalEdge {
     /// Its number.
     pub index: usize,
     /// The number of the contact that explains it.
     explained_by: usize,
-    /// The normal along which its obstacle may still carry the body: that of the contact.
+    /// The normal along which the piece may still support the body: that of the contact.
     pub along: Vector,
-    /// How deep the body may then be in the obstacle: deeper, and it is in it in another way.
+    /// The largest depth of the body for that; a deeper body penetrates it in another direction.
     pub least_dist: Real,
     /// Whether the collider is behind the contact (first rule) or its edge is hidden (second rule).
     pub is_behind: bool,
@@ -290,13 +292,13 @@ pub(super) struct InternalEdge {
     pub is_turned: bool,
 }
 
-/// Calls its second argument with each point of a facet, on the facet's obstacle.
+/// Calls its second argument with each point of a facet, on the facet's piece.
 pub(super) type Points<'a> = dyn Fn(usize, &mut dyn FnMut(Vector)) + 'a;
 
-/// Finds the seams among the first `own` facets; the others are known to be contacts.
+/// Finds the ghost contacts among the first `own` facets; the others are known to be contacts.
 ///
-/// The deepest contacts are judged first, and what was found to be a seam explains no other away: so
-/// at least one contact stays.
+/// The deepest contacts are tested first, and a ghost contact explains no other, so at least one contact
+/// stays.
 pub(super) fn find_internal_edges(
     facets: &[Facet<'_>],
     own: usize,
@@ -332,14 +334,14 @@ pub(super) fn find_internal_edges(
     }
 }
 
-/// The search for seams.
+/// The search for ghost contacts.
 struct Search<'a> {
     facets: &'a [Facet<'a>],
-    /// Numbers of contacts with different planes, the deepest first. What is found to be a seam goes.
+    /// Numbers of contacts with different planes, the deepest first. Ghost contacts are removed.
     planes: SmallVec<[usize; MAX_PLANES]>,
     points: &'a Points<'a>,
     tolerance: Real,
-    /// What was found so far.
+    /// The ghost contacts found so far.
     internal_edges: &'a mut Vec<InternalEdge>,
 }
 
@@ -363,8 +365,8 @@ impl Search<'_> {
         })
     }
 
-    /// Returns whether all colliders in the plane of a contact are behind another contact. Of a floor of
-    /// tiles, the tile that the body leaves ends behind its own side wall, the floor does not.
+    /// Returns whether all colliders in the plane of a contact are behind another contact. Among tiles, the
+    /// tile that the body leaves ends behind its own side wall, and the floor does not.
     fn is_all_behind(&self, contact: &Facet<'_>, other: &Facet<'_>) -> bool {
         let is_internal = |index: usize| self.internal_edges.iter().any(|edge| edge.index == index);
         let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_internal(*index));
@@ -372,7 +374,7 @@ impl Search<'_> {
         in_plane.all(|(_, facet)| facet.is_behind(other, self.tolerance))
     }
 
-    /// A contact whose obstacles hide all points of a facet. They may be different ones; then any.
+    /// A contact whose pieces hide all points of a facet. They may be different ones; then any.
     fn hiding(&self, index: usize) -> Option<usize> {
         let facet = &self.facets[index];
         if facet.face != Face::Edge {
@@ -392,7 +394,7 @@ impl Search<'_> {
         found.filter(|_| are_all_hidden)
     }
 
-    /// A contact, those in its plane, and the seams that it explains.
+    /// A contact, those in its plane, and the ghost contacts that it explains.
     fn explained_by(&self, index: usize) -> impl Iterator<Item = &Facet<'_>> {
         let contact = &self.facets[index];
         let same =
@@ -404,8 +406,8 @@ impl Search<'_> {
     }
 }
 
-/// The deepest facet for each plane, the deepest first: what is deep is least likely to be a seam itself, so
-/// it explains first. `order` is that of the facets' depths.
+/// The deepest facet of each plane, the deepest first: a deep contact is least likely to be a ghost contact
+/// itself, so it explains first. `order` is that of the facets' depths.
 fn distinct_planes(
     facets: &[Facet<'_>],
     order: &[usize],

@@ -1,10 +1,9 @@
 //! Contact manifolds of two shapes.
 //!
-//! Every pair of convex parts that come near each other gets a [patch](super::patches) of contacts.
-//! Contacts that are only [seams](super::seams) between the parts go, patches that look the same way
-//! are put together, and what is left are the manifolds. Nothing here remembers anything: the previous
-//! manifolds serve as a hint where to begin the search, and the buffers in [`ManifoldScratch`] only
-//! spare allocations.
+//! Every pair of convex parts that come near each other gets a [patch](super::patches) of contacts. [Ghost
+//! contacts](super::internal_edges) between the parts are removed, patches with similar normals are merged,
+//! and the rest are the manifolds. Nothing here remembers anything: the previous manifolds serve as a hint
+//! where to begin the search, and the buffers in [`ManifoldScratch`] only spare allocations.
 
 use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
 use super::flat_parts::CulledParts;
@@ -131,11 +130,11 @@ pub(crate) fn compute_manifolds(
     bound
 }
 
-/// Computes the manifold of two convex shapes in place of the last one: what [`compute_manifolds`] does for them if they have no
-/// other contacts that matter, without a manifold that is made and taken elsewhere.
+/// Updates the manifold of two convex shapes in place: as [`compute_manifolds`] does if they have no other
+/// relevant contacts, without a temporary manifold.
 ///
-/// `manifolds` has that of last time, or none. If there are no points now it is left without. What is the same contact keeps its
-/// impulses. Returns the bound of the distance.
+/// `manifolds` has that of last time, or none. If there are no points now it is left without. Matching
+/// contacts keep their impulses. Returns the bound of the distance.
 pub(crate) fn renew_convex_manifold(
     pair: &ShapePair<'_>,
     manifolds: &mut SmallVec<[ContactManifold; 1]>,
@@ -194,7 +193,7 @@ fn outermost<'a>(
     points
 }
 
-/// A lower bound of the distance of two convex shapes by way of their closest points.
+/// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
         Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
@@ -238,7 +237,7 @@ impl<'a> ShapePair<'a> {
         }
     }
 
-    /// Where a contact is on the obstacle on a side, in the frame of the shape on the other side.
+    /// The position of a contact on the shape on a side, in the frame of the other shape.
     pub fn on_obstacle(&self, side: usize, point: &RawPoint) -> Vector {
         match side {
             0 => self.pos12.inverse_transform_point(point.local_p1),
@@ -264,8 +263,8 @@ fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> b
         && pos12.translation.abs().max_element() < LENGTH_RANGE.1
 }
 
-/// The manifolds of a pair with voxels, which parry treats as a whole: it merges neighbouring voxels
-/// so that nothing catches on the edges between them.
+/// The manifolds of a pair with voxels, which parry processes as a whole: it merges neighbouring voxels to
+/// avoid internal edges.
 fn voxel_manifolds(
     pair: &ShapePair<'_>,
     scratch: &mut ManifoldScratch,

@@ -1,14 +1,13 @@
 //! # Where do two shapes touch?
 //!
-//! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago.
-//! Nothing here knows of bodies or of time: the narrow phase asks for the pairs of the world, queries
-//! and controllers for whatever they like.
+//! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago. Its code is
+//! independent of bodies and of time: the narrow phase, queries and controllers use it.
 //!
-//! [`manifolds`] takes shapes apart into convex [`parts`], finds out which contacts are only [`internal_edges`]
-//! between these, and puts the [`patches`] that are left together; [`convex`] chooses the way for two
-//! parts: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and
-//! what is round about them), or [`support`] for all others. What differs by dimension is in
-//! [`crate::dim::collide`]. [`matching`] hands impulses on from step to step.
+//! [`manifolds`] splits shapes into convex [`parts`], finds the contacts with [`internal_edges`] between
+//! these, and merges the remaining [`patches`]. [`convex`] selects the algorithm for two parts: [`ball`],
+//! [`capsule`], [`polytopes`] (boxes, hulls, triangles, and their rounded forms), or [`support`] for all
+//! others. Dimension-specific code is in [`crate::dim::collide`]. [`matching`] hands impulses on from step to
+//! step.
 
 mod ball;
 mod capsule;

@@ -1,4 +1,4 @@
-//! What a body touches besides the shape that it is asked about.
+//! The contacts of a body with other shapes than that of the current pair.
 
 use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_internal_edges};
 use super::parts::Parts;
@@ -7,29 +7,29 @@ use crate::model::contact::ContactManifold;
 use arrayvec::ArrayVec;
 use parry::shape::Shape;
 
-/// Points of contacts may be this many times the height of a step beyond the edge of their obstacle.
+/// Points of contacts may be this many times the step height beyond the edge of their piece.
 const EDGE_DISTANCE_RATIO_MAX: Real = 25.0;
 
-/// A contact of a body with an obstacle. All in the frame of the body's shape.
+/// A contact of a body with a non-dynamic collider. All in the frame of the body's shape.
 #[derive(Clone)]
 pub(crate) struct Neighbor<'a> {
     shape: &'a dyn Shape,
     part: u32,
     pose: Pose,
-    /// The body, and which part of it meets the obstacle.
+    /// The body, and its touching part.
     body: &'a dyn Shape,
     on: u32,
-    /// Unit normal, from the obstacle to the body.
+    /// Unit normal, from the collider to the body.
     normal: Vector,
-    /// The points on the obstacle, the deepest first.
+    /// The points on the collider, the deepest first.
     points: ArrayVec<Vector, MAX_MANIFOLD_POINTS>,
     /// Distance at the deepest point.
     dist: Real,
 }
 
 impl<'a> Neighbor<'a> {
-    /// What a manifold says of the obstacle that is the first or second of its shapes (`side`). `pose` is
-    /// the obstacle's, in the frame of the other. `None` if the manifold has no points.
+    /// The contacts of a manifold with the non-dynamic collider, which is the first or second of its shapes
+    /// (`side`). `pose` is that collider's, in the frame of the other. `None` if the manifold has no points.
     pub fn of(
         manifold: &ContactManifold,
         side: usize,
@@ -66,9 +66,9 @@ impl<'a> Neighbor<'a> {
     }
 }
 
-/// Returns whether any contact is below the plane of another, or nearly so. A seam is: it belongs to an
-/// obstacle that is. What lies among stones has its contacts all around, and to look at the stones' faces for
-/// nothing takes long.
+/// Returns whether any contact is below the plane of another, or nearly so. A ghost contact satisfies this by
+/// its collider. A body among stones has contacts all around, and the full test of the stones' faces takes
+/// long.
 fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) -> bool {
     neighbors.iter().enumerate().any(|(index, one)| {
         let Some(place) = one.points.first() else { return false };
@@ -82,8 +82,8 @@ fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) ->
     })
 }
 
-/// Which of the contacts of one body are only [seams](super::seams) between others, `step_height_tolerance` being how
-/// high a step may be that is none (length units).
+/// The ghost contacts among the contacts of one body; `step_height_tolerance` is the height (length units)
+/// below which a step is ignored.
 pub(crate) fn internal_edges_among(
     neighbors: &[Neighbor<'_>],
     step_height_tolerance: Real,

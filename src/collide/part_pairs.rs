@@ -128,7 +128,7 @@ fn box_of(part: &Part<'_>) -> Aabb {
     part.pose.map_or_else(|| part.shape.compute_local_aabb(), |pose| part.shape.compute_aabb(pose))
 }
 
-/// How far two boxes are apart, negative where they overlap, and the middle of what they share.
+/// Distance of two boxes (negative where they overlap), and the middle of their common region.
 fn overlap(a: &Aabb, b: &Aabb) -> (Real, Vector) {
     let (mins, maxs) = (a.mins.max(b.mins), a.maxs.min(b.maxs));
     (-(maxs - mins).min_element(), mins.midpoint(maxs))

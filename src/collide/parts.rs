@@ -65,7 +65,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// A shape by the way its parts are found.
+/// A shape by the search method for its parts.
 #[derive(Copy, Clone)]
 pub(super) enum Parts<'a> {
     /// Convex: one part.
@@ -197,7 +197,7 @@ impl<'a> Parts<'a> {
 pub(super) enum Near {
     /// Inside a box.
     Inside(Aabb),
-    /// In the way of something that moves along a line.
+    /// Tests against a swept line.
     Along(Line),
     /// Below a plane: where `normal · x ≤ offset`.
     Below {
@@ -283,10 +283,10 @@ fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
 /// Into how many boxes a line is divided at most.
 const MAX_PIECES: Real = 64.0;
 
-/// The way of something that moves along a line, whichever way it turns.
+/// The swept region of a point set that moves along a line, independent of its rotation.
 ///
-/// A box around a long way that is aslant holds nearly everything: all triangles of a terrain, of which a line passes
-/// some hundred.
+/// The box of a long diagonal path contains nearly everything: all triangles of a terrain, of which the line
+/// crosses some hundred.
 pub(super) struct Line {
     start: Vector,
     way: Vector,
@@ -296,8 +296,8 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The way of all points within `radius` of `start`; all of it lies in `region`. `None` if it is no longer than wide
-    /// and the region says enough, or has no end.
+    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it is
+    /// no longer than wide and the region says enough, or has no end.
     pub fn new(start: Vector, way: Vector, radius: Real, region: Aabb) -> Option<Self> {
         let length = way.length();
         let is_long = radius > 0.0 && length > 2.0 * radius;

@@ -1,4 +1,4 @@
-//! The search for contacts between the parts of two shapes, and for those that are only seams.
+//! The search for contacts between the parts of two shapes, and for ghost contacts.
 
 use super::convex::{is_sound, manifold_along, part_manifold};
 use super::flat_parts::CulledParts;
@@ -25,7 +25,7 @@ pub(super) struct Search<'a> {
     pub passing: &'a mut TriangleCache,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,
-    /// Is set if there are too many pairs of parts to visit all.
+    /// Set if there are too many pairs of parts to visit all.
     pub are_parts_culled: &'a mut bool,
 }
 
@@ -100,10 +100,10 @@ impl Search<'_> {
     }
 }
 
-/// The search for contacts that are only seams.
+/// The search for ghost contacts.
 impl Search<'_> {
-    /// Takes contacts out that are only seams between parts of the shape on a side, or between these and
-    /// other obstacles of the shape on the other side.
+    /// Removes ghost contacts between parts of the shape on a side, or between these and other non-dynamic
+    /// colliders.
     pub fn remove_ghost_contacts(&mut self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
         if !self.may_have_internal_edges(side) {
             return;
@@ -138,7 +138,7 @@ impl Search<'_> {
         );
     }
 
-    /// A patch as a contact with an obstacle on a side, in the frame of the shape on the other.
+    /// A patch as a contact with the piece on a side, in the frame of the shape on the other.
     fn facet(&self, side: usize, patch: usize) -> Facet<'_> {
         let (pair, patches, index) = (self.pair, &*self.patches, patch);
         let patch = &patches.list()[index];
@@ -147,7 +147,7 @@ impl Search<'_> {
             0 => (pair.pos12.rotation.inverse() * patch.normal, pair.pos12.inverse()),
             _ => (-patch.normal, pair.pos12),
         };
-        // From the other side it is the body that is the obstacle.
+        // From the other side the roles are exchanged.
         let floor = Obstacle::floor(patches.pieces(index), pose);
         let obstacle = floor
             .filter(|_| side == self.culled.side)
@@ -157,7 +157,7 @@ impl Search<'_> {
         Facet::new(obstacle, body, normal, place, patch.dist)
     }
 
-    /// Computes a patch anew along the normal with which its obstacle may still carry the body.
+    /// Recomputes a patch along the normal with which its piece may still support the body.
     fn turn(&mut self, side: usize, edge: &InternalEdge) {
         let InternalEdge { index, along, .. } = *edge;
         if edge.is_turned {

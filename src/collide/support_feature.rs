@@ -1,4 +1,4 @@
-//! What of a convex shape meets a plane: the corners of the face, the edge or the point that looks at it.
+//! The feature of a convex shape that meets a plane: the corners of a face, an edge or a point.
 
 use super::parts::Part;
 use super::support::Core;
@@ -17,7 +17,7 @@ pub(super) struct SupportVertex {
     pub feature: PackedFeatureId,
 }
 
-/// What a shape stands on.
+/// The support feature of a shape.
 pub(super) struct SupportFeature {
     pub vertices: ArrayVec<SupportVertex, SUPPORT_VERTICES_MAX>,
     /// How thick the shape is at right angles to the plane (length units).
@@ -30,7 +30,7 @@ impl SupportFeature {
     pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
         let mut vertices = ArrayVec::new();
         let mut add = |point, feature| {
-            // No face has more than there is room for.
+            // No supported face has more vertices than the capacity.
             let _ = vertices.try_push(SupportVertex { point, feature });
         };
         if let Some(ball) = shape.as_ball() {

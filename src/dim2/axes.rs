@@ -1,5 +1,4 @@
-//! The axes of the plane along and about which a body can be kept from moving, and what locking them
-//! does to its inverse mass and inertia.
+//! Lockable axes of a body, and their effect on its inverse mass and inertia.
 
 use crate::dim::math::{AngularInertia, Real, Vector};
 

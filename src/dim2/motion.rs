@@ -13,7 +13,7 @@ use parry::mass_properties::MassProperties;
 const RECORD_LEN: usize = 8;
 const BEARS_WEIGHT: usize = 7;
 
-/// What integrates a body; no constraint reads it.
+/// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct FreeMotion([Real; RECORD_LEN]);
@@ -27,8 +27,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Whether gravity acts on the body, so that it may be part of a pile. What holds piles up
-    /// `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
+    /// `bears_weight`.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -39,7 +39,7 @@ impl FreeMotion {
         Self([q.re, q.im, a.x, a.y, angular, linear_damping, angular_damping, weight])
     }
 
-    /// Lets the body tumble, unless it need not: never in 2D.
+    /// Enables gyroscopic motion if necessary: never in 2D.
     pub fn with_gyroscope(self, _: &MassProperties, _: AngVector, _: Real) -> Self {
         self
     }
@@ -64,7 +64,7 @@ impl FreeMotion {
         self.0[BEARS_WEIGHT] != 0.0
     }
 
-    /// Turns a tumbling body by this angle.
+    /// Rotates a gyroscopic body by this angle.
     pub fn turn(&mut self, _: AngVector) {}
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
+/// Rotates up to [`LANES`] gyroscopic bodies: there are none in 2D.
 #[inline(always)]
 pub(crate) fn gyroscopic<W: Wide>(
     _bodies: &mut [FreeMotion],

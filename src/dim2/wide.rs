@@ -292,7 +292,7 @@ impl<W: Wide> WideRotation<W> {
     /// How far it moves a vector's tip, to full precision however small that is.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
-        // cos φ - 1 = -sin² φ / (1 + cos φ), but for half a turn, where the difference is exact.
+        // cos φ - 1 = -sin² φ / (1 + cos φ), except for half a turn, where the difference is exact.
         let one = W::splat(1.0);
         let small = W::zero().lt(self.re);
         let sum = W::select(small, one + self.re, one);
@@ -312,7 +312,7 @@ mod tests {
     use crate::base::wide::{Kernel, LANES, Simd};
     use parry::math::Real;
 
-    /// What the formulas below are applied to, and what comes out.
+    /// Input and output of the formulas below.
     #[derive(Copy, Clone, Default)]
     struct Probe {
         a: WideVector<Lane>,

@@ -70,7 +70,8 @@ impl<'a> Body<'a> {
         Some(Self { sharp, radius, whole: Some(part), flat })
     }
 
-    /// What of a whole box is within a region of its frame. A search of closest points has few digits for a floor of a kilometre.
+    /// The part of a whole box within a region of its frame. The closest-point search has few digits for a
+    /// floor of a kilometre.
     pub fn within(self, region: &Aabb) -> Self {
         let cuboid = self.whole.and_then(|part| part.as_cuboid());
         let Some((half, shrunk)) = cuboid.map(|cuboid| cuboid.half_extents).zip(self.convex())
@@ -112,7 +113,7 @@ impl<'a> Body<'a> {
         Self { sharp, whole: None, flat: None, ..self }
     }
 
-    /// A part without its outer layer: on the way from the part (`depth` 0) to its skeleton (1).
+    /// A part without its outer layer: interpolated from the part (`depth` 0) to its skeleton (1).
     pub fn core(shape: &'a dyn Shape, widths: &Widths, depth: Real) -> Option<Self> {
         let Self { sharp, radius, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
@@ -210,16 +211,17 @@ impl<'a> Body<'a> {
     }
 }
 
-/// By what share of it a distance that the search of closest points finds may be too large: it ends where an upper and a lower bound
-/// differ by no more. On a way of 30 m that is 3 cm in `f32`, and who jumped ahead by that was on the other side.
+/// Relative error of the closest-point search, which ends when an upper and a lower bound differ by at most
+/// this. On a path of 30 m that is 3 cm in `f32`, and a jump by that would pass a thin obstacle.
 fn search_error() -> Real {
     (10.0 * Real::EPSILON).sqrt()
 }
 
-/// The one of some directions along which two shapes are farthest apart, and how far: no more than their distance.
+/// The direction, among some, along which two shapes are farthest apart, and that distance: a lower bound of
+/// their distance.
 ///
-/// Between a wide floor and something thin and near the search may lose itself and say that they are far apart. This is what is
-/// certain.
+/// Between a wide floor and a thin object near it the search may diverge and return a large distance. This is
+/// what is certain.
 fn widest(
     pos12: &Pose,
     shape1: &Shrunk<'_>,

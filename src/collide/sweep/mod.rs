@@ -1,7 +1,8 @@
 //! Time of impact of two moving shapes.
 //!
-//! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996): two convex
-//! parts that are `d` apart along the direction `n` between their closest points cannot touch before
+//! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996). Two
+//! convex parts at the distance `d`, along the direction `n` between their closest points, cannot touch
+//! before
 //!
 //! ```text
 //! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
@@ -11,16 +12,18 @@
 //! it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance or cannot meet any
 //! more. Shapes of several parts are searched part by part, those that the path comes near.
 //!
-//! Root finding on a chosen pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps where a
-//! thing spins; jumps need no features, so that everything with a support function takes part.
+//! Root finding on a selected pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps
+//! for fast rotations. Conservative advancement needs no features, so every shape with a support function
+//! works.
 //!
 //! ## Cores
-//! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it; and what
-//! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
-//! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
-//! first: the shape without an outer layer nearly as deep as its thickness, half its minimum width ([`CORE_DEPTH`], [`Widths`]). Where the core would hit, the body is
-//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
-//! a quarter deep ([`PENETRATION_FRACTION_MAX`]): what something heavy presses into a wall stays on the side from which contacts push it out.
+//! A body that slides over a floor of many pieces touches the next piece all the time, and must not be
+//! stopped by it. A body that penetrates something at the end of a step is pushed out by its contacts to the
+//! original side, as long as its middle is outside. The middle must never pass through. The search therefore
+//! uses the *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum
+//! width ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches,
+//! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
+//! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a pressed body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
 //! that is in, the centre.
@@ -29,8 +32,8 @@
 //! corners did, its middle half is searched with, and then its centre.
 //!
 //! ## Sensors
-//! Nothing is stopped by a sensor, but who passes through wants to be known: [`passes`] says whether two shapes are apart when the motion
-//! begins and when it ends, and meet in between.
+//! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
+//! ends of the motion, and meet in between.
 
 mod body;
 mod motion;
@@ -48,27 +51,27 @@ use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
-/// capsule its axis, of a board a thin one.
+/// Depth of a shape's core below its surface, as a fraction of the shape's thickness: the core of a ball is a
+/// point, of a capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
-/// The sizes of cores that are searched with, as shares of that of the first: what has an end of itself in something already may still
-/// not get its middle in.
+/// Sizes of the searched cores, as fractions of the first. A body with one end in an obstacle must still keep
+/// its middle outside.
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
-/// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
+/// Depth of contacts, as a fraction of the shape's thickness, above which CCD limits the motion.
 pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
-/// What is deeper already goes this share of the way that is left until its middle is in. Who spins while deep in a wall must be able to
-/// turn, or would stand still for ever.
+/// A deeper body moves by this fraction of the path that is left until its middle is inside. A body that
+/// spins while deep in a wall must be able to rotate, or it would stop for ever.
 const REMAINING_FRACTION: Real = 0.5;
-/// How near a core comes to what it hits, as a share of the shape's thickness.
+/// Final distance of a core from its obstacle, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
-/// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
-/// and the core would be inside.
+/// A core that is initially nearer than this fraction of it comes no nearer: repeated halving would be lost
+/// in rounding, and the core would be inside.
 const NEAREST: Real = 0.6;
-/// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
-/// hundreds of times the thickness. Each leg allows one more.
+/// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
+/// hundreds of times the thickness. Each segment allows one more.
 const MAX_JUMPS: usize = 256;
 
-/// What the search is to find.
+/// Goal of the search.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct SweepGoal {
     /// The gap at which shapes touch (length units).
@@ -111,12 +114,12 @@ pub(crate) enum Overlap {
     Passes,
     /// It is stopped where its core arrives.
     StopsMiddle,
-    /// It is stopped before, where contacts would be deeper than [`PENETRATION_FRACTION_MAX`]: so deep they no longer know the side on which to
-    /// push it out.
+    /// It is stopped before contacts would be deeper than [`PENETRATION_FRACTION_MAX`]: deeper contacts may
+    /// push it out on the wrong side.
     StopsEarly,
 }
 
-/// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
+/// The fraction of the step at which the second shape stops the first; `None` if not before `until`.
 pub(crate) fn first_impact(
     (solid, other): (Solid<'_>, &dyn Shape),
     sweeps: [&Sweep<'_>; 2],
@@ -142,7 +145,7 @@ fn for_each_pair(
     visit: &mut dyn FnMut([MovingPart<'_, '_>; 2]),
 ) {
     let parts = shapes.map(Parts::of);
-    // What of one shape may be met by the whole of the other.
+    // The parts of one shape that the whole of the other may meet.
     let near = [0, 1].map(|side| match parts[side] {
         Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
         _ => path_of_other(shapes, sweeps, side),
@@ -156,8 +159,8 @@ fn for_each_pair(
     });
 }
 
-/// Returns whether two shapes meet during their motion although they are apart at both ends. What comes
-/// nearer than `tolerance` meets.
+/// Returns whether two shapes meet during their motion although they are apart at both ends. A distance below
+/// `tolerance` counts as meeting.
 pub(crate) fn passes(
     shapes: [&dyn Shape; 2],
     sweeps: [&Sweep<'_>; 2],
@@ -229,12 +232,12 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
         let path = Aabb::new(center.min(end), center.max(end));
         return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
     }
-    // As seen from something that turns, the other moves by no more than both do.
+    // In a rotating frame, the other shape moves by at most the sum of both motions.
     let away = center.length() + other.travel()[0];
     Near::Inside(region.loosened(angle * (away + own.local_center.length())))
 }
 
-/// The second part, as far as the first comes within `near` of it. What moves is taken as a whole.
+/// The second part, as far as the first comes within `near` of it. The moving shape is treated as a whole.
 fn other_of<'a>(
     (part, sweep): (&Part<'_>, &Sweep<'_>),
     (other, other_sweep): (&Part<'a>, &Sweep<'_>),
@@ -248,9 +251,9 @@ fn other_of<'a>(
     Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
 }
 
-/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go straight. With `d` from one centre of
-/// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
-/// than an eighth of that.
+/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go
+/// straight. With `d` from one centre of rotation to the other, `p = R(-θs) d(s)` has a second derivative of
+/// at most `θ² d + 2 θ ḋ`. A curve is within an eighth of that from its chord.
 fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
     let (segment, other_segment) = own.straight().zip(other.straight())?;
     let speed = (other_segment.shift - segment.shift).length();
@@ -318,7 +321,7 @@ struct Goal {
     tolerance: Real,
     /// Whether initially near parts count as meeting when they come half as near, or nearer than [`NEAREST`].
     counts_at_once: bool,
-    /// The share of the step after which the search begins.
+    /// The fraction of the step at which the search begins.
     from: Real,
     jumps_max: usize,
 }
@@ -337,12 +340,12 @@ enum Meeting {
     Never,
     /// They have met when the step begins.
     FromTheBeginning,
-    /// After this share of the step.
+    /// After this fraction of the step.
     At(Real),
 }
 
 impl Meeting {
-    /// After what share of the step they meet that have not met yet.
+    /// The fraction of the step after which separated parts meet.
     fn share(self) -> Option<Real> {
         match self {
             Self::At(share) => Some(share),
@@ -402,7 +405,7 @@ fn advance(
     Meeting::At(share)
 }
 
-/// How fast two bodies can come together at most (length units per step), until a share of the step.
+/// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
 fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real {
     let [legs1, legs2] = sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
     if let Some((leg1, leg2)) = legs1.zip(legs2) {
@@ -416,7 +419,7 @@ fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real
     shifts[0] + shifts[1] + turning(fastest(Segment::angle), reaches)
 }
 
-/// How fast turns can bring bodies together that reach so far. What does not turn may reach to infinity.
+/// How fast turns can bring bodies together that reach so far. A shape without rotation may be infinite.
 fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     let of = |k: usize| if angles[k] > 0.0 { angles[k] * reaches[k] } else { 0.0 };
     of(0) + of(1)

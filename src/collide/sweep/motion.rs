@@ -17,10 +17,10 @@ const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Segment {
-    /// The shares of the step between which it lasts.
+    /// The fractions of the step at which it begins and ends.
     pub from: Real,
     pub until: Real,
-    /// How what moves is turned when the leg begins, and where the centre is about which it turns.
+    /// Rotation of the moving frame when the segment begins, and its centre of rotation.
     pub rotation: Rotation,
     pub center: Vector,
     /// How far the centre moves, and the rotation vector of the turn (rad), per step.
@@ -52,7 +52,7 @@ impl Segment {
     }
 }
 
-/// The legs of a motion, in the order of time, from the beginning of the step to its end.
+/// The segments of a motion, in order of time, from the beginning of the step to its end.
 #[derive(Copy, Clone, Debug)]
 enum Trajectory<'a> {
     Straight(Segment),
@@ -66,7 +66,7 @@ pub(crate) struct Sweep<'a> {
     /// How the shape is turned against what moves, and the centre of rotation in the shape's frame.
     rotation: Rotation,
     pub(super) local_center: Vector,
-    /// The share of the motion that happens.
+    /// The executed fraction of the motion.
     pub(super) stop: Real,
 }
 
@@ -85,8 +85,8 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The motion of a shape that stands at `place` in the frame of what moves by these legs, of which there is at least one.
-    /// `local_center` is the centre of rotation in that frame.
+    /// The motion of a shape at `place` in a frame that moves by these segments, of which there is at least
+    /// one. `local_center` is the centre of rotation in that frame.
     pub fn along(segments: &'a [Segment], place: &Pose, local_center: Vector) -> Self {
         let local_center = place.inverse_transform_point(local_center);
         Self {
@@ -108,7 +108,7 @@ impl<'a> Sweep<'a> {
         Self::new(pose, pose.translation, zero, ANG_ZERO)
     }
 
-    /// The legs, in the order of time.
+    /// The segments, in order of time.
     pub fn segments(&self) -> &[Segment] {
         match &self.trajectory {
             Trajectory::Straight(segment) => slice::from_ref(segment),
@@ -116,7 +116,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The only leg, if there is one only.
+    /// The segment, if there is exactly one.
     pub(super) fn straight(&self) -> Option<&Segment> {
         match &self.trajectory {
             Trajectory::Straight(segment) => Some(segment),
@@ -124,14 +124,14 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The leg that begins or is under way after a share of the step.
+    /// The segment that begins or is in progress at a fraction of the step.
     pub fn segment(&self, share: Real) -> &Segment {
         let segments = self.segments();
         let over = segments.partition_point(|segment| segment.until <= share);
         &segments[over.min(segments.len() - 1)]
     }
 
-    /// How fast the centre moves (length units per step) after a share of the step.
+    /// The speed of the centre (length units per step) at a fraction of the step.
     pub(super) fn velocity(&self, share: Real) -> Vector {
         if share < self.stop { self.segment(share).shift } else { Vector::ZERO }
     }
@@ -143,7 +143,7 @@ impl<'a> Sweep<'a> {
         if next < 1.0 { next } else { Real::INFINITY }
     }
 
-    /// The pose after a share of the motion.
+    /// The pose after a fraction of the motion.
     pub fn at(&self, share: Real) -> Pose {
         let share = share.min(self.stop);
         let segment = self.segment(share);
@@ -177,7 +177,7 @@ impl<'a> Sweep<'a> {
         self.segments()[0].center
     }
 
-    /// A box around everything that a shape's core passes: a floor that the shape lies on is outside.
+    /// A box around the swept region of a shape's core: the floor under the shape is outside.
     pub fn region_of_core(&self, solid: Solid<'_>) -> Aabb {
         self.region_of(solid.shape, &|pose| box_of_core(solid, pose))
     }

@@ -36,7 +36,7 @@ fn contacts(
     found
 }
 
-/// What is touched by a body that was there a moment ago.
+/// The contacts of a body with a history at the same place.
 fn resting(ground: &SharedShape, body: &SharedShape, pose: &Pose) -> Manifolds {
     let first = contacts(ground, body, pose, &[], None, Vector::ZERO);
     contacts(ground, body, pose, &first, None, Vector::ZERO)
@@ -76,7 +76,7 @@ fn has(manifolds: &[ContactManifold], other: &Contact) -> bool {
     points.any(|contact| contact.local_p2.distance(other.local_p2) < 1.0e-3)
 }
 
-/// Whatever stands on pieces of a plane is as deep in it, and is pushed the same way, as on a plane.
+/// A body on pieces of a plane has the depth and the normal of a body on a plane.
 #[test]
 fn bodies_stand_on_pieces_as_on_a_plane() {
     let mut random = Random(11);
@@ -84,7 +84,7 @@ fn bodies_stand_on_pieces_as_on_a_plane() {
     for round in 0..600 {
         let body = samples::shape(round % samples::CONVEX_KINDS, &mut random, 0.7);
         let at = Vector::X * random.within(-1.0, 1.0);
-        // What is deep when it is first seen may leave a small piece by its side.
+        // A body that is deep at its first contact may leave a small piece by its side.
         let height = random.within(0.0, 0.01);
         let pose = standing(&*body, at, samples::rotation(&mut random), height);
         let found = resting(&ground, &body, &pose);
@@ -132,7 +132,7 @@ fn boxes_lie_on_pieces_with_their_corners() {
     }
 }
 
-/// No contact hangs over the edge of a floor, or over a hole.
+/// No contact lies beyond the edge of a patch, or over a hole.
 #[test]
 fn no_contact_is_where_no_piece_is() {
     let mut random = Random(13);
@@ -151,7 +151,8 @@ fn no_contact_is_where_no_piece_is() {
     }
 }
 
-/// What has left a floor over a long edge stands on it no more, though its share of the length is more than the body.
+/// A body that has left a patch over a long edge is not supported, although its fraction of the length is
+/// more than the body.
 #[test]
 fn nothing_stands_beyond_a_long_edge() {
     let half = 0.05;
@@ -172,7 +173,7 @@ fn nothing_stands_beyond_a_long_edge() {
     }
 }
 
-/// What is kept of a mesh from step to step changes no bit, on rough ground or on level.
+/// The triangle cache changes no bit, on rough ground or on level ground.
 #[test]
 fn what_is_kept_changes_nothing() {
     let mut random = Random(14);

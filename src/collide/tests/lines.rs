@@ -1,4 +1,4 @@
-//! Parts in the way of something that moves along a line: all of them, and not many others.
+//! Parts near a swept line: all of them, and few others.
 
 use crate::base::random::Random;
 use crate::collide::parts::{Line, Near, Parts};

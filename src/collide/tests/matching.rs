@@ -8,7 +8,7 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
 use parry::shape::PackedFeatureId;
 
-/// Gives every point an impulse that tells where it is.
+/// Gives every point an impulse that encodes its position.
 fn mark(manifolds: &mut [ContactManifold]) {
     for manifold in manifolds {
         manifold.data.user_data = 7;

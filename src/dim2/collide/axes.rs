@@ -1,9 +1,9 @@
 //! The axes that separate a box and segments best, a segment per lane.
 //!
-//! A box and a segment are apart exactly if they are along one of three axes: the two of the box and the normal
-//! of the segment. If they are not, the axis of least overlap is the contact normal. Chains and height fields
-//! are made of nothing but segments, and most of those near a body are in its way for the first time. So
-//! nothing is remembered of them, and as many are tried at once as a register has lanes.
+//! A box and a segment are apart exactly if they are separated along one of three axes: the two of the box
+//! and the normal of the segment. If they are not, the axis of least overlap is the contact normal. Chains
+//! and height fields consist of segments, and most of those near a body are new candidates. So nothing is
+//! remembered of them, and as many are tried at once as a register has lanes.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
@@ -13,8 +13,8 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::WideVector;
 use parry::bounding_volume::Aabb;
 
-/// How much more overlap the segment's axis may have and still be preferred, as a share of the smallest
-/// half extent.
+/// Tolerance on the overlap within which the segment's axis is preferred, as a fraction of the smallest half
+/// extent.
 const TOLERANCE: Real = 0.001;
 /// How much the axis of last time is preferred, in the same measure.
 const SAME_AXIS_BONUS: Real = 0.01;

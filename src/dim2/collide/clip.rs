@@ -4,9 +4,9 @@ use super::polytope::{Face, Polytope};
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real};
 
-/// Points that stick out of a face by up to this share of it still count as inside: faces of equal
-/// size meet often, and rounding must not decide what their ends are. The same share above the
-/// deepest point is still as deep.
+/// Points outside a face by up to this fraction of it still count as inside: faces of equal size meet often,
+/// and rounding must not determine their ends. Points above the deepest by the same fraction count as equally
+/// deep.
 pub(super) const RIM: Real = 5.0e-3;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.

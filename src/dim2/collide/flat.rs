@@ -1,4 +1,4 @@
-//! What surfaces are made of: segments.
+//! Elements of surfaces: segments.
 
 use super::polytope::Polytope;
 use crate::base::wide::Lane;

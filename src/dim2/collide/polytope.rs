@@ -16,7 +16,7 @@ pub enum Polytope<'a> {
     Hull(&'a ConvexPolygon),
     /// A triangle, and whether its corners come counter-clockwise.
     Triangle(&'a Triangle, bool),
-    /// A segment: one face each way.
+    /// A segment: one face for each direction.
     Segment(&'a Segment),
 }
 

@@ -96,8 +96,7 @@ pub fn surface(hull: &dyn Shape) -> Vec<Segment> {
     points.iter().zip(next).map(|(start, end)| Segment::new(*start, *end)).collect()
 }
 
-/// A line, twice over, that is long and slants; how a box stands on it, and the way out over its end, which is the
-/// origin.
+/// A long slanted line, twice: a box on it, and the separation over its end, which is the origin.
 pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
     let points = vec![Vector::splat(-length), Vector::ZERO];
     let line = SharedShape::polyline(points, Some(vec![[0, 1], [1, 0]]));

@@ -1,7 +1,7 @@
 //! Friction at each point: in 2D it needs no rows of its own.
 //!
-//! All points of a manifold lie on one line and slide along it, so one tangential row whose limit is `μ`
-//! times the sum of the normal impulses is the exact cone already.
+//! All points of a manifold lie on one line and slide along it. One tangential row with the limit `μ` times
+//! the sum of the normal impulses is therefore the exact cone.
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim2::math::MAX_MANIFOLD_POINTS;

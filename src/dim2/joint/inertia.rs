@@ -36,18 +36,18 @@ impl JointedInertias {
         false
     }
 
-    /// That of one lane's first or second body as it stands now.
+    /// The current inertia of one lane's first or second body.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.0[side], lane)
     }
 
-    /// Those of all lanes, in memory.
+    /// The inertias of all lanes, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {
         &self.0
     }
 
-    /// Those of all lanes.
+    /// The inertias of all lanes.
     #[inline(always)]
     pub fn load<W: Wide>(&self) -> [WideSymmetric<W>; 2] {
         [load_symmetric(&self.0[0]), load_symmetric(&self.0[1])]

@@ -1,8 +1,8 @@
 //! # Joint frames in 2D
 //!
-//! What a joint needs to know of rotations, lane by lane and for one joint at a time. There is one axis of
-//! rotation. If it is locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle
-//! for small ones, and without a jump up to half a turn.
+//! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. If it is
+//! locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle for small ones, and
+//! continuous up to half a turn.
 
 mod angle;
 mod frame;
