@@ -3,8 +3,8 @@
 use super::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
-/// How far corners may be out of the plane of their face, as a share of the size of the hull: what the rounding of
-/// coordinates and of a normal made of them comes to.
+/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull: the
+/// rounding error of coordinates and of their normal.
 const FLATNESS: Real = 256.0 * Real::EPSILON;
 
 /// A hull, or a triangle, which is a hull of no thickness.

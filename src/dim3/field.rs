@@ -1,7 +1,7 @@
 //! Rays and height fields.
 //!
-//! The ray goes from cell to cell as seen from above, and looks at triangles only where it comes down to the heights of
-//! the cell's corners.
+//! The ray visits the cells below it in sequence, and tests triangles only where it descends to the heights
+//! of the cell's corners.
 
 use super::math::Real;
 use crate::base::walk::{Walk, range};

@@ -10,16 +10,16 @@
 //! the k-th:    it turns about its own axis k by α = h m_k (1 / I_k - 1 / I₀), and m by -α about the same axis
 //! ```
 //!
-//! We let these follow each other: the first, which commutes with all the others, and the others for half of the time, the
-//! last of them for all of it, and back again (Strang 1968). What comes out is a rotation, so the momentum in the world is
-//! what it was; it is the same forwards and backwards; and with the middle one of the moments for `I₀` two of the terms
-//! are all there is of a top with two equal moments: a rod, a disc, a capsule turn exactly as they should. For others the
-//! energy is off by the square of `h` times how much the moments next to each other differ, and comes back to what it was.
+//! The method composes these: the first, which commutes with all the others, and the others for half of the
+//! time, the last of them for all of it, and back again (Strang 1968). The result is a rotation, so the
+//! world-space momentum is constant, and the method is reversible. With the middle one of the moments for
+//! `I₀`, two of the terms are exact for a body with two equal moments: a rod, a disc, a capsule. For others
+//! the energy oscillates by the square of `h` times the difference of neighbouring moments.
 //!
-//! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993); Dullweber,
-//! Leimkuhler and McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (J. Chem. Phys. 1997), who split
-//! off the symmetric top as well. Jacobi's elliptic functions, which are exact for all bodies, take several times as long
-//! and lose their digits where two moments are nearly the same.
+//! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993);
+//! Dullweber, Leimkuhler and McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (J.
+//! Chem. Phys. 1997), who also split off the symmetric top. Jacobi's elliptic functions, which are exact for
+//! all bodies, take several times as long and lose their digits where two moments are nearly the same.
 
 use super::math::TURN_MAX;
 use super::rotation_vector::wide_unit_quaternion;
@@ -123,8 +123,9 @@ mod tests {
         })
     }
 
-    /// The momentum stays where it is in the world, and a top with two equal moments keeps its energy, whatever it does: here a
-    /// rod that turns by up to 10 rad about itself. Single precision has 6e-8 of each of some twenty products.
+    /// The world-space momentum is constant, and a body with two equal moments keeps its energy: here a rod
+    /// that rotates by up to 10 rad about its axis. Single precision has 6e-8 of each of some twenty
+    /// products.
     #[test]
     fn tops_keep_momentum_and_energy_however_fast() {
         for inv_moments in [Vector::new(355.0, 1.0, 1.0), Vector::new(2.0, 2.0, 1.0)] {
@@ -140,8 +141,8 @@ mod tests {
         }
     }
 
-    /// Of a body with three different moments the energy is off by the square of the angle of the substep: half the substep, a
-    /// quarter of the error.
+    /// With three different moments the energy error is the square of the angle of the substep: half the
+    /// substep, a quarter of the error.
     #[test]
     fn others_miss_their_energy_by_the_square_of_the_substep() {
         let inv_moments = Vector::new(1.0, 1.6, 2.5);

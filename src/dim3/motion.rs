@@ -1,28 +1,30 @@
 //! How bodies move while nothing holds them, in 3D: a record of whole registers, and what integrates it lane by lane.
 //!
 //! # Tumbling
-//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: as it turns, its inertia turns with it,
-//! and `ω = I⁻¹ L` changes. Where it is after a substep if nothing holds it is known ([`FreeTurn`]), and so is the mean
-//! velocity that leads there: this one goes through the solver, which turns the body by it.
+//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
+//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeTurn`]), and so is the
+//! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
 //!
-//! An impulse acts where the substep begins: that is where joints take their levers and inertias from. A change `Δω`
-//! of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With that of the
-//! middle, thin limbs that hang from each other gain some per cent of their energy in ten seconds.
+//! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
+//! change `Δω` of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With
+//! that of the middle, thin limbs that hang from each other gain some per cent of their energy in ten
+//! seconds.
 //!
 //! # Where impulses lead elsewhere
-//! A body that was pushed is not quite where it would have turned to freely with its new momentum, but off by an angle `δ` of
-//! second order. With the momentum as it is, its energy there is another, and for thin bodies not by a little: of a rod
-//! whose moments are `A` and `C ≪ A` by about `δ² A / C`. (Rods 27 times as long as thick landed with up to 3000 times
-//! their energy.) The energy must stay, so the momentum has to give way:
+//! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
+//! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
+//! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
+//! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
 //! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod, that turns
 //!   about its middle and hardly about itself, shows nothing of that.
-//! * that of others gives way along the gradient of the energy, `ω`, as far as it must. Turned by `δ` with each push of its
-//!   support, a gyroscope at 40 rad/s and 30 steps a second would precess by 8 % too slowly.
+//! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. With a
+//!   rotation by `δ` for each impulse of its support, a gyroscope at 40 rad/s and 30 steps a second would
+//!   precess by 8 % too slowly.
 //!
-//! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates;
-//! explicit Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of
-//! the substep in place of the mean one, thin rods at 25 rad/s have half of their energy more or less from step to step.
+//! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates. Explicit
+//! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of the
+//! substep in place of the mean one, the energy of thin rods at 25 rad/s changes by half from step to step.
 
 use super::gyroscopic::FreeTurn;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
@@ -32,9 +34,9 @@ use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, Simd, Wide, gather_adjacent, scatter_adjacent};
 use parry::mass_properties::MassProperties;
 
-/// Moments that differ by less than this share make no visible difference.
+/// Moments that differ by less than this fraction make no visible difference.
 const ISOTROPY: Real = 1.0e-3;
-/// A body that turns by less than this (rad) in a substep does not tumble.
+/// A body that rotates by less than this (rad) in a substep has no gyroscopic motion.
 const TURN_MIN: Real = 1.0e-4;
 /// Of a turn in a substep of up to this angle (rad) there is no doubt which one it was.
 const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
@@ -42,25 +44,25 @@ const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
 const SMALL_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
 const INERTIA_RATIO_MAX: Real = 30.0;
-/// The momentum of others gives way where that changes the energy by no more than this share.
+/// The momentum of others is adjusted if that changes the energy by at most this fraction.
 const LED_MAX: Real = 0.25;
 
 /// Numbers in each part of a record.
 const LEN: usize = 16;
-/// Where what stands in the first part, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
+/// Offsets in the first part, besides the damping at 10 and 11: rotation at 0, acceleration at 4.
 const GYROSCOPIC: usize = 12;
 const INV_MOMENTS: usize = 13;
-/// Where what stands in the second.
+/// Offsets in the second part.
 const FRAME: usize = 0;
 const BEARS_WEIGHT: usize = 14;
 
-/// What integrates a body; no constraint reads it.
+/// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct FreeMotion {
-    /// What moves every body.
+    /// Data of every body.
     plain: [Real; LEN],
-    /// What but few need in every substep: those that tumble.
+    /// Data of gyroscopic bodies only.
     tumbling: [Real; LEN],
 }
 
@@ -73,8 +75,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Whether gravity acts on the body, so that it may be part of a pile. What holds piles up
-    /// `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
+    /// `bears_weight`.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -90,7 +92,7 @@ impl FreeMotion {
         Self { plain, tumbling }
     }
 
-    /// Lets the body tumble, unless it need not: if it is round, or hardly turns in `h` seconds.
+    /// Enables gyroscopic motion, unless the body is round, or hardly rotates in `h` seconds.
     pub fn with_gyroscope(mut self, mass: &MassProperties, angvel: AngVector, h: Real) -> Self {
         let inv_moments = mass.inv_principal_inertia;
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
@@ -104,7 +106,7 @@ impl FreeMotion {
         self
     }
 
-    /// Of a body that tumbles: how it is turned now. Of others: how it was when the step began.
+    /// The current rotation of a gyroscopic body. Of others: how it was when the step began.
     pub fn rotation(&self) -> Rotation {
         Rotation::from_xyzw(self.plain[0], self.plain[1], self.plain[2], self.plain[3])
     }
@@ -124,7 +126,7 @@ impl FreeMotion {
         self.tumbling[BEARS_WEIGHT] != 0.0
     }
 
-    /// Turns a tumbling body by this rotation vector.
+    /// Rotates a gyroscopic body by this rotation vector.
     pub fn turn(&mut self, turn: AngVector) {
         if self.is_gyroscopic() {
             let turned = integrate_rotation(self.rotation(), turn);
@@ -158,10 +160,11 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble, by `h` times their angular velocity, and it as their inertia turns.
+/// Rotates up to [`LANES`] gyroscopic bodies by `h` times their angular velocity, and updates the velocity
+/// for their rotated inertia.
 ///
-/// What turns the velocity is no impulse: the next substep must not start with it, nor with the rounding of it. Where
-/// there was no impulse, the velocity `before` any becomes the new one to the last bit.
+/// The velocity change is no impulse: the next substep must not start with it, nor with its rounding error.
+/// Where there was no impulse, the velocity `before` any becomes the new one to the last bit.
 #[inline(always)]
 pub(crate) fn gyroscopic<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -194,8 +197,8 @@ pub(crate) fn angvel_after(
     rotated_freely(mass, rotation, angvel, h).1
 }
 
-/// The angular velocity of one body that was where it is `h` seconds from now, which may be negative, turned to `there`: what a free
-/// body has relative to itself by then.
+/// The angular velocity of one body `h` seconds before (which may be negative), rotated to `there`: the
+/// body-relative velocity of free motion.
 pub(crate) fn angvel_at(
     mass: &MassProperties,
     (rotation, there): (Rotation, Rotation),
@@ -244,15 +247,15 @@ impl Kernel for RotateFreely {
     }
 }
 
-/// What lets bodies tumble.
+/// Data of gyroscopic motion.
 struct Gyroscope<W> {
     inv_moments: WideVector<W>,
     frame: WideRotation<W>,
     /// Orientation at the beginning of the substep, where the solver's impulses act.
     start: WideRotation<W>,
-    /// The angular momentum. It is carried from substep to substep rather than computed from the
-    /// velocity each time: what rounding does to it on average goes in one direction, and 240 steps a
-    /// second in `f32` made of it 5 % of the energy in a minute.
+    /// The angular momentum. It is carried from substep to substep rather than computed from the velocity.
+    /// The rounding error of the latter is biased, and 240 steps a second in `f32` turned it into 5 % of the
+    /// energy in a minute.
     momentum: WideAngVector<W>,
     /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
@@ -287,7 +290,7 @@ impl<W: Wide> Gyroscope<W> {
         scatter_adjacent(numbers, bodies, |body| &mut body.tumbling);
     }
 
-    /// Somebody changed the angular velocity at the orientation `rotation`.
+    /// The angular velocity was changed at the orientation `rotation`.
     #[inline(always)]
     fn load(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
         let (to_world, moments) = (rotation.times(self.frame), self.inv_moments);
@@ -300,8 +303,8 @@ impl<W: Wide> Gyroscope<W> {
         self.momentum = self.momentum + to_world.rotate_unscaled(change);
     }
 
-    /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the body. If it turns
-    /// so far that no one could tell from where it ends how often it went round, the one with which it begins.
+    /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the
+    /// body. If the rotation is so large that its turns are ambiguous, the initial velocity is used.
     ///
     /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old one reaches by then.
     #[inline(always)]
@@ -346,8 +349,8 @@ impl<W: Wide> Gyroscope<W> {
         self.angvel
     }
 
-    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it began with. Of one that turns
-    /// too far to tell, or would be led too far, it stays what it is relative to the body.
+    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it
+    /// began with. For an ambiguous or too large rotation, the velocity stays constant relative to the body.
     #[inline(always)]
     fn led_to(&self, end: WideRotation<W>, plainly: W::Mask, h: W) -> WideVector<W> {
         let (_, start) = self.seen_from(self.start);

@@ -47,10 +47,10 @@ fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> {
     WideRotation { x, y, z, w: real }
 }
 
-/// The rotation vector of no more than half a turn that makes a rotation.
+/// The rotation vector of a rotation, of at most half a turn.
 ///
-/// A quarter of the angle is that of the slope `|v| / (1 + w)` of the quaternion, an eighth of it that of a slope below
-/// 0.42, of which [`atan_excess`] knows.
+/// A quarter of the angle belongs to the slope `|v| / (1 + w)` of the quaternion, an eighth of it to a slope
+/// below 0.42, the range of [`atan_excess`].
 #[inline(always)]
 pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVector<W> {
     let WideRotation { x, y, z, w } = rotation;
@@ -63,8 +63,8 @@ pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVect
     v * (sign * W::splat(8.0) * to_quarter * to_eighth * angle_per_slope)
 }
 
-/// By what share of itself the angle of a slope differs from the slope, given the slope's square: right for slopes of up to
-/// 0.66 either way. See [`ATAN_P`].
+/// Relative difference of the angle of a slope from the slope, given the slope's square: valid for slopes of
+/// up to ±0.66. See [`ATAN_P`].
 #[inline(always)]
 pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     let polynomial = |terms: &[f64]| {
@@ -74,11 +74,11 @@ pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
-/// The rotation vector of a turn by `rotvec` and then by `by`. Rotation vectors just added are off by half of `by × rotvec`, and a joint
-/// that holds bodies where these say is torn when the bodies are put where they are.
+/// The rotation vector of a turn by `rotvec` and then by `by`. The sum of two rotation vectors is off by half
+/// of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
 ///
-/// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it is of no use
-/// (a wheel that turned by a radian in each substep shook itself off its axle), and the rotations themselves are composed.
+/// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it fails
+/// (a wheel with a radian per substep vibrated off its axle), and the rotations themselves are composed.
 #[inline(always)]
 pub(crate) fn turned_further<W: Wide>(
     rotvec: WideAngVector<W>,
@@ -111,8 +111,8 @@ fn composed<W: Wide>(rotvec: WideAngVector<W>, by: WideAngVector<W>) -> WideAngV
     once + along * (nearest_whole(missing * (one / whole)) * whole)
 }
 
-/// The whole number that is nearest: what is left of a number when one is added and taken away again that is so large that it has no
-/// digits behind the point. (Numbers larger than that themselves become some whole number.)
+/// The nearest whole number, by adding and subtracting a number without fractional digits. (Numbers larger
+/// than that themselves become some whole number.)
 #[inline(always)]
 pub(crate) fn nearest_whole<W: Wide>(number: W) -> W {
     let large = W::splat(1.5 / Real::EPSILON);
@@ -179,8 +179,9 @@ mod tests {
         Vector::from_array([0; 3].map(|_| random.within(-size, size)))
     }
 
-    /// Levers and inertias turn as the formulas for one body say, and turns that follow each other are composed: to
-    /// third order, so for turns of up to 0.35 and 0.035 rad the error stays below the next term, 2e-5.
+    /// Moment arms and inertias rotate as the formulas for one body state, and successive rotations are
+    /// composed. The method has third order, so for rotations of up to 0.35 and 0.035 rad the error stays
+    /// below the next term, 2e-5.
     #[test]
     fn lanes_turn_as_single_bodies_do() {
         let mut random = Random(31);
@@ -213,8 +214,8 @@ mod tests {
         assert!(missed < 2.0e-5 && added > 20.0 * missed, "{missed} rad, added {added} rad");
     }
 
-    /// Turns of any size compose to the rotation that they make one after the other, and count the turns that they make: three steps of a
-    /// body that turns by up to 9 rad and wobbles.
+    /// Rotations of any size compose to their product, and their turns are counted: three steps of a body
+    /// that rotates by up to 9 rad and wobbles.
     #[test]
     fn large_turns_are_composed_exactly() {
         let mut random = Random(32);

@@ -387,7 +387,7 @@ mod tests {
     use crate::base::wide::{Kernel, LANES, Simd};
     use parry::math::Real;
 
-    /// What the formulas below are applied to, and what comes out.
+    /// Input and output of the formulas below.
     #[derive(Copy, Clone, Default)]
     struct Probe {
         a: WideVector<Lane>,

@@ -158,8 +158,8 @@ impl Kinematics {
         }
     }
 
-    /// The same, and to `sizes` how large the force on each degree of freedom could be: the product of lengths whose vectors may
-    /// stand across each other. What is far below that is rounding.
+    /// The same, and adds to `sizes` the largest possible force on each degree of freedom: the product of
+    /// lengths whose vectors may be perpendicular. Values far below that are rounding.
     pub fn add_measured_force(
         &self,
         id: usize,
@@ -205,8 +205,8 @@ impl Kinematics {
 }
 
 impl Multibody {
-    /// The Jacobian of a link: for each degree of freedom the velocity that it gives the link's body at the rate 1, that of
-    /// the centre of mass and the angular one, in world space. Empty if there is no such link.
+    /// The Jacobian of a link: for each degree of freedom the velocity of the link's body at the rate 1
+    /// (centre of mass and angular), in world space. Empty if there is no such link.
     ///
     /// It is that of the poses that the coordinates say now, with the root where it was in the last step.
     pub fn body_jacobian(&self, link_id: usize) -> Vec<SpatialVector> {

@@ -4,15 +4,17 @@
 //! m = Σ mᵢ        c = Σ mᵢ xᵢ / m        I = Σ Iᵢ - mᵢ [xᵢ - c]ₓ²
 //! ```
 //!
-//! Whatever the links do is the sum of two motions: one of the whole, with the same linear and angular momentum, and a change of
-//! shape, which has none. To the mass matrix these are perpendicular, so that the energy is the sum of theirs (the locked
-//! inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and Symmetry", 1999). From that follow two rules:
+//! The motion of the links is the sum of two: one of the whole, with the same linear and angular momentum,
+//! and a change of shape without momentum. They are orthogonal in the mass matrix, so that the energy is the
+//! sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and Symmetry", 1999).
+//! From that follow two rules:
 //!
-//! * Of all motions that make up for a missing momentum, that of the whole has the least energy. Given to the root alone instead,
-//!   a moment of a few roundings about the axis of a thin limb on a ball joint spins that limb. A chain that lies straight is
-//!   as thin as a whole; so what is missing about such an axis is made up for slowly, or soon about another one, as the chain turns.
-//! * Energy that is to go can be taken from the change of shape. What the multibody has by flying or by spinning as it is stays,
-//!   for whoever looks at it from wherever.
+//! * Of all motions that make up for a missing momentum, that of the whole has the least energy. Applied to
+//!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
+//!   limb. A straight chain is a thin whole. Its missing momentum about that axis is therefore corrected
+//!   slowly, or soon about another axis, as the chain rotates.
+//! * Energy that is to go can be taken from the change of shape. The momentum of free flight and spin is
+//!   kept, independent of the observer.
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::{Kinematics, LinkFrame};
@@ -22,8 +24,8 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::{ANG_AXES, ang_components, angular};
 
-/// By what share of the sum of its moments of inertia the whole resists more than it does when it is to make up for a missing
-/// momentum.
+/// Regularisation of the locked inertia when it corrects a missing momentum, as a fraction of the sum of its
+/// moments of inertia.
 const SLOWNESS: Real = 0.05;
 /// In how many rounds that is made up for.
 const ROUNDS: usize = 6;
@@ -40,7 +42,8 @@ pub struct LockedInertia {
 }
 
 impl LockedInertia {
-    /// That of links as they are placed. On a root without degrees of freedom nothing moves as a whole.
+    /// The locked inertia of the links at their poses. On a root without degrees of freedom nothing moves as
+    /// a whole.
     pub fn update(&mut self, kinematics: &Kinematics) {
         let root = &kinematics.links[0];
         self.body.links.clear();
@@ -84,10 +87,10 @@ impl LockedInertia {
         &self.rates
     }
 
-    /// The rates that make up for a missing momentum, but for what is missing about thin axes.
+    /// The rates that correct a missing momentum, except about thin axes.
     ///
-    /// Each round makes up for the share `I / (I + S)` of what the last one left, with the slowness `S`: six for all but a few
-    /// millionths about axes that are not thin, and for next to nothing about those that are.
+    /// Each round corrects the fraction `I / (I + S)` of the rest, with the regularisation `S`. Six rounds
+    /// leave a few millionths about axes that are not thin, and correct almost nothing about thin ones.
     pub fn correction(&mut self, missing: &SpatialVector) -> &[Real] {
         let link = &self.body.links[0];
         let slowness = SLOWNESS * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();

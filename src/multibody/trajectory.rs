@@ -1,12 +1,12 @@
-//! The way of a multibody through a step: where its links were in between, and how to go back to there.
+//! The trajectory of a multibody through a step: intermediate poses of its links, and the return to them.
 //!
-//! The way leads from where the step began, by the displacement `Δq` of each degree of freedom that the step has added up,
-//! and takes as long for each part of that: `q(s) = q + s Δq`, where rotations of balls and of the root are integrated in
-//! short pieces. So joints hold everywhere on it.
+//! The trajectory leads from the start of the step by the displacement `Δq` of each degree of freedom at
+//! constant rate: `q(s) = q + s Δq`, where rotations of ball joints and of the root are integrated in short
+//! pieces. So joints hold everywhere on it.
 //!
-//! Velocities on the way are found from those of its end. What inertia changed since, flown back as the solver flies on
-//! (`motion.rs`), is undone, and the momentum is kept; what gravity and other forces did to the energy in that time, they have not
-//! done yet.
+//! Intermediate velocities follow from those at its end. The inertial change since is reversed, as free
+//! motion in the solver (`motion/`), and the momentum is kept. The work of gravity and other forces in that
+//! time is removed.
 
 use super::kinematics::Kinematics;
 use super::{Drive, Motion, usable};
@@ -15,12 +15,13 @@ use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::multibody::{LinkTrajectory, Multibody};
 
-/// The most pieces of a way.
+/// The largest number of pieces of a trajectory.
 const PIECES_MAX: usize = 1024;
 /// The largest turn (rad) of a link within a piece.
 const TURN_PER_PIECE: Real = 0.5;
 
-/// A link on its way: how it is turned, where its centre of mass is, and how it turns (rad per way).
+/// A sample of a link's trajectory: its rotation, its centre of mass, and its angular velocity (rad per
+/// trajectory).
 #[derive(Copy, Clone, Debug)]
 pub struct LinkSample {
     pub rotation: Rotation,
@@ -29,9 +30,10 @@ pub struct LinkSample {
 }
 
 impl LinkTrajectory {
-    /// In how many pieces a link goes straight but for a deviation, and turns about one axis.
+    /// The number of pieces in which a link moves along a line up to a deviation, and rotates about one axis.
     ///
-    /// A way of length `w` that bends by the angle `a` is at most `w a / 8` from its chord, and a piece of `n` `n²` times less.
+    /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord, and a piece of `n`
+    /// within `1/n²` of that.
     pub fn pieces(&self, deviation: Real) -> usize {
         let [way, angle] = self.travel;
         let bent = (way * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
@@ -40,7 +42,7 @@ impl LinkTrajectory {
         (pieces as usize).max(1)
     }
 
-    /// Calls `visit` with the links where the way begins, and after each of its pieces.
+    /// Calls `visit` with the links at the start of the trajectory, and after each of its pieces.
     pub fn walk(
         &self,
         multibody: &Multibody,
@@ -70,7 +72,7 @@ impl LinkTrajectory {
         }
     }
 
-    /// Puts a multibody that has gone all the way, and its bodies, back to where it was after a share of it. `acceleration`
+    /// Moves a multibody and its bodies back from the end to a fraction of the trajectory. `acceleration`
     /// says by how much forces accelerate each link.
     ///
     /// A root that is not dynamic stays where it is.
@@ -94,7 +96,7 @@ impl LinkTrajectory {
             let mass = bodies.get(link.body).map_or(0.0, |body| body.mass());
             work += acceleration(id).dot(ends[id] - now[id]) * mass;
         }
-        // As much energy as there will be at the end, but for what forces do until then.
+        // The energy equals that at the end, without the work of forces until then.
         let scale = ((energy - work).max(0.0) / kinetic_energy(multibody, bodies)).sqrt();
         if scale.is_finite() && !(has_diverged && scale > 1.0) {
             motion.rates.iter_mut().for_each(|rate| *rate *= scale);
@@ -102,8 +104,9 @@ impl LinkTrajectory {
         store(multibody, &mut motion, bodies);
     }
 
-    /// Goes back to a share of the way, with the velocities of that time as far as inertia has changed them. Where these cannot be
-    /// followed, the links keep the momenta that they have, as far as the joints let them, and true comes with that.
+    /// Moves back to a fraction of the trajectory, with the velocities of that time as far as inertia has
+    /// changed them. Where these cannot be followed, the links keep the momenta that they have, as far as the
+    /// joints let them, and true comes with that.
     fn fly_back(
         &self,
         multibody: &mut Multibody,
@@ -137,7 +140,7 @@ impl LinkTrajectory {
         (motion, has_diverged)
     }
 
-    /// Puts the links to where they were after a share of the way, as [`Self::walk`] finds them.
+    /// Moves the links back to a fraction of the trajectory, as in [`Self::walk`].
     fn put_at(&self, multibody: &mut Multibody, share: Real, pieces: usize) {
         let root = multibody.links[0].pose;
         self.put_back(multibody);
@@ -153,7 +156,7 @@ impl LinkTrajectory {
         }
     }
 
-    /// Puts the coordinates back to where the way begins.
+    /// Resets the coordinates to the start of the trajectory.
     fn put_back(&self, multibody: &mut Multibody) {
         let (joints, root) = &self.start;
         for (link, joint) in multibody.links.iter_mut().zip(joints) {
@@ -163,7 +166,7 @@ impl LinkTrajectory {
     }
 }
 
-/// What resists the motion of degrees of freedom beyond the inertia of links.
+/// Additional inertia of degrees of freedom beyond that of links.
 fn inertias(multibody: &Multibody) -> Vec<Drive> {
     let armatures = multibody.dofs.iter().zip(&multibody.lists.armature);
     let drive = |is_prescribed, armature| Drive {

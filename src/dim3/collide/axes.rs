@@ -1,10 +1,10 @@
 //! The axes that separate a box and triangles best, a triangle per lane.
 //!
-//! A box and a triangle are apart exactly if they are along one of 13 axes: the three of the box, the
-//! normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
-//! testing"). If they are not, the axis of least overlap is the contact normal. Meshes are made of nothing
-//! but triangles; a body has dozens of them around it and touches a few, most of which are in its way for the
-//! first time. So nothing is remembered of them, and as many are tried at once as a register has lanes.
+//! A box and a triangle are apart exactly if they are separated along one of 13 axes: the three of the box,
+//! the normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
+//! testing"). If they are not, the axis of least overlap is the contact normal. A body has dozens of mesh
+//! triangles around it and touches a few, and most of them are new candidates. So nothing is remembered of
+//! them, and as many are tried at once as a register has lanes.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
@@ -14,10 +14,10 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::{WideVector, cross};
 use parry::bounding_volume::Aabb;
 
-/// How much more overlap a face may have than another axis and still be preferred, as a share of the
-/// smallest half extent.
+/// Tolerance on the overlap within which a face is preferred to another axis, as a fraction of the smallest
+/// half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the triangle's is taken: the share of the tolerance that decides.
+/// Of equal faces the triangle's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
@@ -179,8 +179,8 @@ impl<W: Wide> Axis<W> {
         best
     }
 
-    /// The triangle's normal. All corners are at one height along it, but for those of needles, whose normal is
-    /// made of rounding.
+    /// The triangle's normal. All corners have one height along it, except for needles, whose normal consists
+    /// of rounding.
     #[inline(always)]
     fn of_triangle(
         half: WideVector<W>,
@@ -247,8 +247,8 @@ impl<W: Wide> Axis<W> {
     }
 }
 
-/// The product of an axis of the box and an edge, as seen along the axis: a direction at right angles to the
-/// edge's shadow, and as long.
+/// The product of an axis of the box and an edge, projected along the axis: perpendicular to the edge's
+/// projection, with the same length.
 #[derive(Copy, Clone)]
 struct Product<W> {
     edge: [W; 2],
@@ -341,7 +341,7 @@ mod tests {
         }
     }
 
-    /// The normal of a needle is made of rounding, and must not tell apart what touches.
+    /// The normal of a needle consists of rounding, and must not separate touching shapes.
     #[test]
     fn needles_are_as_near_as_segments() {
         let mut random = Random(8);

@@ -1,4 +1,4 @@
-//! What surfaces are made of: triangles.
+//! Elements of surfaces: triangles.
 
 use super::polytope::Polytope;
 use crate::base::wide::Lane;

@@ -1,9 +1,8 @@
 //! Friction of a whole manifold: two tangential rows and a twist row at the friction centre.
 //!
-//! The friction centre is the mean of the points, weighted by how close they are to touching. At it
-//! acts a tangential impulse `λt` (two rows, solved together) and about the normal a twist impulse
-//! `λw`, with the sum `N` of the normal impulses and the mean distance `r` of the points from the
-//! centre:
+//! The friction centre is the mean of the points, weighted by how close they are to touching. A tangential
+//! impulse `λt` (two rows, solved together) acts there, and a torsional impulse `λw` about the normal. With
+//! the sum `N` of the normal impulses and the mean distance `r` of the points from the centre:
 //!
 //! ```text
 //! |λt| ≤ μ N        |λw| ≤ μ N r
@@ -27,8 +26,8 @@ use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::ContactInput;
 
-/// Of two eigenvalues, the smaller one counts if it is at least about this share of the larger one.
-/// Bodies that can slide freely stay above a hundredth, whatever their shape.
+/// Of two eigenvalues, the smaller one counts if it is at least about this fraction of the larger one. Bodies
+/// that can slide freely stay above a hundredth, whatever their shape.
 const EIGENVALUE_RATIO_MIN: Real = 1.0e-3;
 
 /// A [`FrictionRow`] in registers.
@@ -71,7 +70,7 @@ pub(super) fn prepare<W: Wide>(
 /// The friction centre, and the mean distance of the points from it.
 #[inline(always)]
 fn center<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> (WideVector<W>, W) {
-    // Weights fade out as points move apart; the floor keeps a manifold that hovers well defined.
+    // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let mut weights = [W::zero(); MAX_MANIFOLD_POINTS];
     let mut sum = W::zero();

@@ -13,7 +13,7 @@ use crate::dim3::state::{
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::{ContactInput, MotionSince};
 
-/// One contact point on its way from a manifold to a row.
+/// One contact point between manifold and row.
 #[derive(Copy, Clone)]
 pub(super) struct Point<W> {
     /// In the contact frame, from the first centre of mass.
@@ -47,7 +47,7 @@ pub(crate) struct PrepareContext<'a> {
 /// Friction is at each point if there is a place for its rows in `coulomb`.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn prepare<W: Wide>(
     input: &ContactInput,
@@ -80,9 +80,9 @@ pub(crate) unsafe fn prepare<W: Wide>(
 /// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c` and the points
 /// in it.
 ///
-/// Frame, levers and `c` of contacts that are [held](crate::model::contact::Placement) are those of their placement.
-/// Positions in the world are subtracted from each other before anything small is added: far from the origin they have
-/// few digits behind the point, and their differences have all that are left.
+/// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
+/// last transformation. World positions are subtracted from each other before anything small is added: far
+/// from the origin they have few fractional digits, and their differences keep all of them.
 #[inline(always)]
 fn read_geometry<W: Wide>(
     input: &ContactInput,
@@ -112,7 +112,7 @@ fn read_geometry<W: Wide>(
     (frame, frame.local(c), points)
 }
 
-/// What a block keeps of its bodies.
+/// Data of its bodies that a block stores.
 #[inline(always)]
 fn write_pair<W: Wide>(
     block: &mut ContactBlock,

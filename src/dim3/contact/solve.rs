@@ -54,7 +54,7 @@ impl<W: Wide> Bodies<W> {
 /// come no closer than to touch.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn solve<W: Wide>(
     block: &mut ContactBlock,
@@ -68,15 +68,15 @@ pub(crate) unsafe fn solve<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// The normal rows without bias, which takes out the velocity that the bias of the solve pass put in
-/// to move bodies apart; then friction.
+/// The normal rows without bias, which removes the velocity that the bias of the solve pass added; then
+/// friction.
 ///
-/// In this order friction is bounded by the impulses that carry the bodies. Those of the solve pass
-/// are less while a soft contact gives way, and more while it undoes overlap: with them a box that
-/// was just put down slides 5 % too far.
+/// In this order friction is bounded by the impulses that carry the bodies. The impulses of the solve pass
+/// are smaller while a soft contact is compressed, and larger while it removes overlap: with them a new box
+/// slides 5 % too far.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
@@ -204,7 +204,7 @@ impl<W: Wide> SoftRow<W> {
     fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
         let zero = W::zero();
         let apart = zero.lt(separation);
-        // Those that are apart may close the gap within the substep, and no more.
+        // Separated points may close the gap within the substep, and no more.
         let closing = separation * self.inv_substep;
         if !BIAS {
             return mass * (velocity + W::select(apart, closing, zero));

@@ -23,10 +23,10 @@ impl FreeRotations {
     }
 }
 
-/// What the angle of an axis is: see the head of this folder.
+/// The definition of the angle of an axis: see the head of this folder.
 #[derive(Copy, Clone, Debug)]
 pub(super) enum Angle {
-    /// That of the whole rotation.
+    /// The angle of the whole rotation.
     Whole,
     /// How far the second frame is twisted about this axis.
     Twist(Vector),
@@ -37,7 +37,7 @@ pub(super) enum Angle {
 }
 
 impl Angle {
-    /// That of an axis of a joint.
+    /// The angle of an axis of a joint.
     pub(super) fn of(axis: JointAxis, rotations: FreeRotations) -> Self {
         let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
         let own = JointAxesMask::from_bits_truncate(1 << axis as u8);

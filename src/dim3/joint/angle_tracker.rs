@@ -4,17 +4,17 @@
 //!
 //! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e` that follows
 //!   `v`,
-//! * a *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a `g` that follows
-//!   `f`.
+//! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
+//!   `g` that follows `f`.
 //!
-//! What is added to the angle of the step's beginning is how far the point has gone since: of two points with the
-//! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small angles keep their
-//! digits.
+//! The tracker adds the angle since the start of the step to the initial angle: of two points with the
+//! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small
+//! angles keep their digits.
 //!
-//! That is known but for whole turns: a wheel that turns by 5 rad in a step stands where one does that turned back by 1.3. By how
-//! much the bodies have turned since the step began is known otherwise, too, as the sum of what they turned in each substep. Where
-//! one rotation alone is free, and its turns are counted, this says which of these readings is meant: it needs to be right to half
-//! a turn only, so it does no harm that the axis itself may have turned meanwhile.
+//! That is ambiguous by whole turns: a wheel that rotates by 5 rad in a step has the same pose as after -1.3
+//! rad. By how much the bodies have turned since the step began is known otherwise, too, as the sum of what
+//! they turned in each substep. With one free rotation and counted turns, this estimate selects among these
+//! values. It needs an error of less than half a turn only, so a rotation of the axis itself does no harm.
 
 use super::angle::{Angle, FreeRotations};
 use crate::base::trig::sin_cos;
@@ -27,7 +27,7 @@ use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 /// Below this, numbers that should have a direction have none.
 const LENGTH_MIN: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
-/// More turns in a step than this are none that anyone can count: bodies that turn that far are nowhere.
+/// More turns in a step than this cannot be counted.
 const TURNS_MAX: Real = 1.0e6;
 /// The steepest slope of which [`atan_excess`] is right.
 const SLOPE_MAX: Real = 0.66;
@@ -99,9 +99,9 @@ impl AngleTracker {
         self.angle.0[lane] = angle;
     }
 
-    /// The direction, in the first frame, along which the relative angular velocity changes the angle, and the angle.
-    /// `between` is the second frame as seen from the first, and `turn` about by how much it has turned since the step began, in
-    /// the first frame, with all turns.
+    /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
+    /// the angle. `between` is the second frame relative to the first, and `turn` the approximate rotation
+    /// since the start of the step, in the first frame, with all turns.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,
@@ -125,7 +125,7 @@ impl AngleTracker {
         (direction, W::load(&self.angle) + turned)
     }
 
-    /// How far a twist has gone, of which this is known but for whole turns.
+    /// The angle of a twist, given modulo whole turns.
     #[inline(always)]
     fn with_turns<W: Wide>(&self, turned: W, turn: WideAngVector<W>) -> W {
         let about = turn.dot(WideVector::load(&self.from));
@@ -179,8 +179,8 @@ impl AngleTracker {
         (direction, W::select(has_direction, turned, zero))
     }
 
-    /// How far the point has gone round since the step began: no more than 2.3 rad. A point and its opposite are the same
-    /// for twists, of which it shows half.
+    /// The angle of the point since the start of the step: at most 2.3 rad. A point and its opposite are the
+    /// same for twists, of which it shows half.
     #[inline(always)]
     fn turned<W: Wide>(&self, cos: W, sin: W, is_twist: bool) -> W {
         let (old_cos, old_sin) = (W::load(&self.cos), W::load(&self.sin));
@@ -230,8 +230,9 @@ mod tests {
         Vector::from_array([0; DIM].map(|_| random.within(-size, size)))
     }
 
-    /// Kinds of all sorts in one gauge read what is measured from scratch, however far a step has turned the bodies: within half
-    /// a turn there is one such angle. Single precision has 1e-7 of each number, a quotient of small ones less.
+    /// Different kinds in one tracker measure the same as a direct computation, for any rotation of the
+    /// bodies: within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
+    /// of small ones less.
     #[test]
     fn lanes_measure_what_is_measured_one_by_one() {
         let mut random = Random(11);
@@ -302,8 +303,8 @@ mod tests {
         assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
     }
 
-    /// Those of one step, too, however many: about how far the bodies have turned says how many, to half a turn, and where they
-    /// stand says the rest. Nothing of that tells on joints that have several free rotations, which have no turns.
+    /// Turns of one step are counted, too. The approximate rotation selects the number of turns, and the pose
+    /// gives the rest. That does not apply to joints with several free rotations, which have no turns.
     #[test]
     fn turns_of_one_step_are_counted() {
         let mut random = Random(12);
@@ -328,7 +329,7 @@ mod tests {
         }
     }
 
-    /// Where bodies turn at no rate that is a number, nobody knows how many turns these were, and other lanes are none the wiser.
+    /// Without a finite rate the turns are unknown, and other lanes are unaffected.
     #[test]
     fn what_is_no_number_counts_no_turns() {
         for no_number in [Real::NAN, Real::INFINITY, -Real::MAX] {

@@ -15,7 +15,7 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (sum > 0.0).then(|| 3.0 / sum)
 }
 
-/// Moments that differ by less than this share make no visible difference.
+/// Moments that differ by less than this fraction make no visible difference.
 const ROUNDNESS: Real = 1.0e-3;
 
 /// Returns whether the moments of inertia about all axes are equal.
@@ -34,8 +34,8 @@ pub(crate) struct JointedInertias {
     start: [WideSymmetric<Lane>; 2],
     /// As they stand where they were relaxed last.
     now: [WideSymmetric<Lane>; 2],
-    /// One where a body turns so much that its inertia must turn with it, otherwise zero. That does not depend on
-    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
+    /// One where a body turns so much that its inertia must turn with it, otherwise zero. The result is
+    /// independent of the other lanes, and all joints of a body get the same inertia to the last bit.
     is_gyroscopic: [Lane; 2],
     /// Whether any lane is gyroscopic.
     any_gyroscopic: bool,
@@ -71,18 +71,18 @@ impl JointedInertias {
         self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }
 
-    /// That of one lane's first or second body as it stands now.
+    /// The current inertia of one lane's first or second body.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.now[side], lane)
     }
 
-    /// Those of all lanes as they stand now, in memory.
+    /// The current inertias of all lanes, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {
         &self.now
     }
 
-    /// Those of all lanes as they stand now.
+    /// The current inertias of all lanes.
     #[inline(always)]
     pub fn load<W: Wide>(&self) -> [WideSymmetric<W>; 2] {
         [load_symmetric(&self.now[0]), load_symmetric(&self.now[1])]

@@ -1,7 +1,7 @@
 //! Vehicles that sleep, and what wakes them.
 //!
-//! A ray is no contact: the step does not know what a vehicle stands on, and that a pedal was touched it does not know either.
-//! So a vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
+//! A ray is no contact: the step has neither the support of a vehicle nor the state of its pedals. So a
+//! vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
 
 use super::wheel::Wheel;
 use crate::dim::math::Real;

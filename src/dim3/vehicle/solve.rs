@@ -6,11 +6,11 @@ use super::ground::{Ground, Grounds};
 use super::wheel::Wheel;
 use crate::dim::math::{Real, Vector};
 
-/// The most visits of each row. Springs yield and couple weakly; what takes its time is a car held fast by all
-/// wheels, whose rows say the same thing several times over.
+/// Largest number of iterations over the rows. Springs are compliant and couple weakly. The slowest case is a
+/// car with all wheels locked, whose rows are redundant.
 const ITERATIONS_MAX: usize = 50;
-/// When no row changes its velocity by more than this share of what suspensions do in the step, all are solved: of the
-/// 0.2 m/s of a step of gravity, that is less than what rounding leaves.
+/// The iteration has converged when no row changes its velocity by more than this fraction of the
+/// suspensions' effect in the step: of the 0.2 m/s of a step of gravity, that is less than rounding.
 const CONVERGENCE_TOLERANCE: Real = 1.0e-5;
 
 /// Finds the impulses of all wheels.
@@ -97,7 +97,7 @@ fn sum(wrenches: impl Iterator<Item = (Vector, Vector)>) -> (Vector, Vector) {
 }
 
 impl Grounds {
-    /// Those that can be pushed.
+    /// The movable bodies.
     pub fn dynamic(&self) -> impl Iterator<Item = (usize, &Ground)> {
         self.all.iter().enumerate().filter(|(_, ground)| ground.is_dynamic)
     }

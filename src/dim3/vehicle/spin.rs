@@ -1,16 +1,16 @@
 //! How the wheels turn.
 //!
-//! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls, so its spin is the
-//! velocity of the chassis over the ground by its radius, and over a step it turns by what lies between the
-//! velocities before and after. Locked, it stands. In the air it goes on turning. When the engine asks for more than the tyre
-//! can bring to the ground, or the wheel is in the air, the rest of its force spins the wheel up, as if it were a solid disc
-//! of a [`WHEEL_MASS_FRACTION`] of the mass of the chassis; the brake slows it in the air in the same way.
+//! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls. Its spin is
+//! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
+//! and after the step. Locked, it stands. In the air it goes on turning. If the engine exceeds the grip of
+//! the tyre, or the wheel is in the air, the rest of its force accelerates the wheel, as a solid disc of a
+//! [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the air in the same way.
 
 use super::contact::{Mover, WheelContact};
 use super::wheel::Wheel;
 use crate::dim::math::Real;
 
-/// What a wheel, with its part of what turns in the engine, is taken to weigh against the chassis.
+/// Mass of a wheel, with its part of the rotating engine, relative to the chassis.
 const WHEEL_MASS_FRACTION: Real = 0.1;
 /// A spin (rad/s) at which no engine goes any faster.
 const SPIN_MAX: Real = 1.0e4;

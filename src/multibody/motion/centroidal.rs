@@ -1,22 +1,24 @@
 //! The momentum of a multibody, which nothing inside it changes.
 //!
-//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third order, and so do
-//! pushes from outside, whose responses are frozen during a step. So the momentum is followed beside the velocities: it changes by
-//! gravity, forces and pushes alone, and what the velocities miss of it the [`LockedInertia`](super::super::whole::Whole) makes up for.
-//! Chains that tumble freely do not stray, and what a contact gives to one side it takes from the other.
+//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third
+//! order, and so do pushes from outside, whose responses are frozen during a step. The momentum is therefore
+//! integrated beside the velocities. It changes by gravity, forces and impulses alone, and the
+//! [`LockedInertia`](super::super::locked_inertia::LockedInertia) corrects the velocities. Freely tumbling
+//! chains do not drift, and contacts conserve momentum.
 //!
-//! Impulses of contacts after the flight leave a momentum that is corrected at the beginning of the next substep, so the energy of that
-//! correction is part of the reference of the next impulses. Uneven trees that hit walls gain energy this way. Two remedies were
-//! tried on 1,000 random trees (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy
-//! bound of the same substep, and scale all velocities where the change of shape has less than the surplus:
+//! Contact impulses after the free motion leave a momentum that is corrected at the beginning of the next
+//! substep, so the energy of that correction is part of the reference of the next impulses. Uneven trees that
+//! hit walls gain energy this way. Two remedies were tried on 1,000 random trees
+//! (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy bound of
+//! the same substep, and scale all velocities where the change of shape has less than the excess:
 //!
 //! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their momentum in 1 s;
-//! * with contacts only: momentum stays, but one of 1,000 trees gains energy (658, a multiple), and in 2D and double precision
-//!   tree 662 gains 17 % and tree 431 23 %.
+//! * with contacts only: momentum is conserved, but one of 1,000 trees gains energy (658, a multiple), and in
+//!   2D and double precision tree 662 gains 17 % and tree 431 23 %.
 //!
-//! The momentum is that about the root's centre of mass, wherever that moves. A push is one at a lever that moves along: the
-//! contact of a ball is below the ball also when this has rolled on. (Held where it was when the step began, the ball would be turned
-//! by its weight times its way.)
+//! The momentum is that about the root's centre of mass, wherever that moves. The moment arm of an impulse
+//! moves along: the contact of a ball is below the ball also when this has rolled on. (With the arm of the
+//! start of the step, the ball would rotate by its weight times its displacement.)
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, add_scaled, carry_back, dot};
@@ -31,12 +33,12 @@ impl Motion {
         }
     }
 
-    /// The impulses from outside that have been noted and not yet been taken in.
+    /// The noted external impulses that are not applied yet.
     pub fn external_impulse(&self) -> SpatialVector {
         self.external_impulse
     }
 
-    /// Keeps only a share of the impulses from outside since they were these.
+    /// Scales the external impulses since these by a fraction.
     pub fn share_external_impulse(&mut self, since: &SpatialVector, share: Real) {
         for (now, since) in self.external_impulse.iter_mut().zip(since) {
             *now = since + (*now - since) * share;
@@ -48,9 +50,9 @@ impl Motion {
         (self.momentum, self.external_impulse) = (self.root_momentum(), ZERO);
     }
 
-    /// Lets the whole move so that nothing is missing of the momentum. That was about `before`, and is about the root's
-    /// centre of mass from now on. Returns the energy that this took: with the change `δ` of the rates and the momentum `p`
-    /// before it, `δᵀ Sᵀ (p + ½ missing)`.
+    /// Lets the whole move so that nothing is missing of the momentum. It referred to `before`, and refers to
+    /// the root's centre of mass from now on. Returns the energy that this took: with the change `δ` of the
+    /// rates and the momentum `p` before it, `δᵀ Sᵀ (p + ½ missing)`.
     pub(super) fn keep_momentum(&mut self, before: Vector) -> Real {
         if self.root_dofs() == 0 {
             return 0.0;

@@ -13,14 +13,14 @@ use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_lengt
 use crate::dim::spatial::{angular, linear};
 use crate::model::multibody::Multibody;
 
-/// The angle (rad) that a link turns in a step beyond which its contact rows are made anew in each substep: rows are made when the step
-/// begins. (Of four hundred rods on long arms that were thrown on the ground eighteen gained energy when the angle of a
-/// substep was compared, up to more than they had, and none when that of a step was.)
+/// The rotation (rad) of a link in a step beyond which its contact rows are made in each substep: rows are
+/// made when the step begins. (Four hundred rods on long arms were thrown on the ground. Eighteen gained
+/// energy, up to a factor of two, when the angle of a substep was compared, and none with that of a step.)
 const CONTACT_TURN_MAX: Real = 0.1;
-/// The largest angle (rad) that a joint turns in a substep with a wild piece.
+/// The largest angle (rad) that a joint rotates in a substep with a non-converged piece.
 const JOINT_ANGLE_MAX: Real = 0.5;
-/// Joints that turn by a larger angle (rad) in a substep are not limited: the input is beyond what can be simulated, and a
-/// [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
+/// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
+/// range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
 const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
 /// From this fraction of the energy on, what is too much is removed from the change of shape.
 const GAIN_CONTRACTION_MAX: Real = 0.9;
@@ -28,8 +28,8 @@ const GAIN_CONTRACTION_MAX: Real = 0.9;
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 impl Motion {
-    /// The energy that a flight keeps; `None` if something drives the links: a root that turns, or a joint that moves as it
-    /// is told.
+    /// The energy that free motion conserves; `None` if something drives the links: a rotating root, or a
+    /// prescribed joint.
     pub(super) fn flight_energy(&mut self) -> Option<Real> {
         if angular(&self.root) != ANG_ZERO || self.is_driven() {
             return None;
@@ -69,8 +69,8 @@ impl Motion {
 
     /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
     ///
-    /// It is that of the velocities before the first half of the flight: the half changes the energy in the first order of the
-    /// angle of a substep, and the second half changes it back.
+    /// It is that of the velocities before the first half of the free motion. That half changes the energy in
+    /// the first order of the angle of a substep, and the second half restores it.
     pub fn energy_before_impulses(&mut self) -> Real {
         if self.root != ZERO || self.is_driven() {
             return Real::MAX;
@@ -86,8 +86,8 @@ impl Motion {
         self.kinetic_energy() > energy_max * (1.0 + ROUNDING)
     }
 
-    /// Limits the kinetic energy that impulses left. What is above a bound enters an account, and what this has no room for is
-    /// removed. Returns the fraction that is kept.
+    /// Limits the kinetic energy that impulses left. An excess above a bound is recorded in a budget, and the
+    /// part beyond the budget is removed. Returns the fraction that is kept.
     pub fn settle_impulses(
         &mut self,
         multibody: &mut Multibody,
@@ -130,7 +130,7 @@ impl Motion {
         self.kinematics.links.iter().map(|link| link.mass).sum()
     }
 
-    /// Leaves this share of all velocities but of those of degrees of freedom that move as they are told.
+    /// Scales all velocities by this fraction, except prescribed ones.
     fn slow_down(&mut self, share: Real) {
         for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
             *rate *= if drive.is_prescribed() { 1.0 } else { share };
@@ -138,9 +138,9 @@ impl Motion {
         self.follow_momentum();
     }
 
-    /// Lets the links have no more than this energy of their flight: slows the change of shape down and, if that is not enough,
-    /// the turn of the whole. Where links are moved far at once they may come to lie closer together than their angular momentum
-    /// and their energy allow.
+    /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
+    /// rotation of the whole. Where links are moved far at once they may come to lie closer together than
+    /// their angular momentum and their energy allow.
     pub(super) fn limit_flight(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();
@@ -183,7 +183,7 @@ impl Motion {
         }
     }
 
-    /// Adds a share of what is missing to these velocities.
+    /// Adds a fraction of the difference to these velocities.
     fn blend(&mut self, to: &[Real], share: Real) {
         let share = share.clamp(0.0, 1.0);
         for (rate, to) in self.rates.iter_mut().zip(to) {
@@ -191,7 +191,7 @@ impl Motion {
         }
     }
 
-    /// Degrees of freedom that move as they are told take these velocities.
+    /// Sets the velocities of prescribed degrees of freedom.
     fn obey(&mut self, prescribed: &[Real]) {
         for ((rate, drive), prescribed) in self.rates.iter_mut().zip(&self.drives).zip(prescribed) {
             *rate = if drive.is_prescribed() { *prescribed } else { *rate };

@@ -10,16 +10,18 @@
 //! q̇  ← q̇½ - ½ p M̃⁻¹ C(q, q̇½) q̇½        explicit, at the new q
 //! ```
 //!
-//! The two halves are each other's mirror image, so the integrator is reversible and of second order, and its energy error is
-//! bounded: the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, chapter VI) in
-//! velocities. Contacts and limits act once a substep, on the `q̇½` of the first piece.
+//! The two halves are each other's mirror image, so the integrator is reversible and of second order, and its
+//! energy error is bounded. It is the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical
+//! Integration", 2006, chapter VI) in velocities. Contacts and limits act once a substep, on the `q̇½` of the
+//! first piece.
 //!
 //! # Pieces without convergence
-//! The fixed-point iteration contracts by the angle of half a piece times the ratio of a link's easiest inertia to the inertia
-//! that it carries about another axis. That ratio is forty for a chain of thin limbs, and grows with the ratio of the masses. A
-//! substep whose first half does not converge gets more pieces, [`PIECES_MAX`] at most. A piece that still does not converge,
-//! or whose second half gains energy, is *wild*: each link keeps its momentum while the links move, and the velocities are
-//! projected on what the joints allow afterwards:
+//! The fixed-point iteration contracts by the angle of half a piece times the ratio of a link's smallest
+//! inertia to the inertia that it carries about another axis. That ratio is forty for a chain of thin limbs,
+//! and grows with the ratio of the masses. A substep whose first half does not converge gets more pieces,
+//! [`PIECES_MAX`] at most. A piece that does not converge, or whose second half gains energy, is
+//! *non-converged*. Each link then keeps its momentum while the links move, and the velocities are projected
+//! on the joints afterwards:
 //!
 //! ```text
 //! q̇  ← M⁻¹ Jᵀ p        p: momenta of the links before, J and M at the new q
@@ -28,12 +30,13 @@
 //! The projection is orthogonal in the metric of the mass, so it takes energy and never gives any (Carnot's theorem).
 //!
 //! # Energy account
-//! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration; impulses in between
-//! break that bound, and the corrections of the momentum (`centroidal.rs`) do as well. [`Multibody::flight_error`] therefore sums
-//! the energy errors of all substeps, those of the work of the forces among them. It stays within [`ERROR_MAX`] of the
-//! kinetic energy, either way. What is above is removed from the change of shape, so that linear and angular momentum stay; what
-//! is below is forgotten, so energy that a wild piece lost does not return later. Impulses that leave too much energy enter the
-//! same account (`energy.rs`).
+//! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration;
+//! impulses in between break that bound, and the corrections of the momentum (`centroidal.rs`) do as well.
+//! [`Multibody::flight_error`] therefore sums the energy errors of all substeps, those of the work of the
+//! forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
+//! change of shape, so that linear and angular momentum are conserved. A deficit is dropped, so that energy
+//! lost in a non-converged piece does not return later. Impulses that leave too much energy enter the same
+//! account (`energy.rs`).
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::ZERO;
@@ -51,21 +54,21 @@ const CONVERGENCE: Real = 1.0e-3;
 const CONTRACTION_MAX: Real = 0.5;
 /// A half that changes the velocities by less than this fraction converges.
 const SMALL_CHANGE: Real = 0.05;
-/// The largest angle (rad) that a link turns in a piece, as long as there are no more than [`PIECES_MAX`].
+/// The largest angle (rad) that a link rotates in a piece, up to [`PIECES_MAX`] pieces.
 const TURN_PER_PIECE: Real = 0.1;
-/// The most pieces of a substep: the cost of a fast substep is bounded by that of as many calm ones.
+/// The largest number of pieces of a substep, which bounds the cost of a fast substep.
 const PIECES_MAX: usize = 8;
 /// A second half that leaves more than this multiple of the energy is not accepted.
 const GAIN_MAX: Real = 1.1;
-/// The bound of the account, either way, as a fraction of the kinetic energy. At an angle `θ` a piece the leapfrog's energy
-/// oscillates by about `θ² / 8` for links of equal masses, and by several percent where a light root carries links of a hundred times
-/// its mass.
+/// The bound of the energy budget, in both directions, as a fraction of the kinetic energy. At an angle `θ` a
+/// piece, the leapfrog's energy oscillates by about `θ² / 8` for links of equal masses, and by several
+/// percent if a light root carries links of a hundred times its mass.
 pub(super) const ERROR_MAX: Real = 0.025;
 /// Relative rounding errors of an energy and of a work.
 const ENERGY_ROUNDING: Real = 4.0 * Real::EPSILON;
 const WORK_ROUNDING: Real = 2.0 * Real::EPSILON;
 
-/// What a substep's flight begins with.
+/// Start of a substep's free motion.
 struct FreeMotionStart {
     energy: Option<Real>,
     /// The power of the forces on the links.
@@ -179,8 +182,8 @@ impl Motion {
     /// Undoes the first half, of `h` seconds, after impulses have changed the velocities. Returns whether the first half would
     /// converge from there; if not, the velocities stay.
     ///
-    /// What the iteration left open of the first half, it leaves open here as well. Else the account would be off by the
-    /// same sign in each substep.
+    /// The residual of the iteration in the first half is the same in this half. Else the account would be
+    /// off by the same sign in each substep.
     fn undo_first_half(&mut self, h: Real) -> bool {
         let [mut change, mut open] =
             [core::mem::take(&mut self.change), core::mem::take(&mut self.start)];
@@ -301,8 +304,8 @@ impl Motion {
         self.change = change;
     }
 
-    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does. False if that is too wild:
-    /// then nothing happens.
+    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does. Returns
+    /// false if it does not converge: then nothing happens.
     pub fn fly_on(&mut self, h: Real) -> bool {
         let mut change = core::mem::take(&mut self.change);
         let comes_together = self.fly_half(h, &mut change);
@@ -332,7 +335,7 @@ impl Motion {
 
     /// The same, and leaves the velocities wherever the iterations led.
     fn come_together(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
-        // What is lost in rounding anyway need not come any nearer.
+        // A residual below rounding is accepted.
         let fastest = start.iter().fold(0.0, |most: Real, rate| most.max(rate.abs()));
         let rounding = 16.0 * Real::EPSILON * fastest;
         let (mut first, mut moved) = (0.0, Real::MAX);

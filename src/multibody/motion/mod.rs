@@ -1,8 +1,8 @@
-//! One multibody on its way through a step: a substep without contacts, and its response to impulses.
+//! Motion of one multibody through a step: a substep without contacts, and its response to impulses.
 //!
 //! # A substep
-//! Forces kick, then the links fly on by themselves, then forces kick again: for the flight the velocity of the middle of the
-//! substep is what counts. With the inertial forces `-C q̇` and the step `h`
+//! The scheme is kick, free motion, kick: the free motion uses the velocity in the middle of the substep.
+//! With the inertial forces `-C q̇` and the step `h`
 //!
 //! ```text
 //! q̇  ← q̇ + h M̃⁻¹ (gravity, forces of the user, springs, dampers, motors)      at q
@@ -12,16 +12,18 @@
 //! q̇  ← q̇½ - ½ h M̃⁻¹ C(q, q̇½) q̇½                                               explicit, at the new q
 //! ```
 //!
-//! The two halves of the flight are each other's mirror image, so that the whole is reversible and of second order, and its
-//! energy does not drift: the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, chapter
-//! VI) in velocities. So that limits and contacts which press all the time do not break the mirror, the first half is taken with half of the
-//! impulses of the last substep: so much, once they have found themselves, is what they add before the links are moved, and the rest comes
-//! after it. (Without them, what goes round in a cone at 8 rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇` instead, which is what one visit of forward dynamics gives, makes a tumbling chain gain
-//! energy until it explodes. A body of its own is moved the same way (`dim3/gyro.rs`), so chains and bodies fall alike.
+//! The two halves of the free motion are each other's mirror image, so that the whole is reversible and of
+//! second order, and its energy does not drift. It is the generalised leapfrog (Hairer, Lubich, Wanner,
+//! "Geometric Numerical Integration", 2006, chapter VI) in velocities. Persistent limits and contacts must
+//! not break the symmetry. The first half therefore includes half of the impulses of the last substep, which
+//! equals their steady state, and the rest is added after it. (Without them, what goes round in a cone at 8
+//! rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one
+//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body is
+//! integrated the same way (`dim3/gyroscopic.rs`), so chains and bodies fall alike.
 //!
-//! `M̃ = M + h D + θ h² K`: dampers `D` are taken at the end of the substep, and springs of stiffness `K` where they are after the
-//! share `θ` of it. At its beginning, `θ = 0`, they keep their energy but are stable only for `h ω < 2`; at its end they are stable
-//! always, and lose `h ω / 2` of it per radian. With `a = (h ω)²` and
+//! `M̃ = M + h D + θ h² K`: dampers `D` are evaluated at the end of the substep, and springs of stiffness `K`
+//! after the fraction `θ` of it. At its beginning, `θ = 0`, they conserve energy but are stable only for `h ω
+//! < 2`; at its end they are always stable, and lose `h ω / 2` of it per radian. With `a = (h ω)²` and
 //!
 //! ```text
 //! θ = a / (1 + a)        stable for a (1 - 2 θ) < 4, that is, always; loss per substep θ a, in fourth order
@@ -44,7 +46,7 @@ use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{Multibody, MultibodyLink};
 
-/// What acts on a link all through a step.
+/// Constant loads on a link during a step.
 #[derive(Copy, Clone, Debug)]
 pub struct LinkForce {
     /// Gravity and the user's forces.
@@ -53,10 +55,10 @@ pub struct LinkForce {
     pub damping: [Real; 2],
 }
 
-/// What acts on a degree of freedom all through a step: `pull - stiffness q - damping q̇`.
+/// Constant loads on a degree of freedom during a step: `pull - stiffness q - damping q̇`.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Drive {
-    /// Inertia beyond that of the links; infinite for a degree of freedom that moves as it is told.
+    /// Inertia in addition to that of the links; infinite for a prescribed degree of freedom.
     pub armature: Real,
     /// Force per coordinate.
     pub stiffness: Real,
@@ -91,7 +93,7 @@ pub struct Motion {
     ease: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
-    /// The momentum of all links about the root's centre of mass, but for [`Self::external_impulse`].
+    /// The momentum of all links about the root's centre of mass, without [`Self::external_impulse`].
     momentum: SpatialVector,
     /// The impulses from outside since then, likewise.
     external_impulse: SpatialVector,
@@ -106,7 +108,7 @@ pub struct Motion {
     start: Vec<Real>,
     /// Whether a link exceeded the velocity limit since the step began.
     pub is_limited: bool,
-    /// What the first half of the flight changed about the velocities.
+    /// Velocity changes by the first half of the free motion.
     flown: Vec<Real>,
     /// The velocities to which it led, with half of the impulses of the last substep.
     half_rates: Vec<Real>,
@@ -121,8 +123,8 @@ pub struct Motion {
 impl Motion {
     /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set before.
     ///
-    /// Velocities and impulses that the user gave to bodies since the last step count as momentum: the multibody gets the
-    /// velocities that have, at each degree of freedom, the momentum of the bodies.
+    /// Velocities and impulses that the user applied to bodies since the last step count as momentum: the
+    /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
         self.is_limited = false;
         self.corrected = 0.0;
@@ -216,7 +218,7 @@ impl Motion {
         self.change = change;
     }
 
-    /// What forces, springs and dampers add to the velocities.
+    /// Velocity changes by forces, springs and dampers.
     fn kick(&mut self, multibody: &Multibody, h: Real, change: &mut Vec<Real>) {
         self.update_velocities();
         self.wrenches.clear();
@@ -245,7 +247,7 @@ impl Motion {
         self.factor.solve(&self.kinematics, &self.wrenches, change);
     }
 
-    /// Ends the step. What energy the last correction of the momentum takes, it takes from the change of shape.
+    /// Ends the step. The energy of the last momentum correction is taken from the change of shape.
     pub fn finish(&mut self) {
         let energy = self.flight_energy();
         if self.keep_momentum(self.kinematics.links[0].center) > 0.0 {
