@@ -39,8 +39,8 @@ impl CollisionPipeline {
     /// Brings all contacts and intersections up to date and sends the events of those that began or
     /// stopped. Impulses of contacts are 0: nothing is solved.
     ///
-    /// `handle_user_changes` says whether edits of bodies and colliders since the last step are taken
-    /// in first; without it, what was inserted, moved or removed since then is not seen.
+    /// `handle_user_changes` selects whether edits of bodies and colliders since the last step are applied
+    /// first. Without it, insertions, moves and removals since then have no effect.
     ///
     /// Parameters that are not valid (see [`IntegrationParameters::validate`]) are logged as an error,
     /// and the step changes nothing.

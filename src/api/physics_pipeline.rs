@@ -72,14 +72,15 @@ impl PhysicsPipeline {
 
     /// Moves the simulation forward by [`IntegrationParameters::dt`].
     ///
-    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or
-    /// `(0, -9.81, 0)`; both `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong together
-    /// from the first step on: what one of them knows of another would be wrong of a third. A step that finds another one than
-    /// that of the last step warns in the log, and goes on with what there is as if it were new: everybody wakes, colliders and
-    /// joints of bodies that are gone go, too, and what touched parts and begins to touch again.
+    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or `(0, -9.81, 0)`; both
+    /// `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong
+    /// together from the first step on: they refer to each other, and the references are invalid in other
+    /// sets. If one of them is not that of the last step, the step logs a warning, and continues as if
+    /// everything were new. All bodies wake, colliders and joints of missing bodies are removed, and contacts
+    /// end and begin again.
     ///
-    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is
-    /// not finite (or beyond 1e15), are logged as an error, and the step changes nothing.
+    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is not
+    /// finite (or beyond 1e15), are logged as an error, and the step changes nothing.
     #[expect(
         clippy::too_many_arguments,
         reason = "the documented signature; unpacked here once, named fields from here on"

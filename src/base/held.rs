@@ -21,7 +21,7 @@ impl HeldPanic {
         }
     }
 
-    /// Holds what another one held, too.
+    /// Adds the panic of another one.
     pub fn join(&mut self, other: Self) {
         match self.0 {
             None => self.0 = other.0,

@@ -11,10 +11,10 @@ pub const SIZE_MAX: Real = 1.0e15;
 const _: () = assert!(SIZE_MIN * SIZE_MIN > 0.0 && 1.0 / (SIZE_MIN * SIZE_MIN) < Real::MAX);
 const _: () = assert!(SIZE_MAX * SIZE_MAX < Real::MAX);
 
-/// Velocities and displacements, masses and the stiffness of motors up to this one are calm: what grows beyond all bounds
-/// is seen to come this way, and what falls for a day is still below.
+/// Velocities, displacements, masses and motor stiffnesses up to this one are moderate. A diverging value
+/// passes this limit before it overflows, and a free fall of a day stays below it.
 pub const MODERATE_MAX: Real = 1.0e6;
-/// Who is no farther away and moves calmly does not leave the world within a step.
+/// A body at most this far away with a moderate velocity stays in the world within a step.
 pub const COORDINATE_MODERATE_MAX: Real = 0.5 * SIZE_MAX;
 
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.

@@ -16,7 +16,7 @@ pub struct Nearest {
     pub feature: PackedFeatureId,
 }
 
-/// How far a corner may be above the plane of the nearest place, as a share of its distance from there.
+/// Largest height of a corner above the plane of the nearest point, as a fraction of its distance from there.
 const BULGE_RATIO_MAX: Real = 2.0e-3;
 
 impl Nearest {

@@ -60,12 +60,12 @@ impl Timer {
         result
     }
 
-    /// What was measured, without a stretch that still runs.
+    /// The measured time, without a running interval.
     pub fn time(&self) -> Duration {
         self.total
     }
 
-    /// What was measured, without a stretch that still runs (ms).
+    /// The measured time, without a running interval (ms).
     pub fn time_ms(&self) -> f64 {
         self.total.as_secs_f64() * 1000.0
     }

@@ -54,8 +54,9 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     (sine as Real, cosine as Real)
 }
 
-/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to 0.66 either way: the rational approximation of Moshier's "Methods and
-/// Programs for Mathematical Functions" (1989), right to the last digit or two of a double.
+/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66: the rational approximation of Moshier's
+/// "Methods and Programs for Mathematical Functions" (1989), with an error of a unit or two in the last place
+/// of a double.
 pub const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
     -122.886_668_449_013_61,

@@ -1,10 +1,10 @@
 //! # Controllers — what moves bodies by asking the world
 //!
 //! A controller looks at the world through queries and says how something should move: a velocity, a
-//! translation, an impulse. It is a user of the engine that happens to live in it. The step knows nothing of
-//! controllers, and a controller needs nothing of the step but what every program may see.
+//! translation, an impulse. It is a user of the engine that happens to live in it. The step is independent of
+//! controllers, and a controller uses only the public interface of the step.
 //!
-//! * [`character`]: somebody who walks. It determines the admissible translation of a shape.
+//! * [`character`]: walking characters. It determines the admissible translation of a shape.
 //! * [`pid`]: a hand that leads a body to a pose. It determines the velocity for a target.
 //!
 //! Controllers hold settings, and what they must remember from call to call; they own no bodies, no colliders and no

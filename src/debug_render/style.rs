@@ -30,8 +30,7 @@ pub struct DebugRenderStyle {
     pub collider_aabb_color: DebugColor,
     /// Multiplies the colours of what belongs to a sleeping body.
     pub sleep_color_multiplier: [f32; 4],
-    /// Multiplies the colours of what belongs to a body that would sleep, if only all others of its
-    /// island were as calm.
+    /// Colour factor of a body that is ready to sleep while its island is not.
     pub sleep_eligible_color_multiplier: [f32; 4],
     /// Multiplies the colours of what belongs to a disabled collider or body.
     pub disabled_color_multiplier: [f32; 4],

@@ -193,7 +193,7 @@ impl<'a> QueryFilter<'a> {
     }
 }
 
-/// What a filter looks at.
+/// The input of a filter.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Traits {
     body: Option<RigidBodyHandle>,

@@ -47,8 +47,8 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
 }
 
 impl BoxTree {
-    /// Calls back for the slots whose boxes the probe finds, in no particular order: the quick way, for who has no
-    /// use for an iterator.
+    /// Calls back for the slots whose boxes the probe finds, in no particular order; faster than the
+    /// iterator.
     pub fn for_each_leaf<P: Probe>(&self, probe: &P, visit: impl FnMut(u32)) {
         if self.len > 0 {
             Simd::detect().run(Walk { nodes: &self.nodes, probe, visit });

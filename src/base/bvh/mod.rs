@@ -1,6 +1,6 @@
 //! # Bvh — a tree of boxes with as many children per node as a register has lanes
 //!
-//! A dynamic set of numbered boxes, queried by ray, point and box. A node holds the boxes of its children
+//! A dynamic set of numbered boxes, queried by ray, point and box. A node contains the boxes of its children
 //! plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them (Wald,
 //! Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
 //! among many small ones stands near the root.
@@ -15,8 +15,8 @@
 //! | `leaves.rs` | all that a probe comes by |
 //! | `check.rs` | what must hold of a tree |
 //!
-//! The shape of the tree follows from the history of calls, and from nothing else. What is found does not
-//! depend on it; the order may.
+//! The shape of the tree follows from the history of calls, and from nothing else. The set of results does
+//! not depend on it; the order may.
 
 mod build;
 mod check;
@@ -100,7 +100,8 @@ impl BoxTree {
     }
 }
 
-/// What the chance of a random line to meet a box is proportional to: half the surface, or half the outline.
+/// Measure proportional to the probability that a random line meets a box: half the surface, or half the
+/// outline.
 fn measure(aabb: &Aabb) -> Real {
     let extents = aabb.extents();
     measure_of(core::array::from_fn(|axis| extents[axis]))

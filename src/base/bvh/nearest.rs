@@ -9,7 +9,8 @@ use parry::math::Real;
 
 /// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is known.
 ///
-/// `prepare` is told of slots that will most likely be visited, a little before. `visit` says how far away the rest may be to matter from then on: what is *as* far away still does.
+/// `prepare` receives slots that will probably be visited, for prefetching. `visit` returns the new limit of
+/// the distance; equal distances still count.
 pub fn nearest<P: Probe>(
     tree: &BoxTree,
     probe: &P,

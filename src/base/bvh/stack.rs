@@ -1,4 +1,4 @@
-//! What is still to be looked at.
+//! Stack of pending nodes.
 
 /// Entries that fit without asking for memory: for all trees but those that an adversary grew.
 const INLINE_CAPACITY: usize = 64;

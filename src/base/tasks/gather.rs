@@ -5,11 +5,11 @@ use crate::base::pool::Pool;
 use core::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Puts what threads find in ranges of a loop into one list, in the order of the ranges, whoever was first. Keeps its memory.
+/// Concatenates the results of threads for ranges of a loop, in the order of the ranges. Keeps its memory.
 #[derive(Debug)]
 pub struct Gather<T> {
     idle: Pool<Vec<T>>,
-    /// What was found, with the first index of each range.
+    /// Results, with the first index of each range.
     found: Mutex<Vec<(usize, Vec<T>)>>,
 }
 

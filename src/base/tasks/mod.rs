@@ -1,8 +1,9 @@
-//! Spreading work over threads. The only folder that knows the feature `parallel`.
+//! Spreading work over threads. The only folder that uses the feature `parallel`.
 //!
-//! With the feature, work runs in the rayon pool of the thread that steps the simulation, or on the [`Threads`] that the
-//! pipeline was given. Without it, or with one thread, all is a plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
-//! item is worked on once, by itself, and results go to a place that depends on the item alone.
+//! With the feature, work runs in the rayon pool of the thread that steps the simulation, or on the
+//! [`Threads`] that the pipeline was given. Without it, or with one thread, all is a plain loop in order. The
+//! assignment of items to threads differs from run to run. Each item is therefore processed once,
+//! independently, and its result goes to a place that depends on the item alone.
 
 #[cfg(feature = "parallel")]
 mod team;
@@ -60,7 +61,7 @@ impl Tasks<'_> {
             return work(Tasks::SERIAL);
         }
         let team = Arc::new(WorkerTeam::new(count));
-        // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
+        // A scope of rayon would wait for workers that never start, or run other tasks meanwhile.
         let hire = |number| hire(Arc::clone(&team), number);
         let _owner = team.own();
         work(Tasks { team: Some((&team, &hire)), unshared: PhantomData })
@@ -82,9 +83,9 @@ impl Tasks<'_> {
 
     /// Calls `work` with ranges that together are `0..count`, each item in one of them.
     ///
-    /// `grain` is the smallest number of items that is worth the handing over to another thread
-    /// (some microseconds of work). Ranges begin at multiples of the grain. With one thread, or no
-    /// more than one grain of work, there is one call with the whole range.
+    /// `grain` is the smallest number of items that is worth the handing over to another thread (some
+    /// microseconds of work). Ranges begin at multiples of the grain. With one thread, or at most one grain
+    /// of work, there is one call with the whole range.
     pub fn par_for(&self, count: usize, grain: usize, work: impl Fn(Range<usize>) + Sync) {
         if count == 0 {
             return;
@@ -282,7 +283,7 @@ mod tests {
             in_time.expect("the step waits for the pool");
         }
 
-        /// What panics carry may panic when it is dropped. Nobody must wait for pieces that ended so.
+        /// The payload of a panic may panic when it is dropped. No thread may wait for pieces that ended so.
         #[test]
         fn panics_may_carry_anything() {
             struct Bomb;

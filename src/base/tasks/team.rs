@@ -1,24 +1,24 @@
 //! The threads that help with a step.
 //!
-//! A step is some hundred loops with a serial stretch between one and the next, and many of them take no more than
-//! ten microseconds: as long as it takes to wake a thread that sleeps. So helpers stay awake between loops. They are
-//! hired for the first loop that is worth it, look for the next one by spinning, and leave when none came for a
-//! while ([`YIELDS_MAX`]), because the pool is the user's and has other work. Who left is hired again by the next loop.
+//! A step consists of some hundred loops with serial code in between, and many of them take at most ten
+//! microseconds: the time that a sleeping thread needs to wake. So helpers stay awake between loops. Workers
+//! join at the first loop that is large enough, spin until the next one, and leave after a while without work
+//! ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
-//! Each thread has a *share* of a loop's pieces and takes them from its front: always the same part of the blocks
-//! and bodies, which is in its cache from the last loop. Whoever has finished takes from the back of the others.
-//! The thread that opened the loop needs nobody: in a pool whose threads are all busy it does everything itself, and
-//! helpers who come too late find a crew that is dissolved: it belongs to all of them.
+//! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
+//! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
+//! others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it processes
+//! everything itself. A late worker finds that the team is over; the team has shared ownership.
 //!
-//! The alternative that lost is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two cores, and
-//! pieces that wander from thread to thread. The way of Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024), workers
-//! that keep step by atomic counters, is this one, without the table of stages made beforehand.
+//! The rejected alternative is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two
+//! cores, and pieces that move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
+//! the same method, workers synchronised by atomic counters, with a table of stages made in advance.
 //!
 //! ## Why nobody reads a loop that is over
-//! A share is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for a
-//! shorter one. The loop counts pieces that are *done*, and its owner waits until all are. So where an exchange
-//! succeeds the piece was not done, the loop is open, and what it borrows is alive. An exchange with a word of the
-//! last loop that looks like one of this loop is as good: all else is read after it.
+//! A range is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for
+//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. So where an
+//! exchange succeeds the piece was not done, the loop is open, and what it borrows is alive. An exchange with
+//! a word of the last loop that looks like one of this loop is as good: all else is read after it.
 
 use core::any::Any;
 use core::cell::{Cell, UnsafeCell};
@@ -31,8 +31,8 @@ use std::sync::{Mutex, PoisonError};
 
 /// No more threads than this work on one step: as many as a word has bits.
 pub const MAX_THREADS: usize = 64;
-/// How often a thread that waits looks again before it lets others run, and how often before it leaves: some
-/// hundred microseconds in all, more than any serial stretch of a step with thousands of bodies.
+/// Numbers of polls before a waiting thread yields, and before it leaves. In all they take some hundred
+/// microseconds, more than any serial stretch of a step with thousands of bodies.
 const SPINS_MAX: u32 = 256;
 const YIELDS_MAX: u32 = 2048;
 
@@ -50,7 +50,7 @@ pub struct WorkerTeam {
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
-/// What is to be done with which indices.
+/// The work of a loop and its indices.
 struct Loop {
     work: *const Work<'static>,
     count: usize,
@@ -58,7 +58,7 @@ struct Loop {
     piece: usize,
 }
 
-// SAFETY: `current` is written by the owner of the crew alone and read by those who hold a piece of the open loop;
+// SAFETY: the owner of the team alone writes `current`, and threads with a piece of the open loop read it;
 // see the module's head. The work is `Sync`, and all else is made for sharing.
 unsafe impl Sync for WorkerTeam {}
 // SAFETY: as above; the last helper to leave drops the crew, and of the work only the address.
@@ -70,7 +70,7 @@ thread_local! {
 }
 
 impl WorkerTeam {
-    /// A crew of up to this many threads, and nobody hired yet.
+    /// A team of up to this many threads, without workers yet.
     pub fn new(threads: usize) -> Self {
         Self {
             threads: threads.clamp(1, MAX_THREADS),
@@ -105,7 +105,7 @@ impl WorkerTeam {
         let pieces = count.div_ceil(piece);
         // SAFETY: the pointer is used before this function returns.
         let work = unsafe { transmute::<*const Work<'_>, *const Work<'static>>(work) };
-        // SAFETY: no loop is open, so nobody reads.
+        // SAFETY: no loop is open, so there are no readers.
         unsafe { *self.current.get() = Loop { work, count, piece } };
         self.done.store(0, Ordering::Relaxed);
         for (k, share) in self.work_ranges[..self.threads].iter().enumerate() {
@@ -158,7 +158,7 @@ impl WorkerTeam {
         found
     }
 
-    /// A piece of the thread's own share, or one of another's.
+    /// A piece of the thread's own range, or one of another's.
     fn claim(&self, own: usize) -> Option<usize> {
         let others = (1..self.threads).map(|k| (own + k) % self.threads);
         let steal = |k: usize| self.work_ranges[k].take_last();
@@ -166,7 +166,7 @@ impl WorkerTeam {
     }
 
     fn perform(&self, piece: usize) {
-        // SAFETY: the piece is not done, so the loop is open: nobody writes `current`, and the work is alive.
+        // SAFETY: the piece is not done, so the loop is open: `current` is constant, and the work is alive.
         let (work, count, size) = unsafe {
             let Loop { work, count, piece } = &*self.current.get();
             (&**work, *count, *piece)
@@ -214,7 +214,7 @@ impl WorkRange {
         (word >> 32) as usize..(word & u64::from(u32::MAX)) as usize
     }
 
-    /// What the owner wrote before, those see who take a piece.
+    /// A thread that takes a piece sees the owner's writes.
     fn give(&self, pieces: Range<usize>) {
         self.0.store(Self::pack(pieces), Ordering::Release);
     }

@@ -8,9 +8,10 @@ use std::sync::Arc;
 
 /// Which threads steps run on.
 ///
-/// By default those of the rayon pool in which the step is called; outside of any that is rayon's global pool, with a thread
-/// per core if nobody has said otherwise. Rays that are cast by the thousand go to these, whatever a pipeline was given. The number of threads does not change a bit of the results. Without the feature `parallel` there is the calling
-/// thread alone, whatever is asked for.
+/// By default the threads of the rayon pool that calls the step. Outside of any pool that is rayon's global
+/// pool, with a thread per core by default. Rays that are cast by the thousand go to these, whatever a
+/// pipeline was given. The number of threads does not change a bit of the results. Without the feature
+/// `parallel` there is the calling thread alone, for any request.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -25,7 +26,7 @@ pub struct Threads {
     team: Option<Helpers>,
 }
 
-/// Who helps the calling thread.
+/// The helpers of the calling thread.
 #[cfg(feature = "parallel")]
 #[derive(Clone, Debug)]
 enum Helpers {
@@ -38,9 +39,9 @@ enum Helpers {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{count} threads cannot be created: {reason}")]
 pub struct ThreadsError {
-    /// How many were asked for.
+    /// The requested number.
     pub count: usize,
-    /// What the system says to that.
+    /// The system's error.
     pub reason: String,
 }
 

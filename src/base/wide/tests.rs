@@ -14,7 +14,7 @@ fn run_on_all<K: Kernel>(kernel: impl Fn() -> K) -> Vec<(&'static str, K::Output
     ]
 }
 
-/// What an operation does to one number. NaN of an arithmetic operation may be any NaN.
+/// The scalar form of an operation. NaN of an arithmetic operation may be any NaN.
 struct Operation {
     name: &'static str,
     arithmetic: bool,
@@ -166,7 +166,7 @@ struct AddToRecords<'a, const N: usize> {
 }
 
 impl<const N: usize> Kernel for AddToRecords<'_, N> {
-    /// What register `k` held when the records were read.
+    /// The content of register `k` when the records were read.
     type Output = [Lane; N];
 
     #[inline(always)]

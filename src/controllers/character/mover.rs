@@ -1,4 +1,4 @@
-//! The move: recover, then look, solve and sweep until the wish is used up.
+//! The move: recover, then repeat contacts, solve and sweep until the desired translation is used up.
 
 use super::movement::{CharacterCollision, CharacterGround, EffectiveCharacterMovement};
 use super::obstacles::Obstacles;
@@ -13,7 +13,7 @@ const TURNS_MAX: usize = 8;
 /// Normals whose cosine is larger than this are the same.
 const SAME_NORMAL: Real = 0.999;
 
-/// A character on its way.
+/// A moving character.
 pub(super) struct Mover<'a> {
     pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
@@ -25,7 +25,7 @@ pub(super) struct Mover<'a> {
     pub planes: Vec<Plane>,
     /// A buffer.
     pub scratch: Vec<Plane>,
-    /// What was reported.
+    /// Reported collisions.
     met: Vec<(ColliderHandle, Vector)>,
     events: &'a mut dyn FnMut(CharacterCollision),
 }
@@ -78,7 +78,8 @@ impl<'a> Mover<'a> {
         self.planes.iter().any(|plane| plane.holds(&self.settings))
     }
 
-    /// Goes where the wish leads. Leaves the planes around the place where it ends. Returns whether it slid down a slope.
+    /// Moves along the desired translation. Leaves the planes around the place where it ends. Returns whether
+    /// it slid down a slope.
     fn go(&mut self, desired: Vector, stood: bool) -> bool {
         let sticks = stood && self.settings.snap > 0.0;
         let (mut left, mut slides, mut turned) = (desired, false, false);
@@ -93,7 +94,7 @@ impl<'a> Mover<'a> {
             slides |= way.slides;
             self.report_planes(left);
             let length = way.translation.length();
-            // Between planes that lie farther out than squares can be computed, there is no way that is a number.
+            // Between planes beyond the range of squares, there is no finite move.
             if length <= self.settings.nothing() || !length.is_finite() {
                 break;
             }
@@ -127,8 +128,8 @@ impl<'a> Mover<'a> {
         self.find_steps(desired);
     }
 
-    /// Takes a hit for a plane that is around. Where a sweep is stopped by something that is no plane at the place where it was
-    /// taken back to, the character would try the same way again and again.
+    /// Takes a hit for a plane that is around. If a sweep is stopped by an obstacle that has no plane at the
+    /// final pose, the character would repeat the same move.
     fn believe(&mut self, plane: Plane) {
         let is_known = |other: &Plane| {
             other.collider == plane.collider && other.normal.dot(plane.normal) > SAME_NORMAL
@@ -138,7 +139,7 @@ impl<'a> Mover<'a> {
         }
     }
 
-    /// Goes down to a floor that is not far below.
+    /// Moves down to a floor that is not far below.
     fn snap(&mut self) {
         let (pose, down) = (self.pose(), -self.settings.up * self.settings.snap);
         let swept = self.sweep_from(&pose, down);
@@ -156,7 +157,7 @@ impl<'a> Mover<'a> {
 
     /// Sweeps the shape from a pose.
     pub fn sweep_from(&mut self, pose: &Pose, way: Vector) -> Swept {
-        // What is closer already than a sweep should stop at must not stop it before it begins.
+        // An obstacle that is already closer than the stopping distance must not stop the sweep at its start.
         let gaps = self.planes.iter().map(|plane| plane.gap - self.settings.tolerance);
         let within =
             gaps.fold(self.settings.offset - 2.0 * self.settings.tolerance, Real::min).max(0.0);
@@ -169,7 +170,7 @@ impl<'a> Mover<'a> {
         floors.max_by(|a, b| a.rise.total_cmp(&b.rise))
     }
 
-    /// What standing on a floor means for the user.
+    /// The ground in the user's form.
     fn ground(&self, floor: &Plane) -> CharacterGround {
         let origin = self.pose().translation;
         let height = (origin - floor.points[0]).dot(floor.normal) / floor.rise;
@@ -180,7 +181,7 @@ impl<'a> Mover<'a> {
         }
     }
 
-    /// Tells of the planes that take something from the wish.
+    /// Reports the planes that reduce the desired translation.
     fn report_planes(&mut self, desired: Vector) {
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
@@ -192,7 +193,7 @@ impl<'a> Mover<'a> {
         }
     }
 
-    /// Tells of a collision, unless it was told already.
+    /// Reports a collision, unless it was reported already.
     fn report(&mut self, plane: &Plane, left: Vector) {
         let is_same = |&(handle, normal): &(_, Vector)| {
             handle == plane.collider && normal.dot(plane.normal) > SAME_NORMAL

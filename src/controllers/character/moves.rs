@@ -13,20 +13,20 @@ use crate::query::QueryView;
 use parry::shape::Shape;
 
 impl KinematicCharacterController {
-    /// How far a shape gets that wants to move by `desired_translation` within `dt` seconds.
+    /// Computes the admissible part of `desired_translation` of a shape within `dt` seconds.
     ///
     /// * `queries`: the world, less what the character does not collide with. Exclude its own body:
     ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never count.
     /// * `character_shape`, `character_pos`: usually those of the character's collider.
     /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character does not
     ///   fall; an upward part is a jump.
-    /// * `events`: hears of everything that was in the way, once for each collider and direction; see
+    /// * `events` receives each obstacle once for each collider and direction; see
     ///   [`Self::solve_character_collision_impulses`].
     ///
     /// Nothing is changed: the user applies the [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
     /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
     ///
-    /// Numbers that make no sense (a translation or pose that is not finite, a `dt` that is not positive, impossible
+    /// Invalid numbers (a translation or pose that is not finite, a `dt` that is not positive, impossible
     /// settings) give no movement, with a warning in the log.
     pub fn move_shape(
         &self,
@@ -46,12 +46,14 @@ impl KinematicCharacterController {
 
     /// [`Self::move_shape`] for a character that is subject to the world's hooks.
     ///
-    /// The hooks are called as the narrow phase calls them, for the [`ActiveHooks`](crate::model::collider::ActiveHooks) of the
-    /// obstacle and of the character's collider. `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
-    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the filter refuses the pair,
-    /// where the modified manifold has no points, and where either leaves out
-    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle is always the
-    /// first collider, the character the second. Solver groups count where `modify_solver_contact` is called.
+    /// The hooks are called as in the narrow phase, for the
+    /// [`ActiveHooks`](crate::model::collider::ActiveHooks) of the obstacle and of the character's collider.
+    /// `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
+    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the
+    /// filter refuses the pair, where the modified manifold has no points, and where either leaves out
+    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle
+    /// is always the first collider, the character the second. Solver groups count where
+    /// `modify_solver_contact` is called.
     ///
     /// ```
     /// use rapier3d::prelude::*;
@@ -150,7 +152,7 @@ impl KinematicCharacterController {
     }
 }
 
-/// What a move begins with.
+/// Start of a move.
 struct Trip {
     settings: ResolvedSettings,
     start: Pose,

@@ -1,4 +1,4 @@
-//! What is around the character: colliders that a query finds, as planes.
+//! The surroundings of the character: colliders that a query finds, as planes.
 
 use super::hooks::Advisor;
 use super::plane_pruning::prune_planes;
@@ -40,7 +40,7 @@ impl<'a> Obstacles<'a> {
         !collider.is_sensor() && self.advisor.as_ref().is_none_or(lets_meet)
     }
 
-    /// All planes within `reach` of the shape, welded.
+    /// All planes within `reach` of the shape, pruned.
     pub fn planes(
         &mut self,
         pose: &Pose,
@@ -70,7 +70,7 @@ impl<'a> Obstacles<'a> {
             if self.may_meet(handle, collider) {
                 self.compute(collider, pose, reach, settings);
                 for manifold in &mut self.manifolds {
-                    // Hooks are asked about what is touched; what is not yet is in the way.
+                    // Hooks are called for touching obstacles; other obstacles block.
                     let is_touched = manifold.deepest_dist() <= settings.reach();
                     let is_solid = |a: &Advisor<'_>| a.is_solid(handle, collider, manifold, pose);
                     if !is_touched || self.advisor.as_ref().is_none_or(is_solid) {

@@ -1,11 +1,11 @@
-//! Leaves out planes that are needless because of others, so that seams are not felt.
+//! Removes redundant planes, so that internal edges have no effect.
 //!
-//! A capsule that walks over a flat mesh is close to the triangle below it and, a little less, to the edges of that
-//! triangle's neighbours. Those edges see it from the side: their normals lean against the motion, and whoever respects them
-//! is lifted over each. But their contact points lie in the plane of the triangle below, which the character stays in front of
-//! anyway: respecting that one keeps the offset from all that is behind it. The same holds for tiles that stand flush, whether
-//! they belong to one body or to many, and for the far side of a ridge. Steps, walls and valleys have points in front of the
-//! plane, and stay.
+//! A capsule that walks over a flat mesh is close to the triangle below it and, a little less, to the edges
+//! of that triangle's neighbours. The edges' normals oppose the motion, and a character that respects them is
+//! lifted over each. But their contact points lie in the plane of the triangle below, which the character
+//! stays in front of anyway. That plane keeps the offset from everything behind it. The same holds for tiles
+//! that stand flush, whether they belong to one body or to many, and for the far side of a ridge. Steps,
+//! walls and valleys have points in front of the plane, and stay.
 
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;

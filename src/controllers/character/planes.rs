@@ -1,4 +1,4 @@
-//! A plane that the character must stay in front of, and what it is for somebody who walks.
+//! A plane that the character must stay in front of, and its kind for walking.
 
 use super::polyhedron::HalfSpace;
 use super::resolved::ResolvedSettings;
@@ -10,12 +10,12 @@ use parry::query::{ShapeCastHit, ShapeCastStatus};
 /// Walls may lean over by this much (sine of the angle) and still be walls; what leans over more is a ceiling.
 pub(super) const WALL_LEAN_MAX: Real = 0.05;
 
-/// Planes at which the character is looked at as walking, standing and being held.
+/// Kind of a plane for walking, standing and support.
 #[derive(Copy, Clone, PartialEq, Eq, Debug)]
 pub(super) enum Kind {
     /// Not too steep to walk up.
     Floor,
-    /// The edge of something low enough to step up on: holds whoever stands on it, and blocks until the step is taken.
+    /// The edge of a low step: it supports the character, and blocks until the step is taken.
     Step,
     /// Too steep to walk up.
     Wall,
@@ -41,7 +41,7 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// What a plane with such a normal is, before anybody looks for steps.
+    /// Kind of a plane with this normal, before steps are detected.
     pub fn kind_of(rise: Real, settings: &ResolvedSettings) -> Kind {
         if rise >= settings.climb_cos {
             Kind::Floor
@@ -52,12 +52,12 @@ impl Plane {
         }
     }
 
-    /// Does it block whoever walks into it?
+    /// Returns whether it blocks horizontal motion.
     pub fn is_upright(&self) -> bool {
         matches!(self.kind, Kind::Wall | Kind::Step)
     }
 
-    /// Does it hold up whoever stands on it, against gravity?
+    /// Returns whether it supports the character against gravity.
     pub fn holds(&self, settings: &ResolvedSettings) -> bool {
         match self.kind {
             Kind::Floor => true,
@@ -67,7 +67,7 @@ impl Plane {
         }
     }
 
-    /// Does gravity make whoever stands on it slide?
+    /// Returns whether gravity makes the character slide on it.
     pub fn is_slippery(&self, settings: &ResolvedSettings) -> bool {
         self.kind != Kind::Step && self.rise < settings.slide_cos
     }
@@ -105,7 +105,8 @@ impl Plane {
 
     /// Returns whether all of its contact points lie behind another plane.
     ///
-    /// Then the character, which stays in front of that plane, cannot come closer to this obstacle here than to that one.
+    /// In this case the character, which stays in front of that plane, cannot come closer to this obstacle
+    /// than to that one.
     pub fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         self.points.iter().all(|point| (*point - other.points[0]).dot(other.normal) <= tolerance)
     }

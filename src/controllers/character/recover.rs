@@ -14,8 +14,8 @@ impl Mover<'_> {
     /// Pushes the character out of everything that is closer than the offset, and leaves the planes around the place where
     /// it ends up.
     ///
-    /// No push is longer than half of the shape's thickness, and everything within that reach takes part, so nothing is
-    /// pushed through anything.
+    /// Each push is at most half of the shape's thickness, and every obstacle within that reach is included,
+    /// so the shape is pushed through nothing.
     pub fn recover(&mut self) {
         self.look(self.settings.reach());
         let step_up = self.settings.half_thickness.max(self.settings.offset);
@@ -37,8 +37,8 @@ impl Mover<'_> {
     }
 }
 
-/// Where the character is far enough from what is behind a plane. Floors push straight up, so that a lift does not carry
-/// anybody aside.
+/// Where the character is far enough from what is behind a plane. Floors push straight up, so that a lift
+/// does not displace the character horizontally.
 fn escape(plane: &Plane, settings: &ResolvedSettings) -> HalfSpace {
     let excess = plane.excess(settings);
     if excess == 0.0 {

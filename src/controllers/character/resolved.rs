@@ -8,7 +8,7 @@ use parry::shape::Shape;
 /// Slopes whose cosine differs by less than this are equally steep: a slope of exactly the largest angle can be
 /// climbed.
 const COS_TOLERANCE: Real = 1.0e-4;
-/// What rounding does to a gap, as a share of the shape's coordinates.
+/// Rounding error of a gap, as a fraction of the shape's coordinates.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 /// Stepping up, in lengths.

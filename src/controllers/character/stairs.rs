@@ -1,9 +1,9 @@
 //! Stepping up.
 //!
-//! What blocks the way is a step if the character, raised by as much as it can step, could go on for as far as it needs and would
-//! stand on a floor there. A shape with a round bottom does not reach the top of the step at once: it rests on the edge for
-//! a while, against which its normal is steep. So an edge of a step holds like a floor ([`Kind::Step`]), and every move into it
-//! ends where the shape comes to rest on it: a capsule rolls over the edge, a box is put on top.
+//! An obstacle is a step if the raised character can continue far enough, and would stand on a floor there. A
+//! shape with a round bottom does not reach the top of the step at once: it rests on the edge for a while,
+//! with a steep normal. An edge of a step therefore supports like a floor ([`Kind::Step`]), and every move
+//! into it ends where the shape rests on it: a capsule rolls over the edge, a box is placed on top.
 
 use super::mover::Mover;
 use super::planes::{Kind, Plane, WALL_LEAN_MAX};
@@ -12,9 +12,9 @@ use super::resolved::StepUp;
 use crate::dim::math::{Pose, Real, Vector};
 
 impl Mover<'_> {
-    /// Finds out which walls are steps for somebody who wants to go somewhere.
+    /// Finds the walls that are steps for a desired translation.
     ///
-    /// Only walls matter that the wish leads into, or that alone could hold the character.
+    /// Only walls that the desired translation leads into matter, or walls that are the only support.
     pub fn find_steps(&mut self, desired: Vector) {
         let Some(step_up) = self.settings.step_up else { return };
         let (_, ahead) = self.settings.split(desired);
@@ -89,7 +89,8 @@ impl Mover<'_> {
         })
     }
 
-    /// Takes the step that the wish leads into, if there is one. Returns the share of the wish that this took.
+    /// Takes the step in the path of the desired translation, if there is one. Returns the fraction of the
+    /// desired translation that this took.
     pub fn step_up(&mut self, desired: Vector) -> Option<Real> {
         let step_up = self.settings.step_up?;
         let (_, ahead) = self.settings.split(desired);
@@ -105,8 +106,8 @@ impl Mover<'_> {
             return None;
         }
         let raised = self.raised(step_up);
-        // A flat bottom that is not over the step yet comes down before it. So that who walks slowly gets up, too, it is then
-        // put as far ahead as the gap to the step is wide.
+        // A flat bottom that is not over the step yet comes down before it. A slow character must reach the
+        // step, too, so it is moved ahead by the gap to the step.
         let past_the_gap = ahead + ahead.normalize_or_zero() * (2.0 * self.settings.offset);
         let least = self.moved.dot(self.settings.up) + self.settings.tolerance;
         for ahead in [ahead, past_the_gap] {
@@ -124,7 +125,7 @@ impl Mover<'_> {
         None
     }
 
-    /// The pose one step up, or as far up as there is room.
+    /// The pose one step up, or as far up as possible.
     fn raised(&mut self, step_up: StepUp) -> Pose {
         let (pose, way) = (self.pose(), self.settings.up * step_up.max_height);
         let fraction = self.sweep_from(&pose, way).fraction;

@@ -1,33 +1,34 @@
-//! Going straight until something is in the way.
+//! Sweep: straight motion until an obstacle.
 //!
-//! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of Rigid Body Systems"):
-//! the manifold of two convex parts has a normal along which they are a gap apart, and while one of them moves by `way`, that gap
-//! shrinks by no more than `-way·n`. So until the gap of some plane would be used up, the way is free; there the contacts are
-//! computed again. Along a floor no gap shrinks, and one look is enough. Everything rests on the contacts that also hold the
-//! character when it stands, so the two never contradict each other; a search for the time of impact alone would sometimes see a
-//! floor in the way of who walks on it.
+//! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of
+//! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
+//! While one of them moves by `way`, that gap shrinks by at most `-way·n`. The path is free until the gap of
+//! some plane would be used up; there the contacts are recomputed. Along a floor no gap shrinks, and one
+//! evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
+//! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
 
 use super::obstacles::Obstacles;
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;
 use crate::dim::math::{Pose, Real, Vector};
 
-/// Who goes along a plane at less than this sine goes past it.
+/// A motion along a plane at less than this sine passes it.
 const SINE_MIN: Real = 1.0e-4;
-/// So often are contacts computed on a piece of the way.
+/// Largest number of contact computations on a piece of the path.
 const LOOKS_MAX: usize = 32;
-/// A way is gone in pieces that are as long as the shape is thick, so that only what is near is looked at, or in so many.
+/// A path is divided into pieces of the shape's thickness, so that only near obstacles are evaluated, up to
+/// this number.
 const PIECES_MAX: Real = 32.0;
 
-/// How far a sweep came.
+/// Result of a sweep.
 pub(super) struct Swept {
     /// Share of the translation.
     pub fraction: Real,
-    /// What was in the way, at this place.
+    /// The obstacle at this pose.
     pub hit: Option<Plane>,
 }
 
-/// A sweep: from a pose along a way, up to a distance of `within`.
+/// A sweep: from a pose along a path, up to a distance of `within`.
 #[derive(Copy, Clone)]
 struct Sweep<'a> {
     pose: &'a Pose,
@@ -42,7 +43,7 @@ impl Sweep<'_> {
         Pose::from_parts(self.pose.translation + self.way * time, self.pose.rotation)
     }
 
-    /// Length by which a translation by the whole way shortens the gap of a plane.
+    /// Length by which a translation by the whole path shortens the gap of a plane.
     fn approach(&self, plane: &Plane) -> Real {
         -self.way.dot(plane.normal)
     }
@@ -61,10 +62,10 @@ impl Sweep<'_> {
 }
 
 impl Obstacles<'_> {
-    /// Moves along `way` until the gap to something that is in the way has become the offset.
+    /// Moves along `way` until the gap to an obstacle has become the offset.
     ///
-    /// The sweep looks for what comes `within` less than the offset, and is taken back: what the character goes along at
-    /// the offset itself is then no hit, however it is rounded.
+    /// The sweep stops at `within` less than the offset, and is moved back. An obstacle along the path at the
+    /// offset itself is then no hit, independent of rounding.
     pub fn sweep(
         &mut self,
         pose: &Pose,
@@ -96,8 +97,9 @@ impl Obstacles<'_> {
 
     /// The first time in `time..end` when a plane is as close as `within`, and the plane.
     ///
-    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to them. Before such
-    /// a plane ends the way, contacts are looked for from so near that only what is really there shows up.
+    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to
+    /// them. Before such a plane ends the path, contacts are computed at a small distance, where only real
+    /// ones exist.
     fn first_plane(&mut self, sweep: &Sweep<'_>, time: Real, end: Real) -> Option<(Real, Plane)> {
         let (mut time, mut planes) = (time, Vec::new());
         let (near, tolerance) = (sweep.settings.reach(), sweep.settings.tolerance);

@@ -1,7 +1,9 @@
 //! From a contact manifold to a plane.
 //!
-//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A body that falls does not mind; a character that walks over a ridge would follow the plane into
-//! the air. So contact points that are not on the obstacle do not count, and where none does, the closest points are taken.
+//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A
+//! body that falls does not mind; a character that walks over a ridge would follow the plane into the air.
+//! Contact points outside the obstacle are therefore ignored, and the closest points are used if none
+//! remains.
 
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;
@@ -93,8 +95,8 @@ impl Touch<'_> {
         is_on(self.collider.shape(), contact.local_p1) && is_on(self.shape, contact.local_p2)
     }
 
-    /// The closest points, near a given one: that on the obstacle, and the vector from there to the character. `None` if they
-    /// overlap.
+    /// The closest points, near a given one: that on the obstacle, and the vector from there to the
+    /// character. `None` if they overlap.
     ///
     /// Projects to and fro between the two, which for convex parts converges to the closest points (W. Cheney, A.
     /// Goldstein 1959, "Proximity maps for convex sets").

@@ -11,8 +11,8 @@ use crate::model::body::{RigidBody, RigidBodyVelocity};
 pub struct PdErrors {
     /// Target position minus actual position (length), or target velocity minus actual velocity (length/s).
     pub linear: Vector,
-    /// The rotation that leads from the actual to the target rotation, as axis times angle in world space (rad), or target
-    /// minus actual angular velocity (rad/s).
+    /// The rotation vector from the actual to the target rotation in world space (rad), or target minus
+    /// actual angular velocity (rad/s).
     pub angular: AngVector,
 }
 
@@ -30,8 +30,8 @@ impl From<RigidBodyVelocity> for PdErrors {
 
 /// Leads a dynamic body to a pose: says by how much its velocity should change before the next step.
 ///
-/// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the [`axes`](Self::axes) only. The
-/// body keeps colliding on its way, which sets it apart from a kinematic one.
+/// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the
+/// [`axes`](Self::axes) only. The body keeps colliding on its path, unlike a kinematic one.
 ///
 /// ```
 /// use rapier3d::prelude::*;
@@ -52,9 +52,9 @@ impl From<RigidBodyVelocity> for PdErrors {
 /// assert!((world.bodies[hand].translation() - target.translation).length() < 1.0e-3);
 /// ```
 ///
-/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt` comes home without
-/// swinging; `kd = 1` and `kp = 1 / dt` are there in one step. Anything with `0 < kd < 2` and `0 < kp·dt < 2·(2 - kd)` comes home in
-/// the end.
+/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt`
+/// gives critical damping; `kd = 1` and `kp = 1 / dt` reach the target in one step. Anything with `0 < kd <
+/// 2` and `0 < kp·dt < 2·(2 - kd)` comes home in the end.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PdController {
