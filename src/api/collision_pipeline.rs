@@ -20,7 +20,7 @@ use crate::step::{self, StepParts, StepScratch};
 /// Make one and keep it: it holds no state, but buffers that steps use again.
 #[derive(Default)]
 pub struct CollisionPipeline {
-    /// How long the last step took, and how much it had to do.
+    /// Times and counts of the last step.
     pub counters: Counters,
     scratch: StepScratch,
 }
@@ -31,7 +31,7 @@ impl CollisionPipeline {
         Self::default()
     }
 
-    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    /// Runs steps on these threads, and not on those of the caller's pool (the default).
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }

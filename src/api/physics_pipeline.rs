@@ -24,7 +24,7 @@ use core::borrow::Borrow;
 /// together.
 #[derive(Default)]
 pub struct PhysicsPipeline {
-    /// How long the last step took, and how much it had to do.
+    /// Times and counts of the last step.
     pub counters: Counters,
     scratch: StepScratch,
 }
@@ -35,13 +35,13 @@ impl PhysicsPipeline {
         Self::default()
     }
 
-    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    /// Runs steps on these threads, and not on those of the caller's pool (the default).
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }
 
-    /// Lets the solver use the widest instructions that the machine has (the default), or only those
-    /// that every machine of its kind has.
+    /// Selects the widest instructions of the machine for the solver (the default), or the baseline of its
+    /// architecture.
     ///
     /// This changes the speed and no bit of the results; it is there to check just that.
     pub fn set_wide_instructions(&mut self, wide: bool) {

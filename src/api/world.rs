@@ -28,7 +28,7 @@ pub struct PhysicsWorld {
     pub gravity: Vector,
     /// Length of a step, and how accurate it is.
     pub integration_parameters: IntegrationParameters,
-    /// Which bodies are awake, and which move and sleep together.
+    /// Awake bodies and islands.
     pub islands: IslandManager,
     /// Finds pairs of colliders that are close.
     pub broad_phase: BroadPhaseBvh,

@@ -10,7 +10,7 @@ use super::in_place::clone_in_place;
 use super::loading::{Loaded, check_when_loaded};
 use super::wide::prefetch_front;
 
-/// Where an element of an arena stands, and which of the slot's successive tenants it is.
+/// The slot of an element of an arena, and the generation of the slot.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Index {

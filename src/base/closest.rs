@@ -28,7 +28,7 @@ const ENLARGED_FROM: Real = 8.0;
 pub enum Closest {
     /// They are farther apart than the prediction distance, along this unit vector.
     Apart(Vector),
-    /// Where they are closest, or overlap least.
+    /// The closest points, or those of least overlap.
     Near {
         /// The point of the first shape.
         point1: Vector,
@@ -41,9 +41,9 @@ pub enum Closest {
     },
 }
 
-/// Where the support points of two shapes along a direction are.
+/// The support points of two shapes along a direction.
 pub struct Extents {
-    /// How far the shapes are apart along the direction; negative if they overlap.
+    /// Distance of the shapes along the direction; negative if they overlap.
     pub gap: Real,
     /// The smaller of the extents of the two along the direction.
     pub thickness: Real,
@@ -143,7 +143,7 @@ fn closest_as_is(
     }
 }
 
-/// Where shapes overlap least, from the simplex with which the search of closest points ended.
+/// The points of least overlap, from the final simplex of the closest-point search.
 fn least_overlap(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),

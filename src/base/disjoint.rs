@@ -37,7 +37,7 @@ impl<'a, T> DisjointMut<'a, T> {
         Self { elements: unsafe { &*elements } }
     }
 
-    /// How many elements there are.
+    /// The number of elements.
     pub fn len(&self) -> usize {
         self.elements.len()
     }

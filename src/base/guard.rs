@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// predict: the convex hull in 3D and its users, and queries between two shapes. Data that `work` changes
 /// must not be used after a panic, or must be valid at any time.
 ///
-/// Where panics abort the process there is no fence.
+/// If panics abort the process, there is no protection.
 pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Option<T> {
     catch_unwind(AssertUnwindSafe(work)).ok()
 }

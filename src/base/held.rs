@@ -30,7 +30,7 @@ impl HeldPanic {
         }
     }
 
-    /// Lets the panic go on, if there was one.
+    /// Resumes the panic, if there was one.
     pub fn release(self) {
         if let Some(panic) = self.0 {
             resume_unwind(panic);

@@ -16,7 +16,7 @@
 use parry::math::{Real, Rotation, Vector};
 use parry::shape::Triangle;
 
-/// By how much of itself a minimum width may be underestimated.
+/// Relative underestimate of a minimum width.
 pub const WIDTH_TOLERANCE: Real = 0.02;
 /// Vertices after which the search ends with the lower bound that it has: four times as many as a disc takes at the tolerance.
 const VERTICES_MAX: usize = 128;

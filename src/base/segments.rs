@@ -1,4 +1,4 @@
-//! Where two segments are nearest to each other (Ericson 2005, "Real-Time Collision Detection", section 5.1.9).
+//! Closest points of two segments (Ericson 2005, "Real-Time Collision Detection", section 5.1.9).
 
 use parry::math::{Real, Vector};
 
@@ -33,7 +33,7 @@ impl Segments {
         clamped(b * share1 + e, c)
     }
 
-    /// Where the first is nearest to the line of the second, if they are not parallel.
+    /// The point of the first that is nearest to the line of the second, if they are not parallel.
     pub fn crossing(&self) -> Real {
         let ([a, b, c], [d, e]) = (self.products, self.offsets);
         clamped(b * e - c * d, a * c - b * b)

@@ -1,7 +1,7 @@
 //! Sine, cosine and the angle of a direction, with the same bits on every machine.
 //!
-//! Those of the standard library are the platform's, whose last bits differ. Joint angles go through them in each
-//! substep, so these are made of arithmetic alone, which is the same everywhere.
+//! The standard library uses the platform's functions, whose last bits differ. Joint angles go through them
+//! in each substep, so these are made of arithmetic alone, which is the same everywhere.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 use parry::math::Real;

@@ -13,7 +13,7 @@
 use super::wide::Wide;
 use parry::math::Real;
 
-/// Of the angle `θ 2ᴰ / 8` after `D` doublings, from `θ²`: the cosine, and the sine divided by `θ`.
+/// From `θ²`, the cosine of the angle `θ 2ᴰ / 8` after `D` doublings, and its sine divided by `θ`.
 #[inline(always)]
 pub fn cosine_and_sine<const D: usize>(square: Real) -> (Real, Real) {
     let eighth = square * (1.0 / 64.0);

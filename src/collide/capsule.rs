@@ -99,8 +99,8 @@ impl Axes {
         segments.nearest_from(if self.is_parallel() { 0.5 } else { segments.crossing() })
     }
 
-    /// The distance of the axes, which are `length` apart at [`Self::closest`]. Of axes that are nearly parallel that
-    /// is where they lie beside each other; they are nearer at one of the four ends.
+    /// The distance of the axes, which are `length` apart at [`Self::closest`]. For nearly parallel axes it
+    /// is within their common interval; one of the four ends may be nearer.
     fn distance(&self, length: Real) -> Real {
         if !self.is_parallel() {
             return length;

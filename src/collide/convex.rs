@@ -172,8 +172,8 @@ fn flip(raw: &mut RawManifold) {
     }
 }
 
-/// How far two convex shapes are apart along `direction`, at least; 0 if they overlap along it or if
-/// nothing is known.
+/// Lower bound of the distance of two convex shapes along `direction`; 0 if they overlap along it or if it is
+/// unknown.
 pub(super) fn separation_along(
     pos12: &Pose,
     shape1: &dyn Shape,

@@ -167,7 +167,7 @@ impl Search<'_> {
         let points = stand.points.iter().copied();
         raw.points.extend(points.filter(|point| is_sound(point) && point.dist <= prediction));
         self.distance = 0.0;
-        // Of the piece only its number counts: points are in the frame of the shape.
+        // Only the number of the piece is used: points are in the frame of the shape.
         let piece = Part { id: stand.piece, ..Part::whole(flat_parts.body.shape) };
         let patch = self.culled.patches.len() as u32;
         self.patches.add_on(self.pair, raw, &flat_parts.with_body(piece), Some(patch))
@@ -220,7 +220,7 @@ impl Kernel for InPlane<'_> {
 /// Finds the piece of a patch below each point.
 struct Over<'a> {
     normal: Vector,
-    /// How far beyond the edge of a piece is still over it, at most.
+    /// Largest distance beyond the edge of a piece that counts as over it.
     tolerance: Real,
     blocks: &'a [FlatBlock],
     pieces: &'a [u32],

@@ -92,7 +92,7 @@ impl Grid {
     }
 }
 
-/// Which of six directions (in the plane four) is nearest to a normal.
+/// The direction, of six (in the plane four), that is nearest to a normal.
 pub(super) fn main_direction(normal: Vector) -> usize {
     let sizes = normal.abs();
     let axis = (1..DIM).fold(0, |best, axis| if sizes[axis] > sizes[best] { axis } else { best });

@@ -33,7 +33,7 @@ pub(super) type Bits = SmallVec<[u32; 16]>;
 /// Result of the culling of flat parts.
 #[derive(Default)]
 pub(super) struct CulledParts {
-    /// Which of the shapes is the surface.
+    /// Side of the surface.
     pub side: usize,
     /// Parts that remain.
     pub left: Bits,
@@ -45,7 +45,7 @@ pub(super) struct CulledParts {
 
 /// Parts of a surface, and a convex part of the other shape, the body.
 pub(super) struct FlatParts<'a> {
-    /// Which of the shapes is the surface.
+    /// Side of the surface.
     pub side: usize,
     pub triangle_cache: &'a TriangleCache,
     pub body: Part<'a>,

@@ -26,8 +26,8 @@
 //! The limits: a step that is less high than the tolerance ([`IntegrationParameters::allowed_linear_error`]
 //! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. `X` must touch `A` in the same
 //! step. A body that lands flat beside an edge, or that is deep in `B` at its first contact, meets the
-//! nearest side of `B`. Of a compound, those parts glide that are above the plane as a whole; meshes that
-//! move themselves catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
+//! nearest side of `B`. Parts of a compound slide if they are above the plane as a whole; moving meshes
+//! catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
 //!
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
@@ -110,7 +110,7 @@ impl<'a> Obstacle<'a> {
         }
     }
 
-    /// How far it reaches along a direction; `None` if without limit.
+    /// The extent along a direction; `None` if infinite.
     fn height(&self, direction: Vector) -> Option<Real> {
         if let Self::Flat(flat) = self {
             return Some(flat.height(direction));

@@ -2,8 +2,8 @@
 //!
 //! Every pair of convex parts that come near each other gets a [patch](super::patches) of contacts. [Ghost
 //! contacts](super::internal_edges) between the parts are removed, patches with similar normals are merged,
-//! and the rest are the manifolds. Nothing here remembers anything: the previous manifolds serve as a hint
-//! where to begin the search, and the buffers in [`ManifoldScratch`] only spare allocations.
+//! and the rest are the manifolds. The module is stateless: the previous manifolds are a start for the
+//! search, and the buffers in [`ManifoldScratch`] only save allocations.
 
 use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
 use super::flat_parts::CulledParts;
@@ -59,11 +59,11 @@ pub(crate) struct ShapePair<'a> {
     /// Pose of the second shape in the frame of the first.
     pub pos12: Pose,
     pub shapes: [&'a dyn Shape; 2],
-    /// How far the second moves against the first in a step, about, in the frame of the first.
+    /// Approximate displacement of the second relative to the first in a step, in the frame of the first.
     pub motion: Vector,
-    /// How far apart points may be (length units).
+    /// Largest distance of points (length units).
     pub prediction: Real,
-    /// How high a step may be that is none (length units).
+    /// Height below which a step is ignored (length units).
     pub step_height_tolerance: Real,
     /// The other contacts of each of the two.
     pub neighbors: [&'a [Neighbor<'a>]; 2],
@@ -229,7 +229,7 @@ impl<'a> ShapePair<'a> {
         }
     }
 
-    /// How far the shape on a side moves against the other in a step, in the frame of the other.
+    /// Displacement of the shape on a side relative to the other in a step, in the frame of the other.
     pub fn motion_of(&self, side: usize) -> Vector {
         match side {
             0 => self.pos12.rotation.inverse() * -self.motion,

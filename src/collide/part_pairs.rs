@@ -101,7 +101,7 @@ impl Search<'_> {
         chosen
     }
 
-    /// Where the second shape can touch the first, in the frame of the second.
+    /// The region in which the second shape can touch the first, in the frame of the second.
     fn region_of_second(&self) -> Aabb {
         let [shape1, shape2] = self.pair.shapes;
         let own = shape2.compute_local_aabb();

@@ -44,7 +44,7 @@ pub(super) struct Patch {
     /// Whether no part meets the other with its rim alone. A [`Flat`] does, if it does not look along the
     /// normal.
     is_broad: bool,
-    /// Where its points are.
+    /// Range of its points.
     points: Range<usize>,
     /// The number of its [coplanar patch](super::coplanar).
     floor: Option<u32>,
@@ -78,7 +78,7 @@ pub(super) struct Patches {
     points: Vec<RawPoint>,
     /// Pieces of coplanar patches, in the frame of their shape.
     pieces: Vec<FlatShape>,
-    /// Which patches are part of a manifold already, and the points of the next one.
+    /// The patches that are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
     /// The grid by which patches are culled, once there are too many, and by cell and direction the patch that is kept.

@@ -43,7 +43,7 @@ struct Pair<'a> {
 /// A face that may separate the polytopes.
 #[derive(Copy, Clone)]
 struct Separation {
-    /// How far the polytopes are apart along its normal.
+    /// Distance of the polytopes along its normal.
     gap: Real,
     /// The normal in the first frame, from the first polytope to the second.
     normal: Vector,
@@ -90,7 +90,7 @@ pub(super) fn contacts_on_axis(
 
 /// Computes the contacts of the face of one polytope, the first or the second, whose normal is nearest to
 /// `direction` (from the first to the second, in the first frame). The direction need not be the best
-/// separation. None if there is no such face.
+/// separation. The result is empty if there is no such face.
 pub(super) fn face_contacts(
     pos12: &Pose,
     [(polytope1, radius1), (polytope2, radius2)]: [(Polytope<'_>, Real); 2],
@@ -266,7 +266,7 @@ impl Pair<'_> {
         Some(gap)
     }
 
-    /// How far the polytopes are apart along a unit vector of the first frame.
+    /// Distance of the polytopes along a unit vector of the first frame.
     fn gap_along(&self, direction: Vector) -> Real {
         let highest = self.polytope1.support(direction);
         let lowest = self.polytope2.support(self.pos21.rotation * -direction);
@@ -282,7 +282,7 @@ impl Pair<'_> {
                 // Flat shapes have no thickness, but rounding.
                 let tolerance = TOLERANCE * self.thickness(normal).max(self.prediction);
                 let best = self.best_face(normal, hint).filter(|best| best.gap >= dist - tolerance);
-                // Where the face is not where they are closest, the closest points are better.
+                // If the closest points are not on the face, they are better.
                 if best.is_some_and(|best| self.add_face(&best, raw).is_some()) {
                     return;
                 }

@@ -77,8 +77,8 @@ impl Search<'_> {
         }
     }
 
-    /// Where the normal of two parts pointed last time, in the frame of the first part. Flat parts that
-    /// lie in the plane of a manifold are part of it.
+    /// The last normal of two parts, in the frame of the first part. Flat parts that lie in the plane of a
+    /// manifold are part of it.
     pub(super) fn hint(&self, part1: &Part<'_>, part2: &Part<'_>) -> Vector {
         let ids = (part1.id, part2.id);
         let is_same = |m: &&ContactManifold| (m.subshape1, m.subshape2) == ids;

@@ -22,7 +22,7 @@ pub(super) struct Core<'a> {
     part: &'a dyn Shape,
     /// The sharp shape.
     pub shape: &'a dyn PolygonalFeatureMap,
-    /// How thick the layer around it is (length units).
+    /// Thickness of the layer around it (length units).
     pub radius: Real,
 }
 

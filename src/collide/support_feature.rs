@@ -20,7 +20,7 @@ pub(super) struct SupportVertex {
 /// The support feature of a shape.
 pub(super) struct SupportFeature {
     pub vertices: ArrayVec<SupportVertex, SUPPORT_VERTICES_MAX>,
-    /// How thick the shape is at right angles to the plane (length units).
+    /// Thickness of the shape perpendicular to the plane (length units).
     pub thickness: Real,
 }
 

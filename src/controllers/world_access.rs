@@ -17,7 +17,7 @@ pub struct QueryPipelineMut<'a> {
     pub bodies: &'a mut RigidBodySet,
     /// The colliders.
     pub colliders: &'a ColliderSet,
-    /// Which of the colliders are meant.
+    /// Filter of the colliders.
     pub filter: QueryFilter<'a>,
 }
 

@@ -118,7 +118,7 @@ impl DebugRenderPipeline {
         }
     }
 
-    /// How a free axis looks, in the joint's frame on the first body.
+    /// Form of a free axis, in the joint's frame on the first body.
     fn sketch(&self, joint: &GenericJoint, axis: JointAxis) -> Outline {
         let length = self.style.joint_axes_length;
         let mut sketch = Outline::default();
@@ -169,7 +169,7 @@ fn zero_of(axis: JointAxis) -> Vector {
     Vector::AXES.into_iter().find(turns).unwrap_or(Vector::X)
 }
 
-/// From where to where an axis is drawn: its limits, where it has any, or `reach` to both sides.
+/// The drawn range of an axis: its limits, if it has any, or `reach` to both sides.
 fn range(joint: &GenericJoint, axis: JointAxis, reach: Real) -> [Real; 2] {
     let shared = joint.is_measured_together(axis);
     // Limits and motor of the first of several coupled axes are those of all.

@@ -8,7 +8,7 @@ pub type DebugColor = [f32; 4];
 /// Hues of X, Y and Z (degrees): red, green, blue.
 pub(super) const AXIS_HUES: [f32; 3] = [0.0, 120.0, 220.0];
 
-/// How everything looks. The defaults are made for a dark background.
+/// Style of all drawn objects. The defaults are made for a dark background.
 ///
 /// A multiplier is applied to a colour part by part: `[1.0, 1.0, 0.5, 1.0]` halves the lightness.
 #[derive(Copy, Clone, Debug, PartialEq)]

@@ -12,7 +12,7 @@ pub struct Facets<'a>(&'a ConvexPolygon);
 pub struct Facet {
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far (length units) the face is from the origin along the normal.
+    /// Distance (length units) of the face from the origin along the normal.
     pub offset: Real,
 }
 

@@ -7,7 +7,7 @@ use crate::base::walk::{Walk, range};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::HeightField;
 
-/// Where a ray meets a height field, in the field's frame.
+/// The hit of a ray on a height field, in the field's frame.
 pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
     let (start, end) = field.local_aabb().clip_ray_parameters(ray)?;
     let (mut start, end) = (start.max(0.0), end.min(limit));

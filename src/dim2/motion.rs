@@ -1,4 +1,4 @@
-//! How bodies move while nothing holds them, in 2D: a record of whole registers, and what integrates it lane by lane.
+//! Free motion of bodies in 2D: a record of whole registers, and its integration lane by lane.
 //!
 //! # Tumbling
 //! In 2D there is none, since there is only one axis to turn about.
@@ -44,7 +44,7 @@ impl FreeMotion {
         self
     }
 
-    /// How the body was turned when the step began.
+    /// Rotation of the body when the step began.
     pub fn rotation(&self) -> Rotation {
         Rotation { re: self.0[0], im: self.0[1] }
     }

@@ -21,7 +21,7 @@ const MOTION_LEN: usize = 4;
 const STATE_LEN: usize = 2 * MOTION_LEN;
 const POSE_LEN: usize = 8;
 
-/// How much of a state a write covers: its velocity and, where a register is longer than that (single
+/// The part of a state that a write covers: its velocity and, where a register is longer than that (single
 /// precision), the displacement behind it.
 const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
 
@@ -73,7 +73,7 @@ impl BodyState {
         }
     }
 
-    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
         let s = &self.0[MOTION_LEN..];
@@ -156,7 +156,7 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
-/// How far one body per lane has moved and turned since the step began.
+/// Displacement and rotation of one body per lane since the step began.
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
@@ -187,7 +187,7 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
-/// How one body per lane moves, and how far it has moved.
+/// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
 /// Reads velocity and displacement of one body per lane.

@@ -289,7 +289,7 @@ impl<W: Wide> WideRotation<W> {
         less * less + self.im * self.im
     }
 
-    /// How far it moves a vector's tip, to full precision however small that is.
+    /// Displacement of a vector's tip, to full precision for any size.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
         // cos φ - 1 = -sin² φ / (1 + cos φ), except for half a turn, where the difference is exact.

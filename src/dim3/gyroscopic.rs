@@ -1,4 +1,4 @@
-//! How a rigid body turns while nothing holds it, lane by lane.
+//! Free rotation of a rigid body, lane by lane.
 //!
 //! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands still. Its energy
 //! is a sum, and each term by itself is a motion that is known exactly:
@@ -18,8 +18,8 @@
 //!
 //! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993);
 //! Dullweber, Leimkuhler and McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (J.
-//! Chem. Phys. 1997), who also split off the symmetric top. Jacobi's elliptic functions, which are exact for
-//! all bodies, take several times as long and lose their digits where two moments are nearly the same.
+//! Chem. Phys. 1997). They split off the symmetric top as well. Jacobi's elliptic functions, which are exact
+//! for all bodies, take several times as long and lose their digits where two moments are nearly the same.
 
 use super::math::TURN_MAX;
 use super::rotation_vector::wide_unit_quaternion;
@@ -27,9 +27,9 @@ use super::wide::{WideRotation, WideVector};
 use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
-/// Where a free body is after a while, as seen from where it was.
+/// Orientation of a free body after a time, relative to its start.
 pub(super) struct FreeTurn<W> {
-    /// How it has turned, in the frame of its principal axes.
+    /// Its rotation, in the frame of its principal axes.
     pub turn: WideRotation<W>,
     /// Its angular momentum in the frame of these axes as they are then.
     pub momentum: WideVector<W>,

@@ -82,7 +82,7 @@ pub const TURN_MAX: Real = 1.0e4;
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = angle.length_squared().min(TURN_MAX);
-    // Of half the angle.
+    // Cosine and sine of half the angle.
     let (cosine, sine) = cosine_and_sine::<2>(square);
     let (q, a) = (rotation, angle * sine);
     Rotation::from_xyzw(

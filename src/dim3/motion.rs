@@ -1,4 +1,4 @@
-//! How bodies move while nothing holds them, in 3D: a record of whole registers, and what integrates it lane by lane.
+//! Free motion of bodies in 3D: a record of whole registers, and its integration lane by lane.
 //!
 //! # Tumbling
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
@@ -38,7 +38,7 @@ use parry::mass_properties::MassProperties;
 const ISOTROPY: Real = 1.0e-3;
 /// A body that rotates by less than this (rad) in a substep has no gyroscopic motion.
 const TURN_MIN: Real = 1.0e-4;
-/// Of a turn in a substep of up to this angle (rad) there is no doubt which one it was.
+/// A rotation in a substep of up to this angle (rad) is unambiguous.
 const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
 /// Up to this angle (rad) in a substep the velocity of the middle does for what is not thin.
 const SMALL_ANGLE_MAX: Real = 0.1;
@@ -106,7 +106,7 @@ impl FreeMotion {
         self
     }
 
-    /// The current rotation of a gyroscopic body. Of others: how it was when the step began.
+    /// The current rotation of a gyroscopic body. For others, the rotation when the step began.
     pub fn rotation(&self) -> Rotation {
         Rotation::from_xyzw(self.plain[0], self.plain[1], self.plain[2], self.plain[3])
     }
@@ -164,7 +164,7 @@ pub(crate) fn accelerated<W: Wide>(
 /// for their rotated inertia.
 ///
 /// The velocity change is no impulse: the next substep must not start with it, nor with its rounding error.
-/// Where there was no impulse, the velocity `before` any becomes the new one to the last bit.
+/// Without an impulse, the velocity `before` any becomes the new one to the last bit.
 #[inline(always)]
 pub(crate) fn gyroscopic<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -209,7 +209,7 @@ pub(crate) fn angvel_at(
     there * (reached.inverse() * angvel)
 }
 
-/// How one body is turned after it has turned freely for `h` seconds, and its angular velocity.
+/// The rotation of one body after free rotation for `h` seconds, and its angular velocity.
 fn rotated_freely(
     mass: &MassProperties,
     rotation: Rotation,

@@ -126,7 +126,7 @@ pub(crate) fn turned_inertia<W: Wide>(
     rotation: WideRotation<W>,
 ) -> WideSymmetric<W> {
     let m = inv_inertia;
-    // Of each row of I⁻¹, and then of each column of what comes out.
+    // Each row of I⁻¹ is rotated, and then each column of the result.
     let x = rotation.rotate(WideVector { x: m.m11, y: m.m12, z: m.m13 });
     let y = rotation.rotate(WideVector { x: m.m12, y: m.m22, z: m.m23 });
     let z = rotation.rotate(WideVector { x: m.m13, y: m.m23, z: m.m33 });

@@ -155,7 +155,7 @@ pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassPrope
 }
 
 /// Mass properties of the solid that triangles enclose, in either orientation; none if they enclose nothing.
-/// Of a mesh that is not closed, the result is that of the solid between its triangles and its first vertex.
+/// For an open mesh, the result is that of the solid between its triangles and its first vertex.
 ///
 /// The solid is summed up from tetrahedra with their tips at one vertex. About its tip, the second moments of
 /// a tetrahedron of volume `V` and edges `a, b, c` are `V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ)`, `s = a + b + c`.

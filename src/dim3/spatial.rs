@@ -41,7 +41,7 @@ pub fn rotation_components(rotation: &Rotation) -> [Real; 4] {
     rotation.to_array()
 }
 
-/// How the direction `b` changes as it turns at `a` (rad/s).
+/// The rate of change of the direction `b` under the angular velocity `a` (rad/s).
 #[inline]
 pub fn ang_cross(a: AngVector, b: AngVector) -> AngVector {
     a.cross(b)

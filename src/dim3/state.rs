@@ -72,7 +72,7 @@ impl BodyState {
         }
     }
 
-    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
         let s = &self.0[MOTION_LEN..];
@@ -159,7 +159,7 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
-/// How far one body per lane has moved and turned since the step began.
+/// Displacement and rotation of one body per lane since the step began.
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
@@ -200,7 +200,7 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
-/// How one body per lane moves, and how far it has moved.
+/// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
 /// Reads velocity and displacement of one body per lane.

@@ -367,7 +367,7 @@ impl<W: Wide> WideRotation<W> {
         W::splat(4.0) * (self.x * self.x + self.y * self.y + self.z * self.z)
     }
 
-    /// How far it moves a vector's tip, to full precision however small that is.
+    /// Displacement of a vector's tip, to full precision for any size.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
         let u = WideVector { x: self.x, y: self.y, z: self.z };

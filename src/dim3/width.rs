@@ -62,7 +62,7 @@ struct Face {
     corners: [u32; 3],
     /// Outward unit normal.
     normal: Vector,
-    /// How far its plane is from the origin.
+    /// Distance of its plane from the origin.
     dist: Real,
 }
 

@@ -35,7 +35,7 @@ pub(crate) struct ManifoldRef {
     pub manifold: u32,
 }
 
-/// Where a constraint stands in the graph.
+/// Position of a constraint in the graph.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct ColorSlot {

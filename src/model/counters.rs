@@ -1,4 +1,4 @@
-//! How long the last step took, and how much it had to do.
+//! Times and counts of the last step.
 
 use crate::base::timer::Timer;
 
@@ -124,7 +124,7 @@ impl Counters {
         self.enabled
     }
 
-    /// Lets the timers run from the next step on.
+    /// Enables the timers from the next step on.
     pub fn enable(&mut self) {
         self.set_enabled(true);
     }

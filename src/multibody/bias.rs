@@ -66,7 +66,8 @@ impl Kinematics {
         join(c, alpha)
     }
 
-    /// How a link moves against its parent: slide, angular velocity, and how the latter's axes turn each other.
+    /// Motion of a link relative to its parent: translation velocity, angular velocity, and the rate of
+    /// change of the latter's axes.
     fn relative(&self, link: &LinkFrame, rates: &[Real]) -> (Vector, AngVector, AngVector) {
         let first_turn = link.dofs.start + link.slides;
         let (mut slide, mut spin, mut spin_turn) = (Vector::ZERO, ANG_ZERO, ANG_ZERO);

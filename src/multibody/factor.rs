@@ -46,7 +46,7 @@ pub struct Factor {
     inertias: Vec<SpatialMatrix>,
     /// By link: about how much mass and angular inertia there is from it to the tips.
     sizes: Vec<[Real; 2]>,
-    /// Of the last [`Self::solve`]: the wrenches of the upward pass.
+    /// Wrenches of the upward pass of the last [`Self::solve`].
     wrenches: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
 }

@@ -1,4 +1,4 @@
-//! Which coordinates bring a link to a pose: inverse kinematics by damped least squares.
+//! Inverse kinematics by damped least squares: coordinates that bring a link to a pose.
 //!
 //! To first order a displacement `Δq` moves the link by `J Δq`. Of all steps that reduce the error `e`, the
 //! smallest is selected, and it must be bounded where the link cannot go (Buss, "Introduction to Inverse
@@ -24,7 +24,7 @@ use crate::model::multibody::{Multibody, MultibodyLink};
 /// target out of reach requests more in each step.
 const TURN_MAX: Real = 0.3;
 
-/// How [`Multibody::inverse_kinematics`] searches, and when it is content.
+/// Search parameters and tolerances of [`Multibody::inverse_kinematics`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct InverseKinematicsOption {
     /// The damping `λ` (default 1): large values make small, safe steps; small ones converge in fewer of them, and jerk where
@@ -102,7 +102,7 @@ impl Multibody {
         *displacements = start.displacements_to(&posed);
     }
 
-    /// Lets a step turn no joint by more than [`TURN_MAX`].
+    /// Limits the rotation of each joint in a step to [`TURN_MAX`].
     fn shorten(&self, step: &mut [Real]) {
         let turns = self.dofs.iter().zip(step.iter()).filter(|(dof, _)| dof.axis as usize >= DIM);
         let largest = turns.map(|(_, turn)| turn.abs()).fold(0.0, Real::max);
@@ -184,7 +184,7 @@ impl Multibody {
     }
 }
 
-/// How far a pose is from the target, along and about some axes of the world.
+/// The difference of a pose from the target, along and about some axes of the world.
 fn error_to(target: &Pose, pose: &Pose, axes: JointAxesMask) -> SpatialVector {
     let turn = target.rotation * pose.rotation.inverse();
     let mut error = join(target.translation - pose.translation, rotation_to_angle(&turn));

@@ -1,4 +1,4 @@
-//! Where the links are, and how the degrees of freedom move them.
+//! Forward kinematics: poses and velocities of the links.
 
 use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot, turn};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -15,7 +15,7 @@ use core::ops::Range;
 pub struct LinkFrame {
     pub parent: Option<usize>,
     pub dofs: Range<usize>,
-    /// How many of them, the first ones, are translations.
+    /// Number of translations among them, which come first.
     pub slides: usize,
     pub rotation: Rotation,
     /// The centre of mass.
@@ -46,8 +46,8 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// The links as the coordinates say, from the root on, which stands where it stands. None of a multibody whose links were put
-    /// in the place of others.
+    /// The links as the coordinates say, from the root on, which stands where it stands. Empty for a
+    /// multibody whose links were replaced.
     pub fn of(multibody: &Multibody) -> Self {
         let mut kinematics = Self::default();
         if multibody.is_whole() {

@@ -9,7 +9,7 @@
 //! sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and Symmetry", 1999).
 //! From that follow two rules:
 //!
-//! * Of all motions that make up for a missing momentum, that of the whole has the least energy. Applied to
+//! * Among all motions that correct a missing momentum, that of the whole has the least energy. Applied to
 //!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
 //!   limb. A straight chain is a thin whole. Its missing momentum about that axis is therefore corrected
 //!   slowly, or soon about another axis, as the chain rotates.

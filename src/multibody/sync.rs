@@ -33,7 +33,7 @@ impl Multibody {
         }
     }
 
-    /// Where a link is, as of its body and its joint.
+    /// Position of a link by its body and its joint.
     fn load(&mut self, id: usize, bodies: &RigidBodySet) {
         let parent = self.links[id].parent.map(|parent| self.links[parent].pose);
         let link = &mut self.links[id];

@@ -105,8 +105,7 @@ impl LinkTrajectory {
     }
 
     /// Moves back to a fraction of the trajectory, with the velocities of that time as far as inertia has
-    /// changed them. Where these cannot be followed, the links keep the momenta that they have, as far as the
-    /// joints let them, and true comes with that.
+    /// changed them. If inertia cannot be reversed, the links keep their momenta, as far as the joints allow.
     fn fly_back(
         &self,
         multibody: &mut Multibody,

@@ -1,4 +1,4 @@
-//! Which colliders a query is about.
+//! Filters of queries.
 
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
 use crate::model::collider::{Collider, ColliderHandle, InteractionGroups};
@@ -47,7 +47,7 @@ impl QueryFilterFlags {
 /// A question that a query asks of each collider that it comes by.
 pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
 
-/// Which colliders a query is about: all that none of its conditions leaves out.
+/// Filter of a query: the conjunction of its conditions.
 ///
 /// ```
 /// # use rapier3d::prelude::*;

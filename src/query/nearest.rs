@@ -7,7 +7,7 @@ use crate::model::collider::{Collider, ColliderHandle};
 
 /// The result and its distance.
 struct Best<T> {
-    /// Nothing is nearer than this.
+    /// Lower bound of the distance.
     least: Real,
     distance: Real,
     found: Option<(ColliderHandle, T)>,
@@ -38,8 +38,8 @@ impl<T> Best<T> {
 }
 
 impl QueryView<'_> {
-    /// The nearest of the colliders that are meant, no farther away than the second of `limits`. Nothing is nearer
-    /// than the first.
+    /// The nearest of the colliders that are meant, no farther away than the second of `limits`. The first is
+    /// the nearest.
     ///
     /// `probe` returns a lower bound of the distance for a box; `to_collider` the distance of a collider and
     /// its result. It does not receive the current limit: a shape's result may depend on the limit in its
@@ -50,7 +50,7 @@ impl QueryView<'_> {
         probe: &impl Probe,
         to_collider: impl Fn(&Collider) -> Option<(Real, T)>,
     ) -> Option<(ColliderHandle, T)> {
-        // Where nothing is, the probes say infinity.
+        // Empty lanes have infinite distances.
         let mut best = Best { least, distance: limit.min(0.5 * Real::MAX), found: None };
         for tree in self.trees() {
             let reach = best.distance;

@@ -15,11 +15,11 @@ use parry::query::QueryDispatcher;
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
     trees: AllBoxes<'a>,
-    /// How pairs of shapes are computed.
+    /// Algorithms for pairs of shapes.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The colliders.
     pub colliders: &'a ColliderSet,
-    /// Which of them are meant.
+    /// Filter of the colliders.
     pub filter: QueryFilter<'a>,
 }
 

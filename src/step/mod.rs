@@ -358,7 +358,7 @@ fn report(parts: &mut StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic:
 }
 
 impl StepScratch {
-    /// Lets steps run on these threads.
+    /// Runs steps on these threads.
     pub fn set_threads(&mut self, threads: Threads) {
         self.threads = threads;
     }
@@ -373,8 +373,7 @@ impl StepScratch {
         self.trace.hashes()
     }
 
-    /// Lets the solver use the widest instructions that the machine has, or those that every machine
-    /// has.
+    /// Selects the widest instructions of the machine for the solver, or the baseline of its architecture.
     pub fn set_wide_instructions(&mut self, wide: bool) {
         self.simd = if wide { Simd::detect() } else { Simd::baseline() };
     }

@@ -8,7 +8,7 @@ use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
 use crate::model::multibody::LinkTrajectory;
 use crate::model::params::IntegrationParameters;
 
-/// How a contact pair changed in the narrow phase.
+/// Change of a contact pair in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum PairChange {
     /// Its manifolds were computed anew: how many there are, and whether they are to be solved, may
@@ -22,18 +22,18 @@ pub(crate) enum PairChange {
 /// otherwise end with its middle behind a thin obstacle.
 const FAST: Real = 0.5;
 
-/// How a body moved in this step that moved so far that it could have passed through something.
+/// Motion of a body that moved far enough to pass through something.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FastMotion {
     pub body: RigidBodyHandle,
-    /// Where it was.
+    /// Pose at the start.
     pub start: Pose,
-    /// Where its centre of mass was, and how far this moved.
+    /// Centre of mass at the start, and its displacement.
     pub center: Vector,
     pub shift: Vector,
     /// The rotation vector of its turn (rad).
     pub rotvec: AngVector,
-    /// By how much forces accelerate it.
+    /// Acceleration by forces.
     pub acceleration: Vector,
     /// For a link of a multibody: the position of that in the list of fast ones, and the link's.
     pub link: Option<(usize, usize)>,
@@ -106,7 +106,7 @@ pub(crate) struct StepNotes {
 }
 
 impl StepNotes {
-    /// Nothing happened yet.
+    /// Clears all notes.
     pub fn clear(&mut self) {
         self.clear_attempt();
         self.events.clear();

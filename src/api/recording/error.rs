@@ -39,7 +39,7 @@ pub enum RecordingError {
     },
 }
 
-/// Where a replay left the recorded run.
+/// The step at which a replay left the recorded run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Divergence {

@@ -150,7 +150,7 @@ impl<'a> Differ<'a> {
         0
     }
 
-    /// How many bytes from here on equal those of the base from a position on.
+    /// The number of bytes from here on that equal those of the base from a position on.
     fn matching(&self, from: usize) -> usize {
         let base = self.base.get(from..).unwrap_or_default();
         let pairs = self.next[self.at..].iter().zip(base);

@@ -223,7 +223,7 @@ impl Kernel for Descend<'_> {
                     best = Some((costs.0[lane], lane, below));
                 }
             }
-            // Where all children are leaves it has arrived.
+            // The descent ends if all children are leaves.
             let Some((_, lane, below)) = best else { return at };
             node.set_box(lane, &node.lane_box(lane).merged(self.aabb));
             at = below;

@@ -48,7 +48,7 @@ pub struct BoxTree {
     /// The root comes first. Nodes that are free stand in `free`.
     nodes: Vec<Node>,
     free: Vec<u32>,
-    /// Where the box of each slot is.
+    /// The place of each slot's box.
     places: Vec<Option<Place>>,
     len: usize,
     /// Boxes that came since the tree was built as a whole, were put elsewhere, or had those above them grow.
@@ -77,7 +77,7 @@ impl BoxTree {
         (self.len, self.wear) = (0, 0);
     }
 
-    /// How many boxes came, were put elsewhere, or had those above them grow, since the tree was built as a whole.
+    /// The number of insertions, moves and growths since the last complete build.
     pub fn wear(&self) -> usize {
         self.wear
     }

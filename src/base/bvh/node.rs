@@ -76,7 +76,7 @@ pub struct Entry {
 pub struct Node {
     pub planes: Planes,
     pub children: [Child; LANES],
-    /// Where the node is a child; `None` for the root.
+    /// The parent and lane of the node; `None` for the root.
     pub parent: Option<Place>,
     pub count: u32,
 }

@@ -9,7 +9,7 @@ use parry::math::{DIM, Real, Vector};
 
 /// Tests all boxes of a node at once.
 pub trait Probe: Copy {
-    /// How near anything in each box can be, and which boxes have anything within `reach`.
+    /// Lower bounds of the distance for each box, and the boxes with anything within `reach`.
     ///
     /// Must be `#[inline(always)]`, see [`Kernel`](crate::base::wide::Kernel).
     fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
@@ -61,7 +61,7 @@ pub struct SlabProbe {
     front: Vector,
     back: Vector,
     inv_dir: Vector,
-    /// Which of a node's planes are met first, per axis, and which last.
+    /// The first planes of a node per axis, and the last ones.
     near: [usize; DIM],
     far: [usize; DIM],
 }

@@ -31,7 +31,7 @@ impl<T: Send> Gather<T> {
         if tasks.are_alone() {
             return find(0..count, list);
         }
-        // Of a loop that panicked something may be left.
+        // Results of a panicked loop may be left.
         self.found.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
         let Self { idle, found } = &*self;
         tasks.par_for(count, grain, |range| {

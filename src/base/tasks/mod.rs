@@ -21,14 +21,14 @@ use team::WorkerTeam;
 pub use gather::Gather;
 pub use threads::{Threads, ThreadsError};
 
-/// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
+/// Number of pieces per thread, so that fast threads can take work of slow ones.
 #[cfg(feature = "parallel")]
 const PIECES_PER_THREAD: usize = 4;
 
 /// The threads that a step may use. Only the thread that opened them can hand out work.
 #[derive(Copy, Clone)]
 pub struct Tasks<'a> {
-    /// None for a single thread.
+    /// `None` for a single thread.
     #[cfg(feature = "parallel")]
     team: Option<(&'a WorkerTeam, &'a dyn Fn(usize))>,
     /// Neither sent to nor shared with another thread.

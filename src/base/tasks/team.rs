@@ -83,7 +83,7 @@ impl WorkerTeam {
         }
     }
 
-    /// How many threads may work at the same time.
+    /// The largest number of concurrent threads.
     pub fn threads(&self) -> usize {
         self.threads
     }
@@ -245,7 +245,7 @@ impl WorkRange {
     }
 }
 
-/// How a thread waits: at once ready at first, politely later.
+/// Waiting strategy of a thread: it spins first, and yields later.
 #[derive(Default)]
 struct Pause(u32);
 

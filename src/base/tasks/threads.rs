@@ -1,4 +1,4 @@
-//! Which threads steps run on: a setting of the pipelines.
+//! Threads of a step: a setting of the pipelines.
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
@@ -6,7 +6,7 @@ use super::team::{MAX_THREADS, WorkerTeam};
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
-/// Which threads steps run on.
+/// Threads of a step.
 ///
 /// By default the threads of the rayon pool that calls the step. Outside of any pool that is rayon's global
 /// pool, with a thread per core by default. Rays that are cast by the thousand go to these, whatever a

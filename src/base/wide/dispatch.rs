@@ -1,4 +1,4 @@
-//! Which instruction set a kernel runs on: chosen once, when the program runs.
+//! Instruction set of kernels, selected once at run time.
 
 use super::Wide;
 use parry::math::Real;

@@ -55,7 +55,7 @@ use parry::math::Real;
 pub use dispatch::{Kernel, Simd};
 pub use prefetch::{prefetch, prefetch_front};
 
-/// How many numbers a register holds: 8 single-precision or 4 double-precision ones.
+/// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();
 
 /// [`LANES`] numbers in memory, one per lane: what the constraint blocks are made of.
@@ -140,7 +140,7 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     unsafe fn load_transposed(rows: [*const S; N]) -> [Self; N];
 
     /// Writes `N` numbers to each of `N` places; register `k` holds the `k`-th number of each. [`scatter`] is
-    /// the safe form. Where places overlap, either number may remain.
+    /// the safe form. If places overlap, either number may remain.
     ///
     /// # Safety
     /// Each pointer must be good for writing `N` numbers.
@@ -213,7 +213,7 @@ pub fn gather_adjacent<W: Wide, R, const N: usize>(
     records: &[R],
     numbers: impl Fn(&R) -> &[Real; N],
 ) -> [W; N] {
-    // Where all are there, their places follow from that of the first.
+    // If all are present, their places follow from that of the first.
     if let Ok(all) = <&[R; LANES]>::try_from(records) {
         return gather(all.each_ref().map(numbers));
     }

@@ -161,7 +161,7 @@ fn any_finds_a_yes_in_each_lane() {
 /// Adds to each component of the records its own number and writes them back.
 struct AddToRecords<'a, const N: usize> {
     records: &'a mut [[Real; N]],
-    /// Which record each lane has; every record at most once.
+    /// The record of each lane; every record at most once.
     lanes: [Option<usize>; LANES],
 }
 

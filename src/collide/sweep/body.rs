@@ -80,7 +80,7 @@ impl<'a> Body<'a> {
         };
         let (low, high) = (region.mins.max(-half), region.maxs.min(half));
         let scale = (high - low) / (half + half);
-        // Nothing to take off, or nothing left.
+        // There is no layer, or no core.
         let cuts = scale.cmplt(Vector::ONE) & scale.cmpgt(Vector::ZERO);
         let scale = Vector::select(cuts, scale, Vector::ONE);
         let center = (low + high) * 0.5 / (Vector::ONE - scale);
@@ -178,7 +178,8 @@ impl<'a> Body<'a> {
                         widest(&pos12, shape1, shape2, directions)?
                     }
                 };
-                // Of a triangle that is much larger than the other one the search may say that they overlap where they do not.
+                // For a triangle that is much larger than the other shape, the search may report an overlap
+                // of separated shapes.
                 let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
                 let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
                 let apart = widest(&pos12, shape1, shape2, across);
@@ -198,8 +199,8 @@ impl<'a> Body<'a> {
         Some((normal, dist - radius)).filter(|&(_, dist)| dist <= reach)
     }
 
-    /// How fast a turn by an angle of one moves the points of the sharp body (length units), about a centre. The layer around it is as
-    /// thick everywhere, so turning does not move that.
+    /// Speed of the points of the sharp body (length units) for a rotation by an angle of one about a centre.
+    /// The layer around it is as thick everywhere, so turning does not move that.
     pub fn reach_about(&self, center: Vector) -> Real {
         let Sharp::Convex(shape) = &self.sharp else { return Real::MAX };
         let farthest = directions().map(|direction| {
@@ -220,7 +221,7 @@ fn search_error() -> Real {
 /// The direction, among some, along which two shapes are farthest apart, and that distance: a lower bound of
 /// their distance.
 ///
-/// Between a wide floor and a thin object near it the search may diverge and return a large distance. This is
+/// The search may diverge for a wide floor and a thin object near it, and return a large distance. This is
 /// what is certain.
 fn widest(
     pos12: &Pose,

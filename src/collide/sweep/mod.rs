@@ -251,7 +251,7 @@ fn other_of<'a>(
     Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
 }
 
-/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go
+/// Deviation of one centre from its chord, in the frame of the other that rotates by `θ`, if both move
 /// straight. With `d` from one centre of rotation to the other, `p = R(-θs) d(s)` has a second derivative of
 /// at most `θ² d + 2 θ ḋ`. A curve is within an eighth of that from its chord.
 fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
@@ -333,7 +333,7 @@ impl Goal {
     }
 }
 
-/// How two parts come together.
+/// Closing motion of two parts.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Meeting {
     /// They do not.
@@ -419,7 +419,8 @@ fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real
     shifts[0] + shifts[1] + turning(fastest(Segment::angle), reaches)
 }
 
-/// How fast turns can bring bodies together that reach so far. A shape without rotation may be infinite.
+/// Bound on the closing speed by rotation of bodies with this extent. A shape without rotation may be
+/// infinite.
 fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     let of = |k: usize| if angles[k] > 0.0 { angles[k] * reaches[k] } else { 0.0 };
     of(0) + of(1)

@@ -23,7 +23,7 @@ pub(crate) struct Segment {
     /// Rotation of the moving frame when the segment begins, and its centre of rotation.
     pub rotation: Rotation,
     pub center: Vector,
-    /// How far the centre moves, and the rotation vector of the turn (rad), per step.
+    /// Displacement of the centre, and rotation vector (rad), per step.
     pub shift: Vector,
     pub rotvec: AngVector,
 }
@@ -39,7 +39,7 @@ impl Segment {
         rotvec: ANG_ZERO,
     };
 
-    /// How fast it turns (rad per step).
+    /// Angular speed (rad per step).
     pub fn angle(&self) -> Real {
         match ang_length_squared(self.rotvec) {
             0.0 => 0.0,
@@ -63,7 +63,7 @@ enum Trajectory<'a> {
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Sweep<'a> {
     trajectory: Trajectory<'a>,
-    /// How the shape is turned against what moves, and the centre of rotation in the shape's frame.
+    /// Rotation of the shape relative to the moving frame, and the centre of rotation in the shape's frame.
     rotation: Rotation,
     pub(super) local_center: Vector,
     /// The executed fraction of the motion.
@@ -163,7 +163,7 @@ impl<'a> Sweep<'a> {
         self.travel() != [0.0; 2]
     }
 
-    /// How far the centre goes, and by what angle (rad) the shape turns.
+    /// Displacement of the centre, and rotation angle (rad) of the shape.
     pub(super) fn travel(&self) -> [Real; 2] {
         let lasts = |segment: &Segment| segment.until - segment.from;
         let trajectory =
@@ -172,7 +172,7 @@ impl<'a> Sweep<'a> {
         [trajectory, angle]
     }
 
-    /// Where the centre is when the step begins.
+    /// The centre when the step begins.
     pub(super) fn center(&self) -> Vector {
         self.segments()[0].center
     }
@@ -228,7 +228,7 @@ pub(crate) fn turned(rotation: Rotation, angle: AngVector) -> Rotation {
     (rotvec * rotation).normalize()
 }
 
-/// How far a shape reaches from a point of its frame.
+/// The extent of a shape from a point of its frame.
 pub(super) fn reach_about(shape: &dyn Shape, center: Vector) -> Real {
     let sphere = shape.compute_local_bounding_sphere();
     (sphere.center - center).length() + sphere.radius

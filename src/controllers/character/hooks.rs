@@ -33,7 +33,7 @@ struct Entry {
 }
 
 impl CharacterContacts {
-    /// Nothing to remember yet.
+    /// Empty state.
     pub fn new() -> Self {
         Self::default()
     }

@@ -4,8 +4,8 @@
 //! of a wished translation is possible without coming closer to anything than an offset. It moves on *planes*, in the
 //! manner that Quake made popular and Box2D 3 describes as its "plane solver":
 //!
-//! 1. **Recover** ([`recover`]). Where the shape is closer to something than the offset, because that moved, push it out by
-//!    the smallest translation that does.
+//! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because that moved,
+//!    push it out by the smallest sufficient translation.
 //! 2. **Contacts** ([`obstacles`], [`touch`], [`planes`]). Every contact manifold near the shape is a plane
 //!    that the shape must stay in front of. `plane_pruning.rs` leaves out planes that another one makes
 //!    needless: that is what keeps flush tiles and the triangles of a mesh from being felt.

@@ -5,7 +5,7 @@ use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use parry::query::ShapeCastHit;
 
-/// How far a character can really go.
+/// The admissible part of a move.
 #[derive(Copy, Clone, PartialEq, Debug, Default)]
 pub struct EffectiveCharacterMovement {
     /// The translation to apply, in world space. Exactly zero if there is nothing to do.
@@ -25,7 +25,7 @@ pub struct CharacterGround {
     pub collider: ColliderHandle,
     /// The unit normal there, in world space, from the ground to the character.
     pub normal: Vector,
-    /// Where the character is on the ground, in world space: below the origin of its shape, in the plane that it
+    /// The ground point in world space: below the origin of the character's shape, in the plane that it
     /// touches.
     pub point: Vector,
 }
@@ -42,7 +42,7 @@ impl CharacterGround {
         self.body(bodies, colliders).map_or(Vector::ZERO, |body| body.velocity_at_point(self.point))
     }
 
-    /// How far the ground will carry the character in the next step, in world space: to be added to
+    /// Displacement by the ground in the next step, in world space: to be added to
     /// [`EffectiveCharacterMovement::translation`].
     ///
     /// ```
@@ -100,14 +100,14 @@ impl CharacterGround {
 pub struct CharacterCollision {
     /// The collider that was met.
     pub handle: ColliderHandle,
-    /// Where the character was then.
+    /// Pose of the character at that time.
     pub character_pos: Pose,
-    /// How far it had come, in world space.
+    /// Translation so far, in world space.
     pub translation_applied: Vector,
     /// The remaining desired translation, in world space.
     pub translation_remaining: Vector,
-    /// Where the two met. Side 1 is the collider, in world space; side 2 is the character, in the frame of its shape. The
-    /// time of impact is 0: the character is there.
+    /// The contact point. Side 1 is the collider, in world space; side 2 is the character, in the frame of
+    /// its shape. The time of impact is 0: the character is there.
     pub hit: ShapeCastHit,
 }
 
@@ -117,7 +117,7 @@ impl CharacterCollision {
         self.hit.normal1
     }
 
-    /// Where the character's surface met the other one, in world space.
+    /// The contact point on the character's surface, in world space.
     pub fn point(&self) -> Vector {
         self.character_pos * self.hit.witness2
     }

@@ -8,7 +8,7 @@ use super::sweep::Swept;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 
-/// How often a move may change its direction.
+/// Largest number of direction changes of a move.
 const TURNS_MAX: usize = 8;
 /// Normals whose cosine is larger than this are the same.
 const SAME_NORMAL: Real = 0.999;

@@ -23,7 +23,8 @@ impl KinematicCharacterController {
     /// * `events` receives each obstacle once for each collider and direction; see
     ///   [`Self::solve_character_collision_impulses`].
     ///
-    /// Nothing is changed: the user applies the [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
+    /// The world stays unchanged: the user applies the
+    /// [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
     /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
     ///
     /// Invalid numbers (a translation or pose that is not finite, a `dt` that is not positive, impossible

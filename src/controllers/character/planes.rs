@@ -72,25 +72,25 @@ impl Plane {
         self.kind != Kind::Step && self.rise < settings.slide_cos
     }
 
-    /// How far the character may still come closer, as a translation along the normal: 0, or less. Gaps about as wide as the
+    /// The admissible approach, as a translation along the normal: 0, or less. Gaps about as wide as the
     /// offset leave exactly nothing.
     pub fn slack(&self, settings: &ResolvedSettings) -> Real {
         let slack = settings.offset - self.gap;
         if slack > -settings.tolerance { 0.0 } else { slack }
     }
 
-    /// By how much the character is too close; 0 if it is not.
+    /// Missing distance; 0 if the character is far enough.
     pub fn excess(&self, settings: &ResolvedSettings) -> Real {
         let excess = settings.offset - self.gap;
         if excess > settings.tolerance { excess } else { 0.0 }
     }
 
-    /// Where the character may go.
+    /// The half space of admissible translations.
     pub fn half_space(&self, settings: &ResolvedSettings) -> HalfSpace {
         HalfSpace { normal: self.normal, at_least: self.slack(settings) }
     }
 
-    /// Where the character may go if the plane were upright; `None` for a level one.
+    /// The half space of admissible translations for an upright plane; `None` for a level one.
     pub fn upright_half_space(&self, settings: &ResolvedSettings) -> Option<HalfSpace> {
         let (_, across) = settings.split(self.normal);
         let length = across.length();
@@ -113,7 +113,7 @@ impl Plane {
 
     /// The plane as the hit of a shape at `pose`: side 1 is the collider, in world space.
     pub fn hit(&self, pose: &Pose) -> ShapeCastHit {
-        // Where two faces meet, a push in their middle turns nothing.
+        // Between two faces, a push in their middle causes no rotation.
         let middle = self.points.iter().sum::<Vector>() / self.points.len() as Real;
         ShapeCastHit {
             time_of_impact: 0.0,

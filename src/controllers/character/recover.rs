@@ -37,8 +37,8 @@ impl Mover<'_> {
     }
 }
 
-/// Where the character is far enough from what is behind a plane. Floors push straight up, so that a lift
-/// does not displace the character horizontally.
+/// The half space in which the character is far enough from the obstacle behind a plane. Floors push straight
+/// up, so that a lift does not displace the character horizontally.
 fn escape(plane: &Plane, settings: &ResolvedSettings) -> HalfSpace {
     let excess = plane.excess(settings);
     if excess == 0.0 {

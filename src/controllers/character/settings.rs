@@ -7,7 +7,7 @@ use crate::dim::math::{Real, Vector};
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterAutostep {
-    /// How high a step may be; relative to the character's height.
+    /// Largest height of a step; relative to the character's height.
     pub max_height: CharacterLength,
     /// Free depth of a step, in the direction of the motion, that the character needs to step up; relative to
     /// its width. Measured from where it stands below, so a pole or the rim of a fence is stepped over if
@@ -28,7 +28,7 @@ impl Default for CharacterAutostep {
     }
 }
 
-/// How fast a character walks up and down a slope that it can climb.
+/// Speed of a character on walkable slopes.
 ///
 /// `v` is the speed that the wished translation has across the up direction, θ the angle of the slope.
 #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
@@ -90,7 +90,7 @@ pub enum CharacterSlopeSpeed {
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct KinematicCharacterController {
-    /// Where up is, in world space. Need not have unit length.
+    /// The up direction, in world space. Need not have unit length.
     pub up: Vector,
     /// The gap that the character keeps to everything; relative to its height. It allows for rounding and for
     /// approaching obstacles, so it should not be much smaller than a hundredth of the character.
@@ -98,7 +98,7 @@ pub struct KinematicCharacterController {
     /// Whether the character slides along obstacles. If not, it stops there; gravity still does not keep it
     /// from walking on a floor.
     pub slide: bool,
-    /// Stepping up on what is low. None by default.
+    /// Stepping up on what is low. `None` by default.
     pub autostep: Option<CharacterAutostep>,
     /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls. 45° by
     /// default.
@@ -110,10 +110,11 @@ pub struct KinematicCharacterController {
     /// another; relative to its height. Keeps it on the ground on its path down slopes and stairs. A fifth by
     /// default. Disabled while the desired translation is upwards.
     pub snap_to_ground: Option<CharacterLength>,
-    /// By how much a gap may differ from [`Self::offset`] and count as right (length units). The character does not move for
-    /// less, so that it does not tremble. Never taken for less than what rounding does, nor for more than a quarter of the offset.
+    /// Tolerance of a gap around [`Self::offset`] (length units). The character does not move for less, so
+    /// that it does not tremble. Never taken for less than what rounding does, nor for more than a quarter of
+    /// the offset.
     pub normal_nudge_factor: Real,
-    /// How fast the character walks up and down slopes.
+    /// Speed of the character on slopes.
     pub slope_speed: CharacterSlopeSpeed,
 }
 

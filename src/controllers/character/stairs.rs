@@ -75,7 +75,7 @@ impl Mover<'_> {
     }
 
     /// Returns whether there is a level or gently sloped surface right behind an edge. On narrow stairs a
-    /// shape does not find room to stand on one step: it rests on the edge of the next.
+    /// shape is too wide for one step: it rests on the edge of the next.
     fn has_tread(&self, direction: Vector, edge: Vector, step_up: StepUp) -> bool {
         let settings = &self.settings;
         let foot = self.pose().translation.dot(settings.up) - settings.foot;
@@ -132,7 +132,7 @@ impl Mover<'_> {
         shifted(&pose, way * fraction)
     }
 
-    /// Where a shape ends up that is let down from a pose, no lower than where the character is now.
+    /// The final pose of a shape that is lowered from a pose, not below the character's current height.
     fn lowered(&mut self, pose: &Pose) -> Option<Pose> {
         let height = (pose.translation - self.pose().translation).dot(self.settings.up);
         let way = -self.settings.up * (height + self.settings.offset);

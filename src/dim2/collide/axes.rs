@@ -16,7 +16,7 @@ use parry::bounding_volume::Aabb;
 /// Tolerance on the overlap within which the segment's axis is preferred, as a fraction of the smallest half
 /// extent.
 const TOLERANCE: Real = 0.001;
-/// How much the axis of last time is preferred, in the same measure.
+/// Preference of the last axis, in the same measure.
 const SAME_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
@@ -113,7 +113,7 @@ impl Kernel for Pass<'_> {
     fn run<W: Wide>(self) -> u32 {
         let half = WideVector::<W>::splat(self.culling.half);
         let (a, b): (WideVector<W>, WideVector<W>) = (self.end(0), self.end(1));
-        // Of the box.
+        // An axis of the box.
         let (x, sign_x) = apart(a.x.min(b.x), a.x.max(b.x), half.x);
         let (y, sign_y) = apart(a.y.min(b.y), a.y.max(b.y), half.y);
         let (is_y, zero) = (x.lt(y), W::zero());
@@ -122,7 +122,7 @@ impl Kernel for Pass<'_> {
             WideVector { x: W::select(is_y, zero, sign_x), y: W::select(is_y, sign_y, zero) };
         of_box.store(&mut self.axes.gaps[0]);
         normal.store(&mut self.axes.normals[0]);
-        // Of the segment: the box is on the side on which its centre is.
+        // The normal of the segment: the box is on the side of its centre.
         let along = b - a;
         let scale = W::splat(1.0) / along.dot(along).sqrt();
         let normal = WideVector { x: -along.y, y: along.x } * scale;
@@ -157,7 +157,7 @@ mod tests {
     use parry::bounding_volume::Aabb;
     use parry::shape::Segment;
 
-    /// How far a box and a segment are apart along the best of all axes, one after the other.
+    /// Distance of a box and a segment along the best of all axes, in sequence.
     fn gap(half: Vector, pose: &Pose, segment: &Segment) -> Real {
         let [a, b] = [segment.a, segment.b].map(|end| *pose * end);
         let normal = (b - a).perp().normalize();

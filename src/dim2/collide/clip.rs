@@ -25,7 +25,7 @@ pub struct FaceContact<'a> {
 pub struct Deepest {
     /// Its distance from the face.
     pub dist: Real,
-    /// How much deeper another point would have to be to matter.
+    /// Minimum additional depth of another relevant point.
     pub tolerance: Real,
 }
 

@@ -1,8 +1,8 @@
 //! Two boxes: separating axes, then the overlap of the two faces that meet.
 //!
-//! Boxes are apart exactly if they are apart along a face normal of one of them. If they are not, the
-//! normal of least overlap is the contact normal. Of normals that are nearly as good, that of last
-//! time is taken, so that a resting box does not flicker between them.
+//! Boxes are apart exactly if they are apart along a face normal of one of them. If they are not, the normal
+//! of least overlap is the contact normal. Of nearly equal normals, the last one is preferred, so that a
+//! resting box does not alternate between them.
 
 use super::features::box_feature;
 use super::{RawManifold, RawPoint};

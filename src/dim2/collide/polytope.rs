@@ -27,7 +27,7 @@ pub struct Face {
     pub id: usize,
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far it is from the origin along the normal.
+    /// Distance from the origin along the normal.
     pub offset: Real,
 }
 
@@ -43,7 +43,7 @@ pub struct Edge {
 /// An end of a face.
 #[derive(Copy, Clone)]
 pub(super) struct Corner {
-    /// Where it is.
+    /// Its position.
     pub point: Vector,
     /// Its feature.
     pub vertex: PackedFeatureId,

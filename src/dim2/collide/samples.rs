@@ -6,7 +6,7 @@ use parry::shape::{Segment, Shape, SharedShape, TriMeshFlags, Voxels};
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 15;
-/// How many of these are convex and bounded; they come first.
+/// The number of convex and bounded ones; they come first.
 pub const CONVEX_KINDS: usize = 9;
 /// The kind that is a mesh.
 pub const MESH: usize = 10;

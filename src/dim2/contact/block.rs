@@ -23,7 +23,7 @@ pub(crate) struct PointRow {
 }
 
 impl PointRow {
-    /// Where the point is along the tangent, from the first centre of mass.
+    /// Position of the point along the tangent, from the first centre of mass.
     #[inline(always)]
     pub fn place<W: Wide>(&self) -> [W; 1] {
         [W::load(&self.x)]

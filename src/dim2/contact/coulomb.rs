@@ -6,15 +6,15 @@
 use crate::base::wide::{Lane, Wide};
 use crate::dim2::math::MAX_MANIFOLD_POINTS;
 
-/// Nothing. In 3D: the rows of each point.
+/// Empty in 2D. In 3D: the rows of each point.
 #[derive(Clone, Debug)]
 pub(crate) struct CoulombBlock;
 
 impl CoulombBlock {
-    /// Nothing.
+    /// Empty in 2D.
     pub const EMPTY: Self = Self;
 
-    /// Nothing.
+    /// No operation in 2D.
     pub fn scale_impulses(&mut self, _factors: &Lane) {}
 
     /// No impulses: the manifold has one as a whole. (Points of links have some, whatever the dimension.)

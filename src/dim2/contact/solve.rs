@@ -29,7 +29,7 @@ impl<W: Wide> Bodies<W> {
         Self { velocities: [v1, v2], displacements: [d1, d2] }
     }
 
-    /// How far the bodies have moved since the step began.
+    /// Displacements of the bodies since the step began.
     #[inline(always)]
     pub fn moved(&self) -> [WideMotion<W>; 2] {
         [self.displacements[0].motion(), self.displacements[1].motion()]
@@ -187,7 +187,7 @@ impl<W: Wide> SoftRow<W> {
         }
     }
 
-    /// By how much the impulse of a point should fall.
+    /// Decrease of a point's impulse.
     #[inline(always)]
     fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
         let zero = W::zero();

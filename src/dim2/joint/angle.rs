@@ -3,7 +3,7 @@
 use crate::dim2::joint_axes::{JointAxesMask, JointAxis, twist};
 use crate::dim2::math::{AngVector, Real, Rotation, SpatialVector};
 
-/// Which rotations of a joint are free, and which of these are measured together.
+/// Free rotations of a joint, and groups of them that are measured together.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FreeRotations {
     free: JointAxesMask,

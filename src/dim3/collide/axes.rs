@@ -253,7 +253,7 @@ impl<W: Wide> Axis<W> {
 struct Product<W> {
     edge: [W; 2],
     length_squared: W,
-    /// How high the edge is along it, and how far the box reaches.
+    /// Height of the edge along it, and extent of the box.
     on_edge: W,
     radius: W,
 }
@@ -286,7 +286,7 @@ mod tests {
     use parry::bounding_volume::Aabb;
     use parry::shape::Triangle;
 
-    /// How far a box and a triangle are apart along the best of all axes, one after the other.
+    /// Distance of a box and a triangle along the best of all axes, in sequence.
     fn gap(half: Vector, pose: &Pose, triangle: &Triangle) -> Real {
         let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| *pose * corner);
         let edges = [b - a, c - b, a - c];

@@ -95,7 +95,7 @@ fn nearest_to_face(
     Some((heights[nearest].abs(), heights[nearest] < 0.0))
 }
 
-/// Where the axis is nearest to the edges.
+/// The points of the axis and the edges that are nearest to each other.
 fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest {
     let mut best = (Real::INFINITY, Vector::ZERO, Vector::ZERO, 0);
     for index in 0..3 {

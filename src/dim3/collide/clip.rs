@@ -34,7 +34,7 @@ pub struct FaceContact<'a> {
 pub struct Deepest {
     /// Its distance from the face.
     pub dist: Real,
-    /// How much deeper another point would have to be to matter.
+    /// Minimum additional depth of another relevant point.
     pub tolerance: Real,
 }
 
@@ -105,7 +105,7 @@ pub fn clip_faces(
     Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
 }
 
-/// How much deeper another point of the other polytope must be to matter.
+/// Minimum additional depth of another relevant point of the other polytope.
 fn tolerance(face: &Corners) -> Real {
     match face.as_slice() {
         [first, second, ..] => RIM * first.point.distance(second.point),

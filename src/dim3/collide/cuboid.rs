@@ -97,7 +97,7 @@ pub fn cuboid_cuboid(
 }
 
 impl Boxes {
-    /// How far the boxes are apart along the face normals of each.
+    /// Distances of the boxes along the face normals of each.
     fn face_gaps(&self) -> [Vector; 2] {
         let (columns, rows) = (abs(self.rotation), abs(self.rotation.transpose()));
         [
@@ -106,7 +106,7 @@ impl Boxes {
         ]
     }
 
-    /// How far the boxes are apart along the best product of two edges, and which these are.
+    /// Distance of the boxes along the best product of two edges, and these edges.
     fn edge_gap(&self) -> (Real, (usize, usize)) {
         let rows = self.rotation.transpose();
         let rows = [rows.x_axis, rows.y_axis, rows.z_axis];

@@ -85,7 +85,7 @@ impl Flat {
         self.triangle.a
     }
 
-    /// How far it reaches along a direction.
+    /// The extent along a direction.
     pub fn height(&self, direction: Vector) -> Real {
         let [a, b, c] = flat_corners(&self.triangle).map(|corner| corner.dot(direction));
         a.max(b).max(c)

@@ -57,7 +57,7 @@ fn on_plane(hull: &ConvexPolyhedron, (face, height): (usize, Real), point: Vecto
     Nearest { point: point - normal * height, normal, dist: height, feature }
 }
 
-/// How high a point is above a face.
+/// Height of a point above a face.
 fn height(hull: &ConvexPolyhedron, face: usize, point: Vector) -> Real {
     let face = &hull.faces()[face];
     let corner = hull.vertices_adj_to_face()[face.first_vertex_or_edge as usize];

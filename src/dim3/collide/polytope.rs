@@ -9,7 +9,7 @@ use parry::shape::{
     ConvexPolyhedron, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
 };
 
-/// Most corners of a face that are looked at. Of faces with more, some are left out evenly.
+/// Most corners of a face that are looked at. Faces with more corners lose some of them evenly.
 const MAX_CORNERS: usize = 32;
 
 /// A convex shape with flat faces.
@@ -32,7 +32,7 @@ pub struct Face {
     pub id: usize,
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far it is from the origin along the normal.
+    /// Distance from the origin along the normal.
     pub offset: Real,
 }
 
@@ -48,7 +48,7 @@ pub struct Edge {
 /// A corner of a face. Few corners become contacts, so features are named when they do.
 #[derive(Copy, Clone)]
 pub(super) struct Corner {
-    /// Where it is.
+    /// Its position.
     pub point: Vector,
     /// The number of its feature, and that of the edge to the next corner.
     numbers: [u32; 2],

@@ -46,8 +46,8 @@ impl<W: Wide> Rims<W> {
     }
 }
 
-/// How far beyond an edge is still inside, times the length of the edge. A fraction of a long edge could be
-/// more than the size of the body, which would then be supported beyond the edge.
+/// Tolerance beyond an edge, times the length of the edge. A fraction of a long edge could be more than the
+/// size of the body, which would then be supported beyond the edge.
 #[inline(always)]
 fn rim<W: Wide>(outward: WideVector<W>, tolerance: Real) -> W {
     let squared = outward.dot(outward);

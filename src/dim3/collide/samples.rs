@@ -7,7 +7,7 @@ use parry::utils::Array2;
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 17;
-/// How many of these are convex and bounded; they come first.
+/// The number of convex and bounded ones; they come first.
 pub const CONVEX_KINDS: usize = 11;
 /// The kind that is a mesh.
 pub const MESH: usize = 12;

@@ -24,7 +24,7 @@ pub(crate) struct PointRow {
 }
 
 impl PointRow {
-    /// Where the point is in the contact plane, from the first centre of mass.
+    /// Position of the point in the contact plane, from the first centre of mass.
     #[inline(always)]
     pub fn place<W: Wide>(&self) -> [W; 2] {
         [W::load(&self.x), W::load(&self.y)]

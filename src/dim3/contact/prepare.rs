@@ -77,8 +77,8 @@ pub(crate) unsafe fn prepare<W: Wide>(
     unsafe { scatter_both(states, block, velocities) };
 }
 
-/// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c` and the points
-/// in it.
+/// The points in the world and in the contact frame, at the bodies' current poses: the frame, `c` and the
+/// points in it.
 ///
 /// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
 /// last transformation. World positions are subtracted from each other before anything small is added: far

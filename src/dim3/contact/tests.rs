@@ -204,8 +204,8 @@ fn a_single_point_has_no_lever_to_twist() {
     assert!(impulse.length() > 0.0);
 }
 
-/// Where the load is far from enough to stop it, the whole of it goes against the sliding, whatever the
-/// direction. (Of bodies that do not turn: else a push in one direction also starts the other.)
+/// A friction limit far below the necessary impulse is fully used against the sliding direction. (Of bodies
+/// that do not turn: else a push in one direction also starts the other.)
 #[test]
 fn the_cone_is_round() {
     let mut random = Random(5);

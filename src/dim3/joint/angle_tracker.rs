@@ -12,9 +12,9 @@
 //! angles keep their digits.
 //!
 //! That is ambiguous by whole turns: a wheel that rotates by 5 rad in a step has the same pose as after -1.3
-//! rad. By how much the bodies have turned since the step began is known otherwise, too, as the sum of what
-//! they turned in each substep. With one free rotation and counted turns, this estimate selects among these
-//! values. It needs an error of less than half a turn only, so a rotation of the axis itself does no harm.
+//! rad. The sum of the rotations of all substeps is a second estimate of the bodies' relative rotation. With
+//! one free rotation and counted turns, this estimate selects among these values. It needs an error of less
+//! than half a turn only, so a rotation of the axis itself does no harm.
 
 use super::angle::{Angle, FreeRotations};
 use crate::base::trig::sin_cos;

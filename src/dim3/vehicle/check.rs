@@ -1,4 +1,4 @@
-//! Which wheels can be used: their fields are public, so each update has to look.
+//! Validation of wheels: their fields are public, so each update checks them.
 
 use super::wheel::Wheel;
 use crate::base::measure::{is_coordinate, is_length, is_margin, is_point};

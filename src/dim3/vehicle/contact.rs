@@ -52,7 +52,7 @@ impl Mover {
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Row {
     direction: Vector,
-    /// Of the chassis and of the ground: the moment of the direction, and what an impulse does.
+    /// For the chassis and the ground: the moment of the direction, and the response to an impulse.
     moment: [Vector; 2],
     linear: [Vector; 2],
     angular: [Vector; 2],

@@ -64,14 +64,13 @@ use crate::model::collider::ColliderSet;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct DynamicRayCastVehicleController {
     wheels: Vec<Wheel>,
-    /// How fast the chassis moved at the last update (length/s), negative if against its forward axis.
+    /// Speed of the chassis at the last update (length/s), negative if against its forward axis.
     pub current_vehicle_speed: Real,
     /// The chassis.
     pub chassis: RigidBodyHandle,
-    /// Which axis of the chassis points up: 0, 1 or 2 for x, y or z. 1 by default.
+    /// The up axis of the chassis: 0, 1 or 2 for x, y or z. 1 by default.
     pub index_up_axis: usize,
-    /// Which axis of the chassis points forward. 0 by default. Only for the sign of
-    /// [`Self::current_vehicle_speed`].
+    /// The forward axis of the chassis. 0 by default. Only for the sign of [`Self::current_vehicle_speed`].
     pub index_forward_axis: usize,
     memory: Memory,
     gives: Vec<Give>,
@@ -132,7 +131,7 @@ impl DynamicRayCastVehicleController {
         &mut self.wheels
     }
 
-    /// Lets the wheels act on the chassis and the ground during the next step, which is to take `dt` seconds.
+    /// Applies the wheels to the chassis and the ground during the next step of `dt` seconds.
     ///
     /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once
     /// for each step. With a `dt` of 0 the wheels are placed, and nothing else happens. Nothing happens if

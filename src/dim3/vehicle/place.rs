@@ -1,4 +1,4 @@
-//! Where the wheels hang, and what is below them.
+//! Poses of the wheels, and the ground below them.
 
 use super::check::{Directions, directions};
 use super::wheel::{Below, RayCastInfo, Wheel};

@@ -1,4 +1,4 @@
-//! How the wheels turn.
+//! Spin of the wheels.
 //!
 //! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls. Its spin is
 //! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
@@ -16,7 +16,7 @@ const WHEEL_MASS_FRACTION: Real = 0.1;
 const SPIN_MAX: Real = 1.0e4;
 
 impl Wheel {
-    /// By how much an impulse at its rim changes its spin: r / I with I = ½ M r².
+    /// Change of spin per impulse at the rim: r / I with I = ½ M r².
     fn spin_of_impulse(&self, chassis_mass: Real) -> Real {
         let change = 2.0 / (WHEEL_MASS_FRACTION * chassis_mass * self.radius);
         if change.is_finite() { change } else { 0.0 }

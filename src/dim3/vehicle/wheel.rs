@@ -46,11 +46,11 @@ impl Default for WheelTuning {
 pub struct RayCastInfo {
     /// Normal of the ground, in world space: out of the ground, of unit length. In the air: against the suspension.
     pub contact_normal_ws: Vector,
-    /// Where the wheel stands, in world space. In the air: the lowest point of the wheel.
+    /// Contact point of the wheel, in world space. In the air: the lowest point of the wheel.
     pub contact_point_ws: Vector,
     /// From the hard point to the middle of the wheel (length). In the air: the rest length.
     pub suspension_length: Real,
-    /// Where the suspension hangs on the chassis, and the ray begins, in world space.
+    /// Start of suspension and ray on the chassis, in world space.
     pub hard_point_ws: Vector,
     /// Whether the wheel is on the ground.
     pub is_in_contact: bool,
@@ -81,9 +81,9 @@ pub(super) struct Below {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wheel {
-    /// Where the suspension hangs on the chassis (the "hard point"), in the frame of the chassis.
+    /// Start of the suspension on the chassis (the "hard point"), in the frame of the chassis.
     pub chassis_connection_point_cs: Vector,
-    /// Where the suspension points, down for most, in the frame of the chassis. Its length means nothing.
+    /// Direction of the suspension, down for most, in the frame of the chassis. Its length means nothing.
     pub direction_cs: Vector,
     /// The axle without steering, in the frame of the chassis. Its length means nothing; its sign says what
     /// is forward: up × axle. For a car that is to drive along +x with y up, +z.
@@ -118,7 +118,7 @@ pub struct Wheel {
     /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (drifts as on ice) to
     /// 1; larger values count as 1.
     pub side_friction_stiffness: Real,
-    /// How much grip to the side makes the car roll, from 0 to 1.
+    /// The fraction of lateral grip that makes the car roll, from 0 to 1.
     ///
     /// Friction on the ground acts below the centre of mass and leans a car out of its curve, or turns it
     /// over. At 1 it does so as it should. At 0 it acts at the height of the centre of mass and the car stays
@@ -129,13 +129,13 @@ pub struct Wheel {
     /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It reaches
     /// the ground as far as the tyre grips.
     pub engine_force: Real,
-    /// How hard the brake holds: the largest impulse against rolling *in one update* (mass·length/s, at least 0, may
-    /// be infinite). For a braking force set `force * dt`.
+    /// The largest braking impulse *in one update* (mass·length/s, at least 0, may be infinite). For a
+    /// braking force set `force * dt`.
     ///
     /// It reaches the ground as far as the tyre grips: a wheel that is braked harder is locked and slides.
     pub brake: Real,
-    /// How far the wheel has rolled (rad), positive forwards, by the last update. It grows without end; take whole turns
-    /// off whenever you like. See [`Self::rotation_cs`].
+    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without end; take
+    /// whole turns off whenever you like. See [`Self::rotation_cs`].
     pub rotation: Real,
     /// The force of the suspension in the last update (mass·length/s²).
     pub wheel_suspension_force: Real,
@@ -148,7 +148,7 @@ pub struct Wheel {
     pub(super) below: Option<Below>,
     pub(super) suspension_ws: Vector,
     pub(super) axle_ws: Vector,
-    /// How fast it turns (rad/s).
+    /// Spin (rad/s).
     pub(super) spin: Real,
     pub(super) is_sliding: bool,
     /// The impulses of the last update: along the normal, forward, to the side.
@@ -197,7 +197,7 @@ impl Wheel {
         &self.raycast_info
     }
 
-    /// Where the suspension points, in world space (unit length), as of the last update.
+    /// Direction of the suspension, in world space (unit length), as of the last update.
     pub fn suspension(&self) -> Vector {
         self.suspension_ws
     }
@@ -220,7 +220,7 @@ impl Wheel {
         self.chassis_connection_point_cs + down * self.raycast_info.suspension_length
     }
 
-    /// How the wheel is turned in the frame of the chassis, by rolling and then by steering.
+    /// Rotation of the wheel in the frame of the chassis, by rolling and then by steering.
     ///
     /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Rolling forwards turns about the axle
     /// backwards: its angle is `-rotation`.
@@ -239,7 +239,7 @@ impl Wheel {
         steered * rolled
     }
 
-    /// How fast the wheel turns (rad/s), positive forwards, as of the last update.
+    /// Spin of the wheel (rad/s), positive forwards, as of the last update.
     pub fn spin(&self) -> Real {
         self.spin
     }

@@ -20,9 +20,9 @@ pub struct RigidBodyActivation {
     pub normalized_linear_threshold: Real,
     /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative: never.
     pub angular_threshold: Real,
-    /// How long the body must stay below both thresholds before it may sleep (seconds).
+    /// Time below both thresholds after which the body may sleep (seconds).
     pub time_until_sleep: Real,
-    /// How long the body has been below both thresholds (seconds).
+    /// Time that the body has been below both thresholds (seconds).
     pub time_since_can_sleep: Real,
     /// Whether the body sleeps.
     pub sleeping: bool,

@@ -7,14 +7,14 @@ pub enum RigidBodyType {
     /// Forces, gravity, contacts and joints move it.
     #[default]
     Dynamic,
-    /// Nothing moves it: the ground, a wall.
+    /// It never moves: the ground, a wall.
     Fixed,
     /// The user says where it is at the end of the next step
     /// ([`RigidBody::set_next_kinematic_position`](super::RigidBody::set_next_kinematic_position)).
     /// The step derives its velocity, so that it pushes and carries what it touches.
     KinematicPositionBased,
-    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)).
-    /// Nothing that it touches slows it down.
+    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)). Contacts do
+    /// not slow it down.
     KinematicVelocityBased,
 }
 

@@ -36,7 +36,7 @@ pub struct RigidBodyBuilder {
     pub linvel: Vector,
     /// World-space angular velocity (rad/s). Default: zero.
     pub angvel: AngVector,
-    /// How many times gravity acts on the body. Default: 1.
+    /// Factor on gravity for the body. Default: 1.
     pub gravity_scale: Real,
     /// Share of the linear velocity lost per second, to first order (1/s). Default: 0.
     pub linear_damping: Real,
@@ -54,7 +54,7 @@ pub struct RigidBodyBuilder {
     pub sleeping: bool,
     /// Whether continuous collision detection is on. Default: no.
     pub ccd_enabled: bool,
-    /// How far ahead of its surface the body looks for contacts (length units). Default: 0, off.
+    /// Prediction distance of the body's contacts (length units). Default: 0, off.
     pub soft_ccd_prediction: Real,
     /// The dominance group: the higher group wins contacts. Default: 0.
     pub dominance_group: i8,

@@ -11,7 +11,7 @@ bitflags::bitflags! {
         const POSITION = 1 << 1;
         /// Whether the body sleeps.
         const SLEEP = 1 << 2;
-        /// Which colliders are attached, or where on the body they are.
+        /// The attached colliders, or their poses on the body.
         const COLLIDERS = 1 << 3;
         /// The body type.
         const TYPE = 1 << 4;

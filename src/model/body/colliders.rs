@@ -12,7 +12,7 @@ use smallvec::SmallVec;
 /// reads them together with the body, and a separate list would cost another cache miss per moving body.
 pub(crate) type AttachedColliders = SmallVec<[ColliderHandle; 2]>;
 
-/// Contribution of a collider to its body's mass, in the body's frame. Nothing if the user disabled it.
+/// Contribution of a collider to its body's mass, in the body's frame. Zero if the user disabled it.
 fn mass_in_body(collider: &Collider) -> MassProperties {
     match &collider.parent {
         Some(parent) if collider.flags.enabled != ColliderEnabled::Disabled => {

@@ -132,8 +132,8 @@ impl RigidBody {
 /// Forces for one step alone.
 #[allow(dead_code, reason = "those who push drive in 3D only")]
 impl RigidBody {
-    /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque on
-    /// its centre of mass. Pushes add up. Nothing wakes.
+    /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque
+    /// on its centre of mass. Pushes add up. The body does not wake.
     ///
     /// The push acts together with gravity, unlike an impulse before the step. A push that balances gravity
     /// leaves no velocity and moves nothing.

@@ -52,7 +52,8 @@ pub struct RigidBodyMassProps {
     pub(crate) locked_axes: LockedAxes,
     /// The colliders' part of [`Self::local_mprops`].
     pub(crate) from_colliders: MassProperties,
-    /// How colliders without mass spread a mass. `None` if [`Self::from_colliders`] has one. Boxed because few bodies have it.
+    /// Distribution of a mass over colliders without mass. `None` if [`Self::from_colliders`] has one. Boxed
+    /// because few bodies have it.
     pub(crate) spread: Option<Box<MassSpread>>,
     /// Boxed because few bodies have it.
     pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
@@ -107,8 +108,8 @@ impl RigidBodyMassProps {
         self.locked_axes
     }
 
-    /// Returns whether the body may rotate about every axis. If so its inertia turns with it. Where axes of
-    /// the world are locked it does not.
+    /// Returns whether the body may rotate about every axis. If so its inertia turns with it. With locked
+    /// axes of the world it does not.
     pub(crate) fn rotates_freely(&self) -> bool {
         !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
     }

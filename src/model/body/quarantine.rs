@@ -49,18 +49,18 @@ pub enum QuarantineCause {
     Gravity(Vector),
     /// The body's inverse mass along each axis.
     Mass(Vector),
-    /// Where a kinematic body was to be at the end of the step: so far away that its speed would be impossible.
+    /// The target of a kinematic body at the end of the step, too far away for a finite speed.
     KinematicTarget(Pose),
     /// The velocity that contacts and joints, or the gyroscopic torque, gave to the body in the solver.
     Constraints(RigidBodyVelocity),
     /// The body is a link of a multibody. The value is the velocity that its joints gave to the first
     /// diverged link. All moving links are disabled together.
     Multibody(RigidBodyVelocity),
-    /// Of a contact: its coefficient of restitution.
+    /// A contact's coefficient of restitution.
     Restitution(Real),
-    /// Of a contact: the velocity along its plane that a hook gave it (length/s).
+    /// A contact's velocity along its plane, as set by a hook (length/s).
     TangentVelocity(Vector),
-    /// Of a contact: its normal, and the distance at one of its points.
+    /// A contact's normal, and the distance at one of its points.
     Contact {
         /// From the first collider to the second, in world space.
         normal: Vector,

@@ -1,4 +1,5 @@
-//! How a body moves within a drift window: how far it drifts from its pose at the beginning, and how long its smoothed path is.
+//! Motion of a body within a drift window: its drift from the initial pose, and the length of its smoothed
+//! path.
 
 use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;

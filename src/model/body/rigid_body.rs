@@ -54,14 +54,14 @@ pub struct RigidBody {
     /// Largest distance from the centre of mass to any point of the colliders: bounds how far a turn
     /// can move a point of the surface.
     pub(crate) extent: Real,
-    /// How deep one can get into the thinnest of the colliders; infinite without any.
+    /// Thickness of the thinnest collider; infinite without any.
     pub(crate) thickness: Real,
     pub(crate) soft_ccd_prediction: Real,
     /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
     pub(crate) substep: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
-    /// Where the body stands in the step's lists.
+    /// Positions of the body in the step's lists.
     pub(crate) link: BodyLink,
     pub(crate) body_type: RigidBodyType,
     pub(crate) dominance: i8,
@@ -79,13 +79,13 @@ pub struct RigidBody {
     // From here on: cold.
     /// The pose from which drift is measured, while the body rests.
     pub(crate) rest: RestPose,
-    /// Where a position-based kinematic body will be after the next step. It is undefined for others: see
+    /// Target of a position-based kinematic body after the next step. It is undefined for others: see
     /// [`RigidBody::next_position`].
     pub(crate) next_pose: Pose,
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
     pub(crate) push: (Vector, AngVector),
-    /// Of the note of an edit, if there is one.
+    /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) edit: EditMark,
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.

@@ -33,7 +33,7 @@ impl RigidBody {
         self.angular_damping = damping;
     }
 
-    /// How many times gravity acts on the body.
+    /// The factor on gravity for the body.
     pub fn gravity_scale(&self) -> Real {
         self.gravity_scale
     }
@@ -116,8 +116,8 @@ impl RigidBody {
         self.ccd_enabled
     }
 
-    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two steps.
-    /// Nothing dynamic passes through fixed and kinematic colliders, whatever this says.
+    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two
+    /// steps. Fixed and kinematic colliders stop every dynamic body, independent of this setting.
     pub fn enable_ccd(&mut self, enabled: bool) {
         self.ccd_enabled = enabled;
     }
@@ -129,7 +129,7 @@ impl RigidBody {
         self.ccd_active && self.is_dynamic()
     }
 
-    /// How far ahead of its surface the body looks for contacts (length units).
+    /// The prediction distance of the body's contacts (length units).
     pub fn soft_ccd_prediction(&self) -> Real {
         self.soft_ccd_prediction
     }
@@ -150,7 +150,7 @@ impl RigidBody {
     }
 
     /// Sets the number of additional substeps for this body while it is awake, and for its whole island; at
-    /// most 1000. Where light bodies carry heavy ones it takes more of itself.
+    /// most 1000. The solver adds substeps itself where light bodies carry heavy ones.
     pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
         if additional_iterations > ITERATIONS_MAX {
             let what = "the number of additional solver iterations of a rigid body";

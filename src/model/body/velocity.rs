@@ -6,7 +6,7 @@ use crate::dim::math::{
     rotation_from_angle,
 };
 
-/// How fast a body moves: the velocity of its centre of mass, and its rotation about it.
+/// Velocity of a body: that of its centre of mass, and its angular velocity.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodyVelocity {

@@ -24,7 +24,7 @@ pub enum InvalidCollider {
     Point {
         /// The parameter.
         parameter: &'static str,
-        /// Which point of the list, from 0.
+        /// Index of the point, from 0.
         position: usize,
         /// The point.
         value: Vector,
@@ -60,9 +60,9 @@ pub enum InvalidCollider {
     TooFine {
         /// The parameter.
         parameter: &'static str,
-        /// How many cells it leads to.
+        /// Resulting number of cells.
         cells: Real,
-        /// How many are possible.
+        /// Largest possible number.
         most: Real,
     },
     /// An element names a vertex that does not exist.
@@ -72,17 +72,17 @@ pub enum InvalidCollider {
     IndexOutOfRange {
         /// The list of elements.
         parameter: &'static str,
-        /// Which element, from 0.
+        /// Index of the element, from 0.
         position: usize,
         /// The vertex it names.
         index: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         count: usize,
     },
     /// The shape has no extent where it needs one.
     #[error("the {shape} is degenerate: {reason}")]
     Degenerate {
-        /// Which kind of shape.
+        /// Kind of shape.
         shape: &'static str,
         /// The missing elements.
         reason: &'static str,
@@ -90,13 +90,13 @@ pub enum InvalidCollider {
     /// A part of a compound is itself made of parts.
     #[error("part {part} of the compound is a composite shape, which is not supported")]
     NestedCompound {
-        /// Which part, from 0.
+        /// Index of the part, from 0.
         part: usize,
     },
     /// A part of a compound is invalid.
     #[error("part {part} of the compound: {reason}")]
     Part {
-        /// Which part, from 0.
+        /// Index of the part, from 0.
         part: usize,
         /// Why.
         reason: Box<InvalidCollider>,

@@ -13,6 +13,6 @@ bitflags::bitflags! {
 }
 
 impl ShapeForm {
-    /// Of a shape that the step has not looked at yet: nothing is taken for granted.
+    /// Default for a shape that the step has not measured yet.
     pub const UNKNOWN: Self = Self::ROUND;
 }

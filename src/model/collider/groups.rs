@@ -98,7 +98,7 @@ impl From<Group> for u32 {
     }
 }
 
-/// How the wishes of two colliders are put together.
+/// Combination of the filters of two colliders.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum InteractionTestMode {

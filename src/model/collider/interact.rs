@@ -1,4 +1,4 @@
-//! Which colliders have anything to do with each other.
+//! Test of whether two colliders can interact.
 
 use super::Collider;
 use crate::model::body::RigidBodyType;

@@ -5,8 +5,8 @@ use crate::base::unique::unique_number;
 /// Entries that are kept however few colliders there are.
 const KEPT_MIN: usize = 1024;
 
-/// How many entries are kept for each collider. A reader that is farther behind visits all colliders, which
-/// is less work than to read more entries.
+/// Number of entries per collider. A reader that is farther behind visits all colliders, which is less work
+/// than to read more entries.
 const KEPT_PER_COLLIDER: usize = 2;
 
 /// The slots of colliders in the order in which they came, went, were borrowed for changing, or got
@@ -20,7 +20,7 @@ pub(crate) struct Journal {
     slots: Vec<u32>,
 }
 
-/// How far a reader has read.
+/// Position of a reader.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Bookmark {
     journal: u64,

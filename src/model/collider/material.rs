@@ -2,7 +2,7 @@
 
 use crate::dim::math::Real;
 
-/// How the coefficients of two surfaces that touch make one.
+/// Combination rule for the coefficients of two surfaces.
 ///
 /// If the two surfaces have different rules, the one further down this list is used.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -48,9 +48,9 @@ pub struct ColliderMaterial {
     /// Ratio of the speeds of separation and approach: 0 does not bounce, 1 keeps its speed; more
     /// than 1 gains energy.
     pub restitution: Real,
-    /// How its friction combines with that of another surface.
+    /// Combination rule for friction.
     pub friction_combine_rule: CoefficientCombineRule,
-    /// How its restitution combines with that of another surface.
+    /// Combination rule for restitution.
     pub restitution_combine_rule: CoefficientCombineRule,
 }
 

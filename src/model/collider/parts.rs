@@ -31,15 +31,15 @@ pub enum ColliderEnabled {
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderFlags {
-    /// Between which kinds of bodies it collides.
+    /// Pairs of body types with which it collides.
     pub active_collision_types: ActiveCollisionTypes,
     /// Groups for contacts.
     pub collision_groups: InteractionGroups,
     /// Groups for contact forces.
     pub solver_groups: InteractionGroups,
-    /// Which hooks are called for its pairs.
+    /// Hooks for its pairs.
     pub active_hooks: ActiveHooks,
-    /// Which events are sent for its pairs.
+    /// Events of its pairs.
     pub active_events: ActiveEvents,
     /// Whether the collider takes part at all.
     pub enabled: ColliderEnabled,

@@ -52,7 +52,7 @@ pub struct Collider {
     pub(crate) mass_props: ColliderMassProps,
     pub(crate) contact_force_event_threshold: Real,
     pub(crate) changes: ColliderChanges,
-    /// Of the note of an edit, if there is one.
+    /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
     /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not saved, but computed on loading.
@@ -125,19 +125,19 @@ impl Collider {
         self.flags.enabled == ColliderEnabled::Enabled
     }
 
-    /// Which hooks are called for its pairs.
+    /// The hooks for its pairs.
     #[inline]
     pub fn active_hooks(&self) -> ActiveHooks {
         self.flags.active_hooks
     }
 
-    /// Which events are sent for its pairs.
+    /// The events of its pairs.
     #[inline]
     pub fn active_events(&self) -> ActiveEvents {
         self.flags.active_events
     }
 
-    /// Between which kinds of bodies it collides.
+    /// The pairs of body types with which it collides.
     #[inline]
     pub fn active_collision_types(&self) -> ActiveCollisionTypes {
         self.flags.active_collision_types
@@ -155,7 +155,7 @@ impl Collider {
         self.flags.solver_groups
     }
 
-    /// How its surface rubs and bounces.
+    /// The surface material.
     #[inline]
     pub fn material(&self) -> &ColliderMaterial {
         &self.material
@@ -167,7 +167,7 @@ impl Collider {
         self.material.friction
     }
 
-    /// How its friction combines with that of another collider.
+    /// The combination rule for friction.
     #[inline]
     pub fn friction_combine_rule(&self) -> CoefficientCombineRule {
         self.material.friction_combine_rule
@@ -179,7 +179,7 @@ impl Collider {
         self.material.restitution
     }
 
-    /// How its restitution combines with that of another collider.
+    /// The combination rule for restitution.
     #[inline]
     pub fn restitution_combine_rule(&self) -> CoefficientCombineRule {
         self.material.restitution_combine_rule
@@ -200,7 +200,7 @@ impl Collider {
     }
 }
 
-/// Where it is.
+/// Pose of the collider.
 impl Collider {
     /// Collider frame → world.
     #[inline]

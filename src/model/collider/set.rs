@@ -350,8 +350,8 @@ impl ColliderSet {
         self.note_attachment(bodies);
     }
 
-    /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
-    /// itself, and one with two notes was put in the place of another between them.
+    /// Registers the colliders that replaced others. One whose note is gone is an older copy of itself, and
+    /// one with two notes was put in the place of another between them.
     pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
         for note in 0..self.notes.modified.len() {
             let handle = self.notes.modified[note];

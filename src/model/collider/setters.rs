@@ -32,7 +32,7 @@ fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     }
 }
 
-/// Where it is.
+/// Pose of the collider.
 impl Collider {
     /// Moves a collider that is not attached. An attached one follows its body: use
     /// [`Self::set_position_wrt_parent`].

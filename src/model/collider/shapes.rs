@@ -1,8 +1,8 @@
 //! One constructor for each shape.
 //!
 //! Constructors whose parameters depend on the dimension (cuboids, for example) are in `dim2/surface` and
-//! `dim3/surface`. Where parry's constructor panics on some values, they are checked before the
-//! call. The numbers of a shape without parts are checked when the collider is built.
+//! `dim3/surface`. Values on which parry's constructor panics are checked before the call. The numbers of a
+//! shape without parts are checked when the collider is built.
 
 use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
 use super::{ColliderBuilder, InvalidCollider, grid};

@@ -1,4 +1,4 @@
-//! How wide a convex part is: what continuous collision detection measures motions with.
+//! Width of convex parts: the measure of motion in continuous collision detection.
 //!
 //! The *width* of a convex set along a direction is the distance of the two planes across that direction
 //! between which the set lies. Its *minimum width* is the least of these over all directions: the diameter of
@@ -17,11 +17,11 @@ use crate::dim::width::{self, TRIANGLES_ARE_SOLID, narrow_frame};
 use parry::shape::{Shape, SupportMap, Triangle, TypedShape};
 use std::sync::Arc;
 
-/// How a convex part becomes thinner.
+/// Thinning of a convex part.
 ///
 /// The *skeleton* of a part `K` is `c + S (K - c)` with a linear map `S = R diag(skeleton) Rᵀ`. It is flat
 /// along the direction of minimum width, and as large as fits into `K` across it. All of `c + ((1 - t) 1 + t
-/// S)(K - c)`, for `t` from 0 to 1, lie in `(1 - t) K + t S K`, and so in the convex `K`. Of a box with half
+/// S)(K - c)`, for `t` from 0 to 1, lie in `(1 - t) K + t S K`, and so in the convex `K`. For a box with half
 /// extents `h` they are the boxes with half extents `h - t min h`.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Widths {
@@ -35,7 +35,8 @@ pub(crate) struct Widths {
     pub thickness: Real,
 }
 
-/// How much of the least distance from the centre to a face is kept between the skeleton and the surface.
+/// Gap between the skeleton and the surface, as a fraction of the smallest distance from the centre to a
+/// face.
 const SKELETON_MARGIN: Real = 0.5;
 
 impl Widths {
@@ -160,7 +161,7 @@ fn of_support(part: &dyn Shape) -> Option<Widths> {
     let support = part.as_support_map()?;
     let frame = narrow_frame(|along| support.local_support_point(along));
     let is_usable = frame.widths.is_finite() && frame.least.is_finite();
-    // Nothing is known of its faces: a skeleton of a point fits.
+    // Without known faces, the skeleton is a point.
     let widths = with_layer(inner_point(support), frame, 0.0);
     is_usable.then_some(Widths { skeleton: Vector::ZERO, ..widths })
 }

@@ -1,4 +1,5 @@
-//! Where contact points were put into the world, and where they are now: for one pair, and for lanes of pairs.
+//! Transformation of contact points into the world, and their current position: for one pair, and for lanes
+//! of pairs.
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim::math::{Real, Rotation, Vector};
@@ -6,15 +7,15 @@ use crate::dim::state::WidePose;
 use crate::dim::wide::{WideRotation, WideVector};
 use crate::model::check::is_saved_unit;
 
-/// How two bodies stood when their contact points were put into the world. Where the points are later follows
-/// from what the bodies moved since.
+/// World orientation of two bodies when their contact points were transformed. Later positions follow from
+/// the motion of the bodies since.
 ///
 /// A fixed body, or none, stands at the origin and is not turned.
 ///
 /// # Contacts that are held in place
 ///
 /// While both bodies are *near rest*, normal and moment arms stay constant, and only the separations are
-/// updated. Else piles would buckle that cannot. The faces of two rigid boxes on each other are rigid, but
+/// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid, but
 /// the soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
 /// tower of `n` unit cubes of mass `m` is then an elastic column. It buckles under its own weight (Greenhill
 /// 1881) when the stiffness `k` of its hinges is less than
@@ -98,7 +99,7 @@ pub(crate) struct WideAnchorFrame {
 }
 
 impl WideAnchorFrame {
-    /// Nothing that has a place in any lane.
+    /// The value of empty lanes.
     pub const NOWHERE: Self = Self {
         rotations: [WideRotation::IDENTITY; 2],
         centers: WideVector::ZERO,
@@ -124,7 +125,7 @@ impl WideAnchorFrame {
         self.frozen_angle_squared.0[lane] = frozen_angle * frozen_angle;
     }
 
-    /// Nothing that has a place in one lane.
+    /// Clears one lane.
     pub fn clear(&mut self, lane: usize) {
         self.set_lane(lane, &AnchorFrame::NOWHERE, Vector::Y, 0.0);
         self.set_near_rest(lane, false);
@@ -139,7 +140,7 @@ impl WideAnchorFrame {
 /// Motion of two bodies since their anchors were transformed.
 pub(crate) struct MotionSince<W: Wide> {
     turns: [WideRotation<W>; 2],
-    /// Of the second centre of mass against the first.
+    /// The second centre of mass relative to the first.
     shift: WideVector<W>,
     /// `c = x1 - x2`, which converts moment arms of the first body into those of the second: at the
     /// transformation, and now.

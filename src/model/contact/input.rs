@@ -15,7 +15,7 @@ pub(crate) struct ContactInput {
     pub is_world: [Lane; 2],
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
-    /// How the bodies stood when the contacts were placed.
+    /// World orientation of the bodies when the anchors were transformed.
     pub anchor_frame: WideAnchorFrame,
     /// From the first centre of mass to the points as they were placed, in world space.
     pub arms: [WideVector<Lane>; MAX_MANIFOLD_POINTS],

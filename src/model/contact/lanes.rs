@@ -35,7 +35,7 @@ pub(crate) struct LaneBlock {
     members: [ManifoldRef; LANES],
     /// Slots of their two bodies.
     pub slots: [[u32; LANES]; 2],
-    /// How many points each has.
+    /// Number of points of each.
     counts: [u8; LANES],
     pub input: ContactInput,
 }
@@ -140,9 +140,9 @@ pub(crate) struct ContactLanes {
     pub are_rough: bool,
     /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
     starts: Vec<u32>,
-    /// How many blocks there are for each colour, though some be empty.
+    /// Number of blocks per colour, including empty ones.
     pub capacity: LaneCapacity,
-    /// How often lanes were stored.
+    /// Number of times that lanes were stored.
     stores: u32,
     /// By pair: the store count at its last write-back. Newer pairs, beyond the end, have no results.
     written: Vec<AtomicU32>,
@@ -202,7 +202,7 @@ impl ContactLanes {
         self.reports.resize(block_count, [ContactReport::EMPTY; LANES]);
     }
 
-    /// Must all be filled again. None may be ahead of its pair.
+    /// Must all be filled again. None of them is ahead of its pair.
     pub fn forget(&mut self) {
         debug_assert!(!self.are_ahead());
         self.blocks.clear();

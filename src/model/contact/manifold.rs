@@ -99,7 +99,7 @@ pub type ContactPoints = ArrayVec<Contact, MAX_MANIFOLD_POINTS>;
 
 /// The solver's data of a manifold.
 ///
-/// Iterating over `&ContactManifoldData` yields its [`Contact`]s.
+/// Iteration over `&ContactManifoldData` returns its [`Contact`]s.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactManifoldData {
@@ -216,13 +216,13 @@ pub struct ContactManifold {
     pub local_n1: Vector,
     /// The normal in the frame of the second collider, pointing away from it.
     pub local_n2: Vector,
-    /// Which part of the first collider's shape (a triangle of a mesh, a child of a compound).
+    /// Part of the first collider's shape (a triangle of a mesh, a child of a compound).
     pub subshape1: u32,
-    /// Which part of the second collider's shape.
+    /// Part of the second collider's shape.
     pub subshape2: u32,
     /// The points, materials and impulses.
     pub data: ContactManifoldData,
-    /// Where the constraint graph has it; `None` while the solver does not handle it.
+    /// Position in the constraint graph; `None` while the solver does not handle it.
     pub(crate) slot: Option<ColorSlot>,
 }
 

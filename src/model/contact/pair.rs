@@ -22,7 +22,7 @@ pub struct ContactPair {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// Where the two touch or nearly touch; one manifold for each pair of convex parts.
+    /// The contacts; one manifold for each pair of convex parts.
     pub manifolds: SmallVec<[ContactManifold; 1]>,
     /// Whether the solver handled any contact in the last step.
     pub has_any_active_contact: bool,
@@ -33,10 +33,10 @@ pub struct ContactPair {
     pub(crate) attached: bool,
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
-    /// How the bodies stood when the contact points were put into the world.
+    /// World orientation of the bodies when the contact points were transformed.
     pub(crate) anchor_frame: AnchorFrame,
-    /// Triangles of a mesh near the other collider, while neither shape changes. Nothing but time depends on
-    /// it.
+    /// Triangles of a mesh near the other collider, while neither shape changes. Only the running time
+    /// depends on it.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) triangle_cache: Option<Box<TriangleCache>>,
 }

@@ -24,7 +24,7 @@ impl ContactReport {
     /// Numbers in a report.
     const LEN: usize = POINTS + MAX_MANIFOLD_POINTS * POINT_LEN;
 
-    /// Nothing.
+    /// An empty report.
     pub const EMPTY: Self = Self([0.0; Self::LEN]);
 
     /// Returns whether all numbers are finite.
@@ -78,7 +78,7 @@ pub(crate) struct WideReport<W> {
 }
 
 impl<W: Wide> WideReport<W> {
-    /// Of manifolds with these normals, and with these impulses of friction and of twist friction.
+    /// A report with these normals, and with these impulses of friction and torsional friction.
     #[inline(always)]
     pub fn new(normal: WideVector<W>, friction: WideVector<W>, twist: W) -> Self {
         let mut numbers = [W::zero(); ContactReport::LEN];
@@ -88,7 +88,7 @@ impl<W: Wide> WideReport<W> {
         Self { numbers }
     }
 
-    /// Of a point: where it is, its separation, and the impulses of all substeps and of the last.
+    /// Sets a point: its position, its separation, and the impulses of all substeps and of the last.
     #[inline(always)]
     pub fn set_point(&mut self, k: usize, place: WideVector<W>, separation: W, impulses: [W; 2]) {
         let numbers = &mut self.numbers[POINTS + k * POINT_LEN..][..POINT_LEN];

@@ -66,15 +66,15 @@ pub(crate) trait Pair {
 pub(crate) struct PairState {
     /// Slots of the two bodies; [`NONE`](crate::model::island::NONE) for a collider without a body.
     pub bodies: [u32; 2],
-    /// How far (length units) the two may still move against each other before the pair must be
-    /// computed again. Every step takes off a bound of what the two bodies moved.
+    /// Admissible relative motion (length units) of the two until the pair must be computed again. Every step
+    /// takes off a bound of what the two bodies moved.
     pub slack: Real,
     /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Seams are looked for
     /// among such pairs alone, and most of a body's pairs are none.
     pub met_obstacle: bool,
 }
 
-/// Where a pair stands in the lists of its two colliders.
+/// Positions of a pair in the lists of its two colliders.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Place {
@@ -83,7 +83,7 @@ struct Place {
 }
 
 impl Place {
-    /// Of an id without a pair.
+    /// The value for an id without a pair.
     const NOWHERE: Self = Self { slots: [u32::MAX; 2], positions: [u32::MAX; 2] };
 }
 
@@ -268,7 +268,7 @@ impl<P: Pair> PairStore<P> {
         self.sleep(id);
         self.strong.remove(id);
         let heard = self[id].began().then(|| self[id].colliders());
-        // Where it is: a pair is some hundred bytes.
+        // The address of the pair: a pair has some hundred bytes.
         *self.pairs[id as usize].get_mut() = None;
         self.free.push(id);
         let Place { slots, positions } =
@@ -298,7 +298,7 @@ impl<P: Pair> PairStore<P> {
         }
     }
 
-    /// Has the narrow phase pass a pair by.
+    /// Removes a pair from the list that the narrow phase visits.
     pub fn sleep(&mut self, id: PairId) {
         self.awake.remove(id);
         self.reporting.remove(id);
@@ -324,12 +324,12 @@ impl<P: Pair> PairStore<P> {
         self.reporting.iter()
     }
 
-    /// Has the solver read pairs anew. They come in the order of the ids.
+    /// Marks pairs as changed for the solver. They come in the order of the ids.
     pub fn renew(&mut self, ids: impl Iterator<Item = PairId>) {
         self.renewed.extend(ids);
     }
 
-    /// Has the solver read all pairs anew that are awake.
+    /// Marks all awake pairs as changed for the solver.
     pub fn renew_all(&mut self) {
         self.renewed = self.awake.clone();
     }
@@ -426,7 +426,7 @@ impl<P: Pair> PairStore<P> {
         gather.run(tasks, (awake.page_count(), PAGES_PER_TASK), find, list);
     }
 
-    /// How far the two may still move against each other before the pair must be computed again.
+    /// The admissible relative motion of the two until the pair must be computed again.
     pub fn slack(&self, id: PairId) -> Real {
         self.states[id as usize].slack
     }

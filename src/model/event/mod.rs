@@ -2,8 +2,8 @@
 //! were disabled because of unusable numbers.
 //!
 //! Events are sent at the end of a step, on the thread that called it. Collision events have the order of the
-//! colliders. Which pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents)
-//! of their colliders.
+//! colliders. The [`ActiveEvents`](crate::model::collider::ActiveEvents) of the colliders select the pairs
+//! that send any.
 
 mod channel;
 mod force;

@@ -15,7 +15,7 @@ pub enum QuarantineEvent {
         body: RigidBodyHandle,
         /// The unusable value.
         cause: QuarantineCause,
-        /// Where it is: where the step found it.
+        /// Position of the body: where the step found it.
         position: Pose,
         /// The velocity that it had then.
         velocity: RigidBodyVelocity,

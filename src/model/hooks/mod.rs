@@ -1,4 +1,4 @@
-//! Where the user steps into a step: which pairs collide, and how contacts behave.
+//! Hooks: user-defined filters of pairs, and modification of contacts.
 //!
 //! A hook is called for pairs with at least one collider that requests it by its
 //! [`ActiveHooks`](crate::model::collider::ActiveHooks); all others cost nothing.
@@ -31,7 +31,7 @@ pub struct PairFilterContext<'a> {
     pub rigid_body2: Option<RigidBodyHandle>,
 }
 
-/// Lets the user decide about single pairs and contacts.
+/// User-defined decisions about single pairs and contacts.
 ///
 /// Hooks may be called from several threads at once and in any order, and again if a step is
 /// [repeated](crate::model::event::EventHandler::handle_quarantine_event). The answer should be a function of
@@ -94,10 +94,10 @@ pub(crate) fn lets_solver_push(hooks: &dyn PhysicsHooks, pair: &PairFilterContex
     flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
 }
 
-/// Lets everything collide as it is.
+/// Admits all pairs unchanged.
 impl PhysicsHooks for () {}
 
-/// Lets everything collide as it is.
+/// Admits all pairs unchanged.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct DefaultHooks;
 

@@ -8,7 +8,7 @@ use crate::base::in_place::clone_in_place;
 use crate::model::body::RigidBodyHandle;
 use std::collections::BTreeSet;
 
-/// Which bodies belong together.
+/// Groups of bodies.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyGroups {

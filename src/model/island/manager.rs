@@ -1,4 +1,4 @@
-//! Which bodies are awake, and which islands they form.
+//! Awake bodies and islands.
 
 use super::awake::AwakeBodies;
 use super::groups::BodyGroups;
@@ -44,7 +44,7 @@ pub struct IslandManager {
     /// All islands, with holes.
     islands: Vec<Island>,
     free: Vec<u32>,
-    /// Which manifold is solved in which colour.
+    /// The colours of solved manifolds.
     pub(crate) graph: ConstraintGraph,
     /// The same for joints, by their slots.
     pub(crate) joint_graph: ConstraintGraph<u32>,
@@ -158,7 +158,7 @@ impl IslandManager {
         Ok(())
     }
 
-    /// How far the body in a slot moved in the last step.
+    /// The motion of the body in a slot in the last step.
     #[inline]
     pub(crate) fn motion_of(&self, body_slot: u32) -> &BodyMotion {
         if body_slot == NONE {

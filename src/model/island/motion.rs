@@ -29,7 +29,7 @@ impl BodyMotion {
         Self { shift, rest }
     }
 
-    /// Of a body of which it is known only that no point moved farther than this.
+    /// The motion of a body with this bound on the motion of its points.
     pub fn within(bound: Real) -> Self {
         Self { rest: bound, ..Self::NONE }
     }

@@ -84,7 +84,7 @@ pub enum InvalidJoint {
         /// The handle.
         body: RigidBodyHandle,
     },
-    /// Nothing can move the bodies against each other: neither is dynamic.
+    /// Neither body is dynamic, so they cannot move relative to each other.
     #[error("neither {body1:?} nor {body2:?} is dynamic")]
     NobodyDynamic {
         /// The first body.

@@ -59,7 +59,7 @@ pub struct GenericJoint {
     /// Axes that are measured together: two or three translations as one distance, two or three rotations
     /// as one angle. Limits and motor of the first of them are those of all.
     pub coupled_axes: JointAxesMask,
-    /// How soft the locked axes are (default `None`: as stiff as the solver can make them, see
+    /// Softness of the locked axes (default `None`: as stiff as possible, see
     /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
     pub softness: Option<SpringCoefficients>,
     /// The joint breaks when the force between the bodies is larger (default: infinite).
@@ -197,12 +197,12 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// Where the joint holds the first body, in that body's frame.
+    /// The anchor on the first body, in that body's frame.
     pub fn local_anchor1(&self) -> Vector {
         self.local_frame1.translation
     }
 
-    /// Where the joint holds the second body, in that body's frame.
+    /// The anchor on the second body, in that body's frame.
     pub fn local_anchor2(&self) -> Vector {
         self.local_frame2.translation
     }
@@ -263,7 +263,7 @@ impl GenericJoint {
 
     /// Says whether the two bodies' colliders touch each other.
     ///
-    /// Of several joints between the same bodies, one that says no is enough.
+    /// Among several joints between the same bodies, one with `false` is sufficient.
     pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
         self.contacts_enabled = enabled;
         self
@@ -278,7 +278,7 @@ impl GenericJoint {
         self
     }
 
-    /// Lets the joint break at a force larger than the first number, or a torque larger than the second.
+    /// Sets the largest force (first number) and torque (second number), above which the joint breaks.
     ///
     /// They are compared after each step with [`ImpulseJoint::force`](super::ImpulseJoint::force) and
     /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint that
@@ -296,7 +296,7 @@ impl GenericJoint {
 
     // ---- Limits and motors ----
 
-    /// How far an axis reaches; `None` if it has no limits.
+    /// The range of an axis; `None` if it has no limits.
     pub fn limits(&self, axis: JointAxis) -> Option<&JointLimits> {
         let has_limits = self.limit_axes.contains(mask_of(axis));
         has_limits.then(|| &self.limits[axis as usize])

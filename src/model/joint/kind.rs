@@ -39,11 +39,11 @@ macro_rules! joint_kind {
 
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder;
-            /// Where the joint holds the first body, in that body's frame.
+            /// Anchor on the first body, in that body's frame.
             local_anchor1() -> crate::dim::math::Vector;
             /// Sets where the joint holds the first body, in that body's frame.
             local_anchor1, set_local_anchor1(anchor: crate::dim::math::Vector);
-            /// Where the joint holds the second body, in that body's frame.
+            /// Anchor on the second body, in that body's frame.
             local_anchor2() -> crate::dim::math::Vector;
             /// Sets where the joint holds the second body, in that body's frame.
             local_anchor2, set_local_anchor2(anchor: crate::dim::math::Vector);
@@ -56,8 +56,8 @@ macro_rules! joint_kind {
             $joint, $builder;
             /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
             softness, set_softness(softness: Option<$crate::model::joint::SpringCoefficients>);
-            /// Lets the joint break at a force larger than the first number, or a torque larger than
-            /// the second: see
+            /// Sets the largest force (first number) and torque (second number), above which the joint
+            /// breaks: see
             /// [`GenericJoint::set_break_thresholds`](crate::dynamics::GenericJoint::set_break_thresholds).
             break_thresholds, set_break_thresholds(
                 force: $crate::dim::math::Real, torque: $crate::dim::math::Real
@@ -241,7 +241,7 @@ macro_rules! joint_drive_methods {
     ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder [$($axis)?];
-            /// How far it reaches; `None`: it has no limits.
+            /// The range; `None` without limits.
             limits($($name: $type)?) -> Option<&$crate::model::joint::JointLimits>;
             /// Says how far it reaches (length units, or radians).
             limits, set_limits($($name: $type,)? limits: [$crate::dim::math::Real; 2]);

@@ -1,4 +1,4 @@
-//! How far a free axis of a joint reaches.
+//! Range of a free axis of a joint.
 
 use super::InvalidJoint;
 use crate::dim::joint_axes::JointAxis;
@@ -10,7 +10,7 @@ const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 /// another turn.
 const ANGLE_TOLERANCE: Real = 0.5;
 
-/// How far a free axis of a joint reaches: a range of lengths, or of angles in radians.
+/// Range of a free axis of a joint: of lengths, or of angles in radians.
 ///
 /// Angles of joints with one free axis of rotation are continuous beyond half a turn, so a range may span
 /// several turns, or lie anywhere. `Real::MAX` (or more) is no limit on that side.
@@ -40,8 +40,8 @@ impl From<[Real; 2]> for JointLimits {
 
 impl JointLimits {
     /// The turn count of a first measured angle (in `-π..=π`) brings it between the limits: an angle of 3.25
-    /// rad between 2.5 and 4 is measured as such, and not as -3.03. Of several readings the one nearest to
-    /// zero is taken; if there is none, the one that is least outside.
+    /// rad between 2.5 and 4 is measured as such, and not as -3.03. The value nearest to zero is taken among
+    /// several; if there is none, the one with the smallest violation.
     pub(crate) fn first_reading(&self, angle: Real) -> Real {
         let (min, max) = (self.min - ANGLE_TOLERANCE, self.max + ANGLE_TOLERANCE);
         let turns = if angle < min {

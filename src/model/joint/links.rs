@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 pub(crate) struct JointForm {
     /// The locked axes, one bit each.
     pub locked: u8,
-    /// How many free axes it limits or drives.
+    /// Number of its free axes with limits or motors.
     pub driven: u8,
     /// Whether it locks exactly the translations, without limits, motors and springs.
     pub is_point_to_point: bool,
@@ -53,12 +53,12 @@ pub(crate) struct JointLink {
     pub handle: ImpulseJointHandle,
     /// The two bodies.
     pub bodies: [RigidBodyHandle; 2],
-    /// Which constraint it will be. It is stored here so that sorting constraints does not read the joints,
-    /// which are large.
+    /// Kind of its constraint. It is stored here so that sorting constraints does not read the joints, which
+    /// are large.
     pub form: JointForm,
     /// Whether the joint acts and can move one of the bodies.
     pub attached: bool,
-    /// Where it stands in the constraint graph.
+    /// Position in the constraint graph.
     pub slot: Option<ColorSlot>,
     /// Whether it disables contacts between the colliders of its bodies.
     pub parts_bodies: bool,

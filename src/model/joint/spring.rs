@@ -5,8 +5,7 @@ use super::motor::check_factor;
 use crate::dim::math::Real;
 use crate::model::params::Softness;
 
-/// How soft the locked axes of a joint are: a spring and a damper by what one sees of them, whatever
-/// the masses.
+/// Softness of the locked axes of a joint: a spring and a damper in mass-independent form.
 ///
 /// A joint without one is as stiff as the solver can make it.
 #[derive(Copy, Clone, Debug, PartialEq)]

@@ -38,8 +38,8 @@ impl MultibodyDofCoupling {
 }
 
 impl Multibody {
-    /// Lets two degrees of freedom move together, `q2 = coeff · q1 + offset`, and returns the position of the coupling in
-    /// [`Self::couplings`]. Where they are apart they are drawn together over some steps.
+    /// Couples two degrees of freedom, `q2 = coeff · q1 + offset`, and returns the position of the coupling
+    /// in [`Self::couplings`]. An initial error is corrected over some steps.
     ///
     /// Not for the rotations of a ball joint, which have no coordinate each. A coupling rests while one of its axes is
     /// locked, and goes when a link that it names becomes part of another multibody, or none.

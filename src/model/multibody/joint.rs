@@ -175,7 +175,7 @@ impl MultibodyJoint {
         }
     }
 
-    /// Brings coordinates that are beyond their limits back. Those of a ball joint are kept.
+    /// Brings coordinates that are beyond their limits back. The limits of a ball joint are kept.
     pub(crate) fn keep_limits(&mut self) {
         let free = self.free_axes();
         for axis in JointAxis::ALL.into_iter().filter(|axis| free.contains(mask_of(*axis))) {

@@ -231,8 +231,8 @@ impl Multibody {
         self.self_contacts_enabled
     }
 
-    /// Sets whether the colliders of its links touch each other (default: yes). Those of a link and its parent also need their
-    /// joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
+    /// Sets whether the colliders of its links touch each other (default: yes). Contacts of a link and its
+    /// parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
     ///
     /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is `false`, the child's links still do not
     /// touch each other. A later call decides for all links.
@@ -339,8 +339,8 @@ impl Multibody {
         })
     }
 
-    /// Lets the degrees of freedom be the free axes of the joints, and of the root's body. Numbers of those that stay
-    /// are kept.
+    /// Makes the free axes of the joints, and of the root's body, the degrees of freedom. Numbers of those
+    /// that stay are kept.
     pub(crate) fn follow_axes(&mut self, root: &RigidBody) {
         let mut changed = false;
         for link in &mut self.links {

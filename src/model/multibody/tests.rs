@@ -75,7 +75,7 @@ fn trees_merge_and_split() {
     assert!(set.is_empty() && set.multibodies().count() == 0);
 }
 
-/// Which pairs of links touch, by body.
+/// The touching pairs of links, by body.
 fn touching(set: &MultibodyJointSet, bodies: &[u32]) -> Vec<[u32; 2]> {
     let pairs = bodies.iter().flat_map(|&one| bodies.iter().map(move |&two| [one, two]));
     let touch = |&[one, two]: &[u32; 2]| {

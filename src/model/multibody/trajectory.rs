@@ -10,9 +10,9 @@ pub(crate) struct LinkTrajectory {
     pub index: MultibodyIndex,
     /// The joints and the root's pose when the step began.
     pub start: (Vec<MultibodyJoint>, Pose),
-    /// How far each degree of freedom moved.
+    /// Displacement of each degree of freedom.
     pub shift: Vec<Real>,
-    /// How far a root without degrees of freedom moved.
+    /// Displacement of a root without degrees of freedom.
     pub root: SpatialVector,
     /// The longest path of a link's centre of mass, and the largest rotation angle (rad) of a link.
     pub travel: [Real; 2],

@@ -18,7 +18,7 @@ pub use validate::InvalidParameters;
 
 use crate::dim::math::Real;
 
-/// Which shape the set of allowed friction impulses has.
+/// Shape of the set of allowed friction impulses.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum FrictionModel {
@@ -32,7 +32,7 @@ pub enum FrictionModel {
     Coulomb,
 }
 
-/// How a step turns forces into motion: time step, accuracy, and how overlap is undone.
+/// Parameters of time integration: time step, accuracy, and correction of overlap.
 ///
 /// The defaults suit bodies of about one length unit, at 60 steps a second. Change a field or two:
 ///
@@ -96,8 +96,7 @@ pub struct IntegrationParameters {
     /// Whether continuous collision detection also stops a body that touches or overlaps something at the
     /// start, before its middle penetrates (default true). If not, contacts alone must hold it.
     pub ccd_on_penetration: bool,
-    /// How friction is modelled (default [`FrictionModel::Standard`]). In 2D both agree except for the number
-    /// of rows.
+    /// Friction model (default [`FrictionModel::Standard`]). In 2D both agree except for the number of rows.
     pub friction_model: FrictionModel,
 
     /// The size of a typical moving body in the world's own units (default 1). In a world whose metre
@@ -138,8 +137,8 @@ pub struct IntegrationParameters {
     /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
     /// crates. A compact body has room for less than half as many, unless bodies overlap: the limit is for
     /// worlds in which thousands are created at one point. The number of their pairs would be the square of
-    /// their number. With the limit it is their number times this, with about 1.5 kB for each. Those with the
-    /// nearest slots are selected; the rest are deferred. The log warns when the limit is met, and
+    /// their number. With the limit it is their number times this, with about 1.5 kB for each. The nearest
+    /// slots are selected; the rest are deferred. The log warns when the limit is met, and
     /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it
     /// for heaps of hundreds of long sticks, all of whose boxes overlap.
     pub max_neighbors_per_collider: usize,
@@ -149,8 +148,8 @@ pub struct IntegrationParameters {
     /// The smaller of a sensor and another collider owns their pair; of two of one size, the one that is no
     /// sensor. So a sensor reports any number of visitors that are no larger than it. Limited are the sensors
     /// in which one visitor is, and the sensors in one sensor. Pairs with fixed colliders are not limited.
-    /// 5000 sensors at one point would be 12.5 million pairs, 11 s a step and 2 GB. Those with the nearest
-    /// slots are selected; the log warns when the limit is reached, and
+    /// 5000 sensors at one point would be 12.5 million pairs, 11 s a step and 2 GB. The nearest slots are
+    /// selected; the log warns when the limit is reached, and
     /// [`ncrowded_sensors`](crate::model::counters::CollisionDetectionCounters::ncrowded_sensors) counts the
     /// colliders. Sensors that do not look for each other belong into different [collision
     /// groups](crate::model::collider::InteractionGroups).
@@ -219,7 +218,7 @@ impl IntegrationParameters {
         self.dt / self.num_solver_iterations.max(1) as Real
     }
 
-    /// How a contact is softened in a substep of `substep` seconds.
+    /// The softness of contacts in a substep of `substep` seconds.
     ///
     /// The substep is an argument because bodies may request more of them than
     /// [`Self::num_solver_iterations`].
@@ -228,7 +227,7 @@ impl IntegrationParameters {
         Softness::new(CONTACT_SHARE * self.erp, CONTACT_YIELD + self.damping_ratio, substep)
     }
 
-    /// How a joint is softened in a substep of `substep` seconds, unless it has a softness of its own.
+    /// The softness of joints without their own softness in a substep of `substep` seconds.
     #[inline]
     pub fn joint_softness(&self, substep: Real) -> Softness {
         let share = (JOINT_SHARE * self.joint_erp).min(1.0);

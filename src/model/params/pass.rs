@@ -8,7 +8,7 @@ use crate::dim::math::{Real, Vector};
 pub(crate) struct ContactPass {
     /// One over the length of a substep (1/s).
     pub inv_substep: Real,
-    /// How contacts are softened.
+    /// Softness of contacts.
     pub softness: Softness,
     /// Fastest that overlap is undone (length/s).
     pub push_velocity_max: Real,
@@ -67,7 +67,7 @@ pub(crate) struct JointPass {
     pub substep: Real,
     /// One over it (1/s).
     pub inv_substep: Real,
-    /// How joints without a softness of their own are softened.
+    /// Softness of joints without their own softness.
     pub softness: Softness,
     /// Largest velocity at which joints bring anchors together (length/s).
     pub correction_max: Real,

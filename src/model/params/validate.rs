@@ -1,4 +1,4 @@
-//! Which parameters a step accepts.
+//! Validation of the parameters of a step.
 
 use super::IntegrationParameters;
 use crate::base::measure::{is_length, is_margin};

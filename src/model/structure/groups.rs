@@ -4,7 +4,7 @@ use super::Structure;
 use crate::model::body::RigidBodyHandle;
 
 impl Structure<'_> {
-    /// Lets bodies move and sleep as one from now on. Bodies that are in another group leave it.
+    /// Makes bodies move and sleep as one from now on. Bodies that are in another group leave it.
     pub fn group(&mut self, bodies: Vec<RigidBodyHandle>) {
         for &body in &bodies {
             self.ungroup(body);

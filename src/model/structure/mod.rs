@@ -346,8 +346,8 @@ impl Structure<'_> {
         contacts.bodies(id).into_iter().for_each(|slot| self.bodies.prefetch(slot));
     }
 
-    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. Nothing if a
-    /// joint keeps their bodies apart.
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. The
+    /// result is empty if a joint disables contacts between their bodies.
     fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
         if self.islands.joints.part(slots[0], slots[1]) {
@@ -382,7 +382,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Has all pairs of a body computed anew, because the body itself has changed.
+    /// Marks all pairs of a body as due, because the body itself has changed.
     pub fn refresh_pairs_of(&mut self, handle: RigidBodyHandle) {
         for c in 0..self.collider_count(handle) {
             if let Some(slot) = self.collider_slot(handle, c) {

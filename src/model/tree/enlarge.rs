@@ -1,4 +1,4 @@
-//! How much larger than the collider its box is.
+//! Margin of a collider's fat AABB.
 //!
 //! A larger margin means fewer updates and more pairs. Pairs dominate the cost in piles, updates in the air.
 //! The margin on all sides is therefore small, and a moving collider gets a margin ahead of it for the next

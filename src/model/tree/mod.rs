@@ -128,8 +128,8 @@ impl BroadPhaseBvh {
         self.sizes.get(slot as usize).copied().unwrap_or(0)
     }
 
-    /// Returns whether a collider owns the pair with another: the smaller one does. Of equals it is the one
-    /// that is no sensor, or else the later one.
+    /// Returns whether a collider owns the pair with another: the smaller one does. Among equals it is the
+    /// one that is no sensor, or else the later one.
     pub(crate) fn bears(&self, slot: u32, other_slot: u32) -> bool {
         let order = |slot: u32, other: u32| (self.size(slot), self.is_sensor(slot), other);
         order(slot, other_slot) < order(other_slot, slot)
@@ -146,8 +146,7 @@ impl BroadPhaseBvh {
         self.trees.remove(slot);
     }
 
-    /// Lets the next search look at all neighbours of the collider again, as after a change of its
-    /// groups.
+    /// Includes all neighbours of the collider in the next search, as after a change of its groups.
     pub(crate) fn mark_moved(&mut self, slot: u32) {
         let (word, bit) = (slot as usize / 64, 1_u64 << (slot % 64));
         if word >= self.moved_bits.len() {

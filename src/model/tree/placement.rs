@@ -1,4 +1,4 @@
-//! Where a collider's box goes.
+//! Updates of a collider's box.
 
 use super::{BoxMargin, BroadPhaseBvh, TreeKind, shape_box};
 use crate::dim::math::{Real, Vector};
@@ -8,8 +8,8 @@ use crate::model::params::IntegrationParameters;
 use parry::bounding_volume::Aabb;
 
 impl BroadPhaseBvh {
-    /// Lets a collider's box follow the collider. `body` is the one that it is attached to. Returns whether
-    /// the fat AABB changed.
+    /// Updates a collider's box after a motion of the collider. `body` is the one that it is attached to.
+    /// Returns whether the fat AABB changed.
     pub(crate) fn follow(
         &mut self,
         handle: ColliderHandle,
@@ -38,7 +38,7 @@ impl BroadPhaseBvh {
     }
 }
 
-/// Where a collider is that its body has carried, if it is not in its box.
+/// Update of the trees for a collider that its body has moved out of its box.
 #[derive(Copy, Clone, Debug)]
 pub(crate) enum MovedProxy {
     /// It left its box in this tree, and has a new one, with which the tree must be

@@ -5,7 +5,7 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodyType;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// Which tree a collider stands in: by the body that it is attached to.
+/// Tree of a collider, selected by its body.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum TreeKind {
@@ -41,8 +41,8 @@ pub(crate) struct ColliderProxy {
     pub fat_aabb: Aabb,
     /// The tree; `None` while the collider is disabled, not yet inserted, or not finite.
     pub tree: Option<TreeKind>,
-    /// How far (length units) points of the collider may move before its box can leave the enlarged one. Each
-    /// motion subtracts its bound, and the box is checked when nothing is left.
+    /// Distance (length units) that points of the collider may move before its tight box can leave the fat
+    /// one. Each motion subtracts its bound, and the box is checked when nothing is left.
     pub clearance: Real,
     /// Whether the last box was unusable.
     pub is_refused: bool,
@@ -57,7 +57,7 @@ impl Default for ColliderProxy {
 }
 
 impl ColliderProxy {
-    /// Of a collider that stands in no tree yet.
+    /// The proxy of a collider that is in no tree yet.
     pub fn outside(slot: u32) -> Self {
         let fat_aabb = Aabb::new_invalid();
         Self { fat_aabb, tree: None, clearance: 0.0, is_refused: false, slot }
@@ -78,7 +78,7 @@ impl ColliderProxy {
     }
 }
 
-/// How far a box may grow on all sides before it leaves another that contains it.
+/// Margin by which a box may grow on all sides before it leaves another that contains it.
 fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
     let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
     gaps.min_element().max(0.0)

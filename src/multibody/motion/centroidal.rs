@@ -1,8 +1,8 @@
 //! The momentum of a multibody, which nothing inside it changes.
 //!
-//! Nothing inside a multibody changes its linear and angular momentum. The error of the flight does, in third
-//! order, and so do pushes from outside, whose responses are frozen during a step. The momentum is therefore
-//! integrated beside the velocities. It changes by gravity, forces and impulses alone, and the
+//! Internal forces of a multibody conserve its linear and angular momentum. The error of the flight does, in
+//! third order, and so do pushes from outside, whose responses are frozen during a step. The momentum is
+//! therefore integrated beside the velocities. It changes by gravity, forces and impulses alone, and the
 //! [`LockedInertia`](super::super::locked_inertia::LockedInertia) corrects the velocities. Freely tumbling
 //! chains do not drift, and contacts conserve momentum.
 //!
@@ -50,9 +50,9 @@ impl Motion {
         (self.momentum, self.external_impulse) = (self.root_momentum(), ZERO);
     }
 
-    /// Lets the whole move so that nothing is missing of the momentum. It referred to `before`, and refers to
-    /// the root's centre of mass from now on. Returns the energy that this took: with the change `δ` of the
-    /// rates and the momentum `p` before it, `δᵀ Sᵀ (p + ½ missing)`.
+    /// Adds the motion of the whole that corrects the missing momentum. It referred to `before`, and refers
+    /// to the root's centre of mass from now on. Returns the energy that this took: with the change `δ` of
+    /// the rates and the momentum `p` before it, `δᵀ Sᵀ (p + ½ missing)`.
     pub(super) fn keep_momentum(&mut self, before: Vector) -> Real {
         if self.root_dofs() == 0 {
             return 0.0;
@@ -70,8 +70,8 @@ impl Motion {
         energy
     }
 
-    /// Lets the momentum that was about `before`, and the impulses from outside that came there, be about the root's centre
-    /// of mass.
+    /// Changes the reference point of the momentum, and of the external impulses, from `before` to the root's
+    /// centre of mass.
     pub(super) fn carry_momentum(&mut self, before: Vector) {
         add_scaled(&mut self.momentum, &self.external_impulse, 1.0);
         self.momentum = carry_back(&self.momentum, before - self.kinematics.links[0].center);

@@ -139,8 +139,8 @@ impl Motion {
     }
 
     /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
-    /// rotation of the whole. Where links are moved far at once they may come to lie closer together than
-    /// their angular momentum and their energy allow.
+    /// rotation of the whole. If links move far at once, their configuration may be too compact for their
+    /// angular momentum and energy.
     pub(super) fn limit_flight(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();
@@ -169,7 +169,7 @@ impl Motion {
         self.follow_momentum();
     }
 
-    /// Lets no joint turn by more than [`JOINT_ANGLE_MAX`] in `h` seconds: slows the change of shape down.
+    /// Limits the rotation of joints to [`JOINT_ANGLE_MAX`] in `h` seconds by reducing the change of shape.
     pub(super) fn limit_whip(&mut self, h: Real) {
         let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);

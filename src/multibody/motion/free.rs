@@ -182,8 +182,8 @@ impl Motion {
     /// Undoes the first half, of `h` seconds, after impulses have changed the velocities. Returns whether the first half would
     /// converge from there; if not, the velocities stay.
     ///
-    /// The residual of the iteration in the first half is the same in this half. Else the account would be
-    /// off by the same sign in each substep.
+    /// The residual of the iteration in the first half is the same in this half. Otherwise the error would
+    /// have the same sign in each substep.
     fn undo_first_half(&mut self, h: Real) -> bool {
         let [mut change, mut open] =
             [core::mem::take(&mut self.change), core::mem::take(&mut self.start)];
@@ -272,7 +272,8 @@ impl Motion {
         change.iter_mut().for_each(|number| *number *= h);
     }
 
-    /// Lets inertia act for `h` seconds, explicitly. Returns whether the energy of the flight is kept; nothing happens if not.
+    /// Integrates inertia for `h` seconds, explicitly. Returns whether the energy of the flight is kept;
+    /// nothing happens if not.
     fn fly_second_half(&mut self, h: Real, energy: Option<Real>) -> bool {
         let mut change = core::mem::take(&mut self.change);
         self.drift(h, &mut change);
@@ -304,8 +305,8 @@ impl Motion {
         self.change = change;
     }
 
-    /// Lets inertia change the velocities for `h` seconds, implicitly as [`Self::accelerate`] does. Returns
-    /// false if it does not converge: then nothing happens.
+    /// Integrates inertia for `h` seconds, implicitly as [`Self::accelerate`] does. Returns false if it does
+    /// not converge: then nothing happens.
     pub fn fly_on(&mut self, h: Real) -> bool {
         let mut change = core::mem::take(&mut self.change);
         let comes_together = self.fly_half(h, &mut change);
@@ -320,8 +321,8 @@ impl Motion {
         rates
     }
 
-    /// Lets inertia act for `h` seconds, taking the velocities of their end, and says what that changed. Returns whether the iterations
-    /// come together; the velocities stay as they are if not.
+    /// Integrates inertia for `h` seconds with the velocities of their end, and returns the change. Returns
+    /// whether the iterations come together; the velocities stay as they are if not.
     fn fly_half(&mut self, h: Real, change: &mut Vec<Real>) -> bool {
         let mut start = core::mem::take(&mut self.start);
         start.clone_from(&self.rates);

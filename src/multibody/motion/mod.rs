@@ -87,9 +87,9 @@ pub struct Motion {
     pub drives: Vec<Drive>,
     /// The velocity of a root without degrees of freedom.
     root: SpatialVector,
-    /// Where in a substep a spring is taken: `θ`.
+    /// Fraction of the substep at which a spring is evaluated: `θ`.
     spring_times: Vec<Real>,
-    /// How easily each degree of freedom moves if the others are free.
+    /// Inverse inertia of each degree of freedom if the others are free.
     ease: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
@@ -188,8 +188,9 @@ impl Motion {
         self.factor.solve(&self.kinematics, &[], impulses);
     }
 
-    /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle. No link gets faster than
-    /// `speed_max`. Meanwhile they have half of what the last substep's impulses did to the rates.
+    /// Applies the forces for `h` seconds and integrates the velocities to the middle of the substep. No link
+    /// gets faster than `speed_max`. Meanwhile they have half of what the last substep's impulses did to the
+    /// rates.
     pub fn accelerate(
         &mut self,
         multibody: &mut Multibody,

@@ -17,7 +17,7 @@ use parry::query::{
 use parry::shape::{Ball, Shape, TypedShape};
 
 impl NarrowPhase {
-    /// How pairs of shapes are computed that queries ask about.
+    /// The algorithms for pairs of shapes in queries.
     ///
     /// As in parry, except casts of balls, which have special formulas, and of rotating shapes.
     pub fn query_dispatcher(&self) -> &dyn QueryDispatcher {
@@ -232,7 +232,7 @@ fn meet(
 
 /// When a point comes within `distance` of a shape; and how much of the shape is a layer around the core.
 fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -> (Meeting, Real) {
-    // Where a velocity is too small or too large to be squared, it has no formula.
+    // A velocity that is too small or too large to be squared has no formula.
     if !dir.length_squared().is_normal() || !origin.length_squared().is_finite() {
         return (Meeting::Unclear, 0.0);
     }

@@ -31,7 +31,7 @@ fn way(random: &mut Random) -> (Vector, Vector) {
     (target - dir * random.within(0.5, 4.0), dir)
 }
 
-/// How deep (length units) a point is inside of a shape; zero outside.
+/// Depth (length units) of a point inside a shape; zero outside.
 fn depth(shape: &dyn Shape, pose: &Pose, point: Vector) -> Real {
     if !shape.contains_point(pose, point) {
         return 0.0;

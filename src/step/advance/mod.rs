@@ -32,7 +32,7 @@ pub(crate) struct AdvanceScratch {
 /// A collider that is not in its box any more, or has none.
 type MovedCollider = (ColliderHandle, MovedProxy);
 
-/// Lets colliders, boxes and sleep timers follow the awake bodies, and notes which of these are sleepy.
+/// Updates colliders, boxes and sleep timers of the awake bodies, and notes the bodies that may sleep.
 pub(crate) fn advance(
     tasks: Tasks<'_>,
     (bodies, colliders): (&mut RigidBodySet, &mut ColliderSet),

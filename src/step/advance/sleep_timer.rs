@@ -1,4 +1,4 @@
-//! How long each body has been at rest.
+//! Time that each body has been at rest.
 //!
 //! A body is at rest within a window of time under two conditions. No point of it drifts farther than a limit
 //! from its position at the start of the window, and its smoothed path is no longer than that limit. Speed
@@ -14,7 +14,7 @@ use crate::model::params::IntegrationParameters;
 /// a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with the default threshold, a point may get 12 mm far.
 const WINDOW_MAX: Real = 0.25;
 
-/// How far a body at rest may drift within a window, and how long its smoothed path may be.
+/// Largest drift of a body at rest within a window, and largest length of its smoothed path.
 struct Limits {
     /// Duration of the window (s).
     window: Real,

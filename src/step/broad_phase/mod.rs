@@ -41,7 +41,7 @@ pub(crate) struct BroadPhaseScratch {
     refused: [Vec<u32>; 2],
 }
 
-/// How many colliders own as many pairs as they may, and overlap others besides.
+/// Number of colliders that own the maximum of pairs and overlap others besides.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Crowded {
     /// Pairs of solid colliders.

@@ -5,11 +5,11 @@ use crate::model::collider::ColliderHandle;
 /// Two colliders, the one with the lower slot first.
 pub(super) type HandlePair = (ColliderHandle, ColliderHandle);
 
-/// How far away the slot of the other one is.
+/// Distance of the two slots.
 pub(super) type SlotDistance = u32;
 
-/// The pairs with the smallest slot distance, up to the limit of the owner. Of thousands only these are ever
-/// kept.
+/// The pairs with the smallest slot distance, up to the limit of the owner. Only these are kept, of possibly
+/// thousands.
 #[derive(Default)]
 pub(super) struct OwnedPairs {
     pairs: Vec<(SlotDistance, HandlePair)>,
@@ -40,7 +40,7 @@ impl OwnedPairs {
         }
     }
 
-    /// How many there are, at least: of those that are too many some may have been dropped already.
+    /// Lower bound of their number: dropped ones beyond the limit are not counted.
     pub fn len(&self) -> usize {
         self.pairs.len() + usize::from(self.limit.is_some())
     }

@@ -30,7 +30,7 @@ pub(super) struct Finds {
 struct Kind {
     /// Whether one of the two is a sensor.
     is_sensed: bool,
-    /// Whether the two have the same size. Else the other one is larger than the owner.
+    /// Whether the two have the same size. Otherwise the other one is larger than the owner.
     is_alike: bool,
 }
 
@@ -50,7 +50,7 @@ impl Kind {
 /// Most pairs of each kind that a collider owns.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct NeighborLimits {
-    /// Of solid colliders.
+    /// Limit for solid colliders.
     pub solids: usize,
     /// With a sensor.
     pub sensors: usize,
@@ -69,7 +69,7 @@ impl NeighborLimits {
     }
 }
 
-/// Where to look, and for what.
+/// Context of the search.
 pub(super) struct Search<'a, K> {
     pub tree: &'a BroadPhaseBvh,
     pub colliders: &'a ColliderSet,
@@ -89,7 +89,7 @@ struct Seeker<'a> {
 }
 
 impl<K: KnownPairs> Search<'_, K> {
-    /// Lets the colliders at these slots look for neighbours.
+    /// Searches partners for the colliders at these slots.
     pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], finds: &Pool<Finds>) {
         tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
             let mut found = finds.take();
@@ -166,7 +166,7 @@ impl<K: KnownPairs> Search<'_, K> {
     fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
         let Seeker { slot, handle, collider, .. } = seeker;
         let bears = self.tree.bears(slot, other_slot);
-        // Of two that moved, each finds the other.
+        // If both moved, each finds the other.
         if !bears && (self.only_owned || self.tree.is_moved(other_slot)) {
             return;
         }
@@ -206,7 +206,7 @@ impl<K: KnownPairs> Search<'_, K> {
         Kind { is_sensed, is_alike: self.tree.size(slot) == self.tree.size(other_slot) }
     }
 
-    /// How many pairs of one kind the collider at a slot owns already.
+    /// The number of pairs of one kind that the collider at a slot owns already.
     fn count_owned(&self, slot: u32, kind: Kind) -> usize {
         let is_movable = |other: u32| {
             let other = self.colliders.at_slot(other);

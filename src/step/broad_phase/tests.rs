@@ -25,7 +25,7 @@ struct Boxes {
     tree: BroadPhaseBvh,
     params: IntegrationParameters,
     known: BTreeSet<(u32, u32)>,
-    /// How many colliders had too many neighbours.
+    /// Number of colliders with too many neighbours.
     crowded: Crowded,
 }
 

@@ -36,7 +36,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 /// Candidates that are listed before duplicates are removed for the first time.
 const CANDIDATES_MIN: usize = 256;
 
-/// How a kinematic body moves in a step.
+/// Motion of a kinematic body in a step.
 #[derive(Copy, Clone)]
 struct Drive {
     center: Vector,
@@ -70,7 +70,7 @@ impl Drive {
         Self { center: body.mprops.world_com - shift, shift, rotvec: body.angvel * dt }
     }
 
-    /// How this motion carries the points within `extent` of a place.
+    /// Motion of the points within `extent` of a place.
     fn carry(&self, place: Vector, extent: Real) -> BodyMotion {
         let arm = place - self.center;
         let carried = BodyMotion::of(self.shift + cross(self.rotvec, arm), self.rotvec, extent);
@@ -235,7 +235,7 @@ pub(crate) fn add_approached(
     }
 }
 
-/// How a body that is not fast has moved, from where its colliders still are.
+/// Motion of a body that is not fast, from the old poses of its colliders.
 fn motion_of(
     world: CcdContext<'_>,
     handle: RigidBodyHandle,

@@ -1,10 +1,10 @@
 //! Bodies that stop at everything: fast ones with `ccd_enabled`.
 //!
-//! Where a bullet is stopped depends on where the others are then, and these may be bullets that were stopped
-//! before. Impacts are therefore processed in order of time. The bodies of an impact stop, and everything in
-//! their neighbourhood is searched again. Time is monotonic, so each body stops at most once. Each pair is
-//! searched at most three times: when its paths are known, and when either body stops. Nearly all searches
-//! end with the balls around the bodies, which miss each other.
+//! The stop of a bullet depends on the positions of others at that time, and these may be bullets that were
+//! stopped before. Impacts are therefore processed in order of time. The bodies of an impact stop, and
+//! everything in their neighbourhood is searched again. Time is monotonic, so each body stops at most once.
+//! Each pair is searched at most three times: when its paths are known, and when either body stops. Nearly
+//! all searches end with the balls around the bodies, which miss each other.
 
 use super::Search;
 use super::path::Path;
@@ -179,7 +179,7 @@ impl Bullets {
     fn find_others(&mut self, bullet: u32, region: &Aabb, search: Search<'_>, stops: &[Real]) {
         let Self { boxes, balls, pairs, .. } = self;
         boxes.for_each_leaf(&BoxProbe(*region), |other| {
-            // Of two bullets each finds the other.
+            // Each of two bullets finds the other.
             let is_first = bullet < other || !is_bullet(search, other as usize);
             let of = |position: u32| (&balls[position as usize], stops[position as usize]);
             if other != bullet && is_first && Ball::ways_meet([of(bullet), of(other)]) {
@@ -196,7 +196,7 @@ impl Bullets {
         });
     }
 
-    /// Returns whether the bounding spheres of two fast bodies meet. Of slow ones nothing is known.
+    /// Returns whether the bounding spheres of two fast bodies meet. For slow bodies the result is unknown.
     fn may_meet(&self, bullet: u32, other: Other, stops: &[Real]) -> bool {
         let Other::Fast(other) = other else { return true };
         Ball::may_meet([bullet, other].map(|at| (&self.balls[at as usize], stops[at as usize])))

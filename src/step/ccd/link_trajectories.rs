@@ -28,7 +28,7 @@ pub(super) struct LinkTrajectories {
     of_tree: Vec<Tree>,
 }
 
-/// Where a multibody stands in the lists.
+/// Positions of a multibody in the lists.
 struct Tree {
     /// Start of its segments, link by link.
     segments: usize,

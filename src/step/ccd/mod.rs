@@ -116,7 +116,7 @@ pub(crate) struct CcdContext<'a> {
     pub narrow_phase: &'a NarrowPhase,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
-    /// How bodies moved that are fast, and multibodies of which one is a link.
+    /// Motion of fast bodies, and of multibodies with a fast link.
     pub fast: &'a [FastMotion],
     pub trajectories: &'a [LinkTrajectory],
 }
@@ -222,7 +222,7 @@ pub(crate) fn stop(
             body.linvel = motion.velocity_before(1.0 - share, body.linvel);
             body.update_world_mass_properties();
             if !body.ccd_active {
-                // Of a fast body a bound of the whole motion is noted already.
+                // The bound of the whole motion of a fast body is noted already.
                 let way = body.mprops.world_com - motion.center;
                 let way = BodyMotion::of(way, motion.rotvec * share, body.extent);
                 islands.set_motion(motion.body.into_raw_parts().0, way);

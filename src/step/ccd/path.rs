@@ -285,7 +285,7 @@ pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'s
     Sweep::new(start, motion.center, motion.shift, motion.rotvec).until(stop)
 }
 
-/// From where the collider still is to where its body is.
+/// The motion from the old pose of the collider to its body's new pose.
 pub(super) fn sweep_of_slow(
     world: CcdContext<'_>,
     body: &RigidBody,

@@ -61,7 +61,7 @@ pub(super) struct Ride {
     pub end: Real,
     /// The pose of the body then.
     pub pose: Pose,
-    /// How far the body moved in the step.
+    /// Displacement of the body in the step.
     pub motion: BodyMotion,
 }
 
@@ -174,7 +174,7 @@ impl Ride {
         let pose = sweep_of(motion, motion.start, share).at(share);
         let mut ride =
             Self { segments: smallvec![first], end: share, pose, motion: BodyMotion::NONE };
-        // Of joined bodies each would stand and ride at other times.
+        // Joined bodies would stop and ride at different times.
         let segments_max = if search.groups.is_alone(position) { SEGMENTS_MAX } else { 1 };
         let (mut on, mut has_moved) = (by, false);
         for _ in 0..segments_max {

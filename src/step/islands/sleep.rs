@@ -1,4 +1,4 @@
-//! Which islands have been still for long enough.
+//! Sleep of islands that have been at rest for long enough.
 
 use crate::model::body::RigidBodyHandle;
 use crate::model::island::NONE;

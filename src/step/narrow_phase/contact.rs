@@ -24,10 +24,10 @@ use smallvec::SmallVec;
 
 /// Results of a computation that later ones read.
 struct Computed {
-    /// How far apart the shapes are beyond the prediction distance: no contact can appear before they
-    /// have moved that far.
+    /// Distance of the shapes beyond the prediction distance: no contact can appear before they have moved
+    /// that far.
     gap: Real,
-    /// How far the bodies may move before the contacts must be [placed](super::place) anew.
+    /// Admissible motion of the bodies until the anchors must be [transformed](super::anchors) again.
     left: Real,
 }
 
@@ -343,7 +343,7 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     };
 }
 
-/// Lets the user change the contacts.
+/// Calls the user's hook for the contacts.
 fn modify(
     manifold: &mut ContactManifold,
     collider1: ColliderHandle,

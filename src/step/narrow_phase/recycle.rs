@@ -1,4 +1,4 @@
-//! How far a touching pair may move before its contact points are computed anew.
+//! Admissible motion of a touching pair until its contact points are recomputed.
 //!
 //! Until then the points ride along with the two bodies, which is nearly right as long as the same
 //! corners and edges touch. It is wrong at once where a round surface rolls: its point of contact moves

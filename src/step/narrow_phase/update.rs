@@ -1,4 +1,4 @@
-//! Which pairs are due, and what becomes of them.
+//! Due pairs, and their update.
 
 use super::faults;
 use super::ghost_contacts::{Computed, GhostContactScratch};
@@ -206,7 +206,7 @@ fn update_store<P: Update>(
     );
     changes.clear();
     apply(tasks, store, (due, outcomes), gather_changes, changes);
-    // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
+    // The free ids depend on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
     notes.extend(changes.iter().map(|&(_, id, change)| (id, change)));

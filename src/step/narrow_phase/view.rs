@@ -75,7 +75,8 @@ impl<'a> PairView<'a> {
         }
     }
 
-    /// How far the second collider's body moves against the first's in a step, in the frame of the first collider.
+    /// Displacement of the second collider's body relative to the first's in a step, in the frame of the
+    /// first collider.
     pub fn motion(&self) -> Vector {
         let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
         let relative = velocity(self.bodies[1]) - velocity(self.bodies[0]);
@@ -96,7 +97,7 @@ impl<'a> PairView<'a> {
         prediction.max(soft.min(approach * self.context.params.dt))
     }
 
-    /// How far a touching pair may move before its contacts are computed again.
+    /// The admissible motion of a touching pair until its contacts are recomputed.
     pub fn recycle_distance(&self) -> Real {
         let forms = self.colliders.map(|collider| collider.form);
         recycle_distance(forms, self.context.params.contact_recycle_distance())

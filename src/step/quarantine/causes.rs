@@ -154,7 +154,7 @@ impl Causes<'_> {
         strains.fold(0.0, larger)
     }
 
-    /// How far (length units) what acts on a body would carry a point of it within a step: the most that one thing would.
+    /// Largest displacement (length units) of a point of the body within a step by any single load.
     fn stress_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
         let dt = self.conditions.params.dt;
         let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);

@@ -34,7 +34,7 @@ impl Checkpoint {
         }
     }
 
-    /// Lets the world be as it was.
+    /// Restores the world.
     pub fn restore(&self, world: &mut World<'_>) {
         world.islands.clone_from(&self.islands);
         world.broad_phase.clone_from(&self.broad_phase);

@@ -74,7 +74,7 @@ pub(crate) struct StepConditions<'a> {
 #[derive(Default)]
 pub(crate) struct Quarantine {
     taken: Vec<(RigidBodyHandle, QuarantineCause)>,
-    /// How often the step has failed.
+    /// Number of failed attempts.
     failures: usize,
     /// Number of events that failed attempts emitted.
     emitted: usize,
@@ -99,7 +99,7 @@ impl Quarantine {
         let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
         causes.find(self.failures, &mut self.taken);
         self.failures += 1;
-        // The order is that of the handles, so a user who disables the same bodies gets the same result.
+        // The order is that of the handles, so manual disabling of the same bodies gives the same result.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
         match checkpoint {

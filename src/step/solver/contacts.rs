@@ -158,7 +158,7 @@ impl SolverContacts {
         }
     }
 
-    /// Nothing of the step is to be stored.
+    /// Discards the results of the step.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
             self.lanes.forget();
@@ -248,7 +248,7 @@ impl SolverContacts {
         }
     }
 
-    /// Has bodies return the energy that the correction of overlap gave them, and contacts the impulses.
+    /// Removes the energy that the correction of overlap added to bodies, and the corresponding impulses.
     pub fn return_gains(&mut self, recovery: &mut Recovery, bodies: &mut SolverBodies) {
         if !recovery.limit(bodies) {
             return;
@@ -298,7 +298,7 @@ impl SolverContacts {
         !self.impacts.is_empty()
     }
 
-    /// Lets the contacts bounce that hit something in this substep.
+    /// Applies restitution to the contacts that hit in this substep.
     pub fn solve_impacts(
         &mut self,
         bodies: &mut SolverBodies,
@@ -329,8 +329,8 @@ impl SolverContacts {
         }
     }
 
-    /// Returns whether the blocks of a colour must write back to their manifolds now. Those of the overflow
-    /// come first, in an order of their own.
+    /// Returns whether the blocks of a colour must write back to their manifolds now. The overflow comes
+    /// first, in an order of its own.
     fn needs_write_back(&self, color: &Range<usize>) -> bool {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }

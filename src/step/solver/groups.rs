@@ -1,4 +1,4 @@
-//! Which bodies are solved with how many substeps.
+//! Groups of islands, and their numbers of substeps.
 //!
 //! An iteration transfers through a contact what the lighter of two bodies can carry. Under a body `r` times
 //! as heavy, a contact carries `r` times the load for which it is stiff, and penetrates by `r σ g h² / β`
@@ -45,7 +45,7 @@ const SWING: Real = 0.55;
 /// Bodies that are solved together.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    /// Where they stand in [`Groups::order`].
+    /// Range in [`Groups::order`].
     pub members: Range<usize>,
     pub substeps: usize,
 }
@@ -147,7 +147,7 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     /// By island.
     requirements: Vec<IslandRequirement>,
-    /// Of the dynamic bodies, in the order in which they are awake.
+    /// By dynamic body, in the order of the awake list.
     body_requirements: Vec<BodyRequirement>,
     /// The same by body slot. Filled only while needs are found.
     by_slot: Vec<BodyRequirement>,
@@ -173,7 +173,7 @@ impl Groups {
         self.ill_conditioned
     }
 
-    /// How many bodies stand before the groups.
+    /// The number of bodies before the groups.
     pub fn ungrouped(&self) -> usize {
         self.groups.first().map_or(0, |group| group.members.start)
     }

@@ -1,5 +1,5 @@
-//! Which constraints stand in which block: whole lanes of a colour; of the overflow single constraints, or as many as do not
-//! notice each other.
+//! Layout of constraints in blocks: whole lanes of a colour, and single or independent constraints of the
+//! overflow.
 
 use super::overflow::OverflowOrder;
 use crate::base::wide::LANES;

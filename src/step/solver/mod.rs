@@ -218,7 +218,7 @@ fn store_constraints(
 struct GroupContext<'a> {
     gravity: Vector,
     params: &'a IntegrationParameters,
-    /// Where contacts and bodies are.
+    /// Contacts and bodies.
     place: (&'a NarrowPhase, &'a RigidBodySet),
     /// The bodies that are solved.
     order: &'a [RigidBodyHandle],

@@ -70,7 +70,7 @@ impl OverflowOrder {
         }
     }
 
-    /// How many constraints stand in each block.
+    /// The number of constraints in each block.
     pub fn sizes(&self) -> &[usize] {
         &self.filled
     }

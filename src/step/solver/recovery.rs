@@ -133,7 +133,8 @@ impl Recovery {
         }
     }
 
-    /// Has the bodies of watched islands return what contacts added to their energy in a substep. Returns whether any did.
+    /// Removes the energy that contacts added to the bodies of watched islands in a substep. Returns whether
+    /// any did.
     pub fn limit(&mut self, bodies: &mut SolverBodies) -> bool {
         if !self.is_active {
             return false;

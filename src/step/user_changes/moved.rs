@@ -51,7 +51,7 @@ impl UserChanges<'_> {
         other.is_some_and(|other| stand.keeps_to(&other))
     }
 
-    /// Where a body was is known from its colliders alone.
+    /// The old pose of a body, known from its colliders alone.
     fn stand_of(&self, body: &RigidBody) -> Option<MovedBody> {
         let now = body.pose;
         if !body.changes.contains(RigidBodyChanges::POSITION) {

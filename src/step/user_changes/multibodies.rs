@@ -4,7 +4,7 @@ use super::UserChanges;
 use crate::model::multibody::MultibodyEdits;
 
 impl UserChanges<'_> {
-    /// Lets the bodies of each multibody move and sleep as one.
+    /// Makes the bodies of each multibody move and sleep as one.
     pub(super) fn apply_multibodies(&mut self) {
         let MultibodyEdits { cut, groups } = core::mem::take(&mut self.multibodies);
         for &(body, _) in &cut {

@@ -30,7 +30,7 @@ pub(crate) struct World<'a> {
 
 type Verdict = Result<(), Fault>;
 
-/// How much is checked.
+/// Extent of the check.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Depth {
     /// Invariants that an error of the engine would violate. Asks for no memory, as the step does not.

@@ -199,7 +199,7 @@ impl Places<'_> {
         }
     }
 
-    /// Lets a body be found by its slot.
+    /// Maps a slot to its body.
     ///
     /// # Safety
     /// As [`Self::at`], and the caller must own the slot, which must be that of a body, exclusively.

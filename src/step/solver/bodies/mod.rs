@@ -185,8 +185,7 @@ impl SolverBodies {
         }
     }
 
-    /// Has constraints see the velocities before any impulse of the substep, which has just begun, as those that bodies have; and
-    /// back.
+    /// Exchanges the velocities of bodies with those before any impulse of the substep.
     pub fn swap_before(&mut self) {
         core::mem::swap(&mut self.states, &mut self.before);
     }

@@ -1,4 +1,4 @@
-//! How bodies move without any constraint, [`LANES`] at a time.
+//! Free motion of bodies, [`LANES`] at a time.
 
 use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::axes::inv_mass_per_axis;
@@ -62,7 +62,7 @@ pub(super) struct Accelerate<'a> {
 }
 
 impl Kernel for Accelerate<'_> {
-    /// How many were slowed down to the largest speed.
+    /// Number of bodies that were limited to the largest speed.
     type Output = usize;
 
     #[inline(always)]

@@ -96,7 +96,7 @@ pub(in super::super) struct ActiveBlock {
     contact: ContactBlock,
     rows: [RoundRow; MAX_MANIFOLD_POINTS],
     restitution: Lane,
-    /// Which of all blocks each lane is from, and which lane of it.
+    /// The block and the lane of origin of each lane.
     from: [(u32, u32); LANES],
     /// The island of each lane.
     pub islands: [u32; LANES],

@@ -129,7 +129,7 @@ const FRICTION_INTERVAL: usize = 4;
 pub(super) struct Impacts {
     /// Blocks of one colour are contiguous.
     blocks: Vec<ImpactBlock>,
-    /// Of each block.
+    /// By block.
     marks: Vec<ImpactMark>,
     colors: Vec<Range<usize>>,
     /// The active part of a round, often a small part of all contacts.
@@ -142,7 +142,7 @@ pub(super) struct Impacts {
 #[derive(Default)]
 struct Memory {
     energy_budgets: Vec<EnergyBudget>,
-    /// Nothing until something hits in this step.
+    /// Empty until a contact hits in this step.
     iteration_budgets: Vec<IterationBudget>,
     /// By active block: the contributions of contacts and joints to [`EnergyBudget::dissipated`] and
     /// [`EnergyBudget::energy_gain`] in this round.
@@ -165,7 +165,7 @@ impl IterationBudget {
     }
 }
 
-/// How far an island is. Each goes on by itself: what the others do must not change a bit of it.
+/// Progress of an island. Each goes on by itself: what the others do must not change a bit of it.
 #[derive(Copy, Clone, Default)]
 struct EnergyBudget {
     /// Visits that are left in this substep.
@@ -178,7 +178,7 @@ struct EnergyBudget {
 }
 
 impl EnergyBudget {
-    /// How much of a round an island goes: no further than where its energy is what it was.
+    /// The fraction of a round of an island: at most up to the initial energy.
     fn share(&self) -> Real {
         let share = self.dissipated / (self.dissipated - self.energy_gain);
         match self.energy_gain > 0.0 {
@@ -226,7 +226,7 @@ impl Impacts {
         self.blocks.is_empty()
     }
 
-    /// Lets everything bounce that hits something in this substep.
+    /// Applies restitution to everything that hits in this substep.
     pub fn run(
         &mut self,
         contacts: Blocks<'_>,
@@ -552,7 +552,7 @@ struct Look<'a> {
     impacts: DisjointMut<'a, ImpactBlock>,
     marks: DisjointMut<'a, ImpactMark>,
     states: DisjointMut<'a, BodyState>,
-    /// How the bodies moved when the last substep ended, and with its impulses in this one.
+    /// Velocities of the bodies when the last substep ended, and with its impulses in this one.
     known: [&'a [BodyState]; 2],
     touched: &'a Touched,
     pass: &'a ImpactPass,

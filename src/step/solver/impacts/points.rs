@@ -1,6 +1,6 @@
 //! Access of impacts to a block: velocities of its points, impulses at them, and their friction.
 //!
-//! Which points hit, and how they part, is decided in `rows.rs`.
+//! `rows.rs` decides which points hit, and their target velocity.
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};

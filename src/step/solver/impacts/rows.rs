@@ -10,7 +10,8 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
 use crate::model::params::ImpactPass;
 
-/// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
+/// Largest correction of a point's approach for forces in the rest of the substep, as a fraction of its
+/// speed.
 pub(in super::super) const CURVATURE_ANGLE_MAX: Real = 0.25;
 /// Points at rest when the impact began take part when their approach increases by this fraction of the
 /// restitution threshold. Rounding must not wake them.
@@ -36,7 +37,7 @@ struct ImpactRow {
     strike: ActiveRow<Lane>,
 }
 
-/// How a point that hits is to part, in one lane or all.
+/// Target of a hitting point, in one lane or all.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct ActiveRow<T> {
     /// `1 / K` where it hits in this round, zero elsewhere.
@@ -75,7 +76,7 @@ impl ActiveRow<Lane> {
 /// The contacts of one block that bounce.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ImpactBlock {
-    /// Which block.
+    /// Index of the block.
     pub at: usize,
     pub restitution: Lane,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
@@ -219,7 +220,7 @@ impl ImpactBlock {
         }
     }
 
-    /// How the points of a lane are to part.
+    /// The targets of the points of a lane.
     pub(super) fn strikes(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
         core::array::from_fn(|k| self.rows[k].strike.lane(lane))
     }

@@ -14,9 +14,9 @@ pub(super) struct Touched {
     round: u32,
     /// By the index of a body: the last round that may change it, zero for those that are not among them.
     rounds: Vec<u32>,
-    /// How they moved when the round began. At rest, for others.
+    /// Velocities when the round began. At rest, for others.
     pub start: Vec<BodyState>,
-    /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Nothing, for others.
+    /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Zero for others.
     pub delays: Vec<BodyState>,
 }
 

@@ -56,7 +56,7 @@ pub(super) struct JointBlock {
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
-    /// Where the block's rows of free axes stand.
+    /// Range of the block's rows of free axes.
     pub first_row: usize,
     pub row_count: usize,
     /// Whether any lane is solved directly, and whether any is solved iteratively.
@@ -167,7 +167,7 @@ pub(super) struct MotorRow {
     /// Largest impulse of a substep.
     pub max_impulse: Lane,
     pub impulse: Lane,
-    /// How far the spring was from its target when the substep began.
+    /// Distance of the spring from its target when the substep began.
     pub stretch: Lane,
 }
 

@@ -29,11 +29,11 @@
 //! rods would tumble after four seconds.
 //!
 //! ## What is thrown
-//! Where bodies would go freely, joints must find back from. When only gravity and their own speed lead them,
-//! that is near. But contacts, limits and motors start with their impulses of the last substep. Without the
-//! opposing joint impulses, they accelerate light bodies: a board of 1.4 kg between the ground and a load of
-//! 140 kg would rotate by 2 rad in a substep. The rows there say nothing of where it will be, Newton's steps
-//! from there wander, and a chain got 10⁹ times its energy from that. A component with a body whose
+//! Joints must recover from the unconstrained poses of the bodies. When only gravity and their own speed lead
+//! them, that is near. But contacts, limits and motors start with their impulses of the last substep. Without
+//! the opposing joint impulses, they accelerate light bodies: a board of 1.4 kg between the ground and a load
+//! of 140 kg would rotate by 2 rad in a substep. The rows there say nothing of where it will be, Newton's
+//! steps from there wander, and a chain got 10⁹ times its energy from that. A component with a body whose
 //! unconstrained rotation exceeds [`UNCONSTRAINED_ANGLE_MAX`] is therefore projected at the current poses, in
 //! one step without prediction. With constant rows, one projection is exact. It finds the nearest admissible
 //! velocity (Gauss's principle of least constraint), and never adds energy. The next substep corrects the
@@ -56,20 +56,22 @@ use crate::dim::state::{BodyPose, BodyState};
 /// The `(h ω)²` above which a joint is stiff: a quarter of the stability limit of a chain. Pendulums of 2 cm
 /// and double pendulums of 10 cm are below at 240 substeps per second.
 const STIFFNESS_MAX: Real = 0.25;
-/// How much of it, as a multiple of `(h Ω)²`, is turning as a whole.
+/// The part of it that is common rotation, as a multiple of `(h Ω)²`.
 const WHOLE: Real = 4.0;
-/// By how much (rad) a component may turn as a whole in a substep: Newton's steps do not arrive from further away.
+/// Largest common rotation (rad) of a component in a substep: Newton's steps do not converge from farther
+/// away.
 const TURN: Real = 0.85;
 
 /// If no joint exceeds this value, no other test is made.
 const LOOSE: Real = 0.01;
-/// By how much (rad) a component with thin bodies on hinges may turn as a whole in a substep.
+/// Largest common rotation (rad) of a component with thin bodies on hinges in a substep.
 const TUMBLING_TURN: Real = 0.15;
-/// By how much further (rad) a body may turn in a substep if joints let go what they hold against. Chains of boards of 1:10:100
-/// that fall on the ground keep to their energy with 0.05 to 1; with 2 they do not.
+/// Largest additional rotation (rad) of a body in a substep without its joint impulses. Chains of boards of
+/// 1:10:100 that fall on the ground keep to their energy with 0.05 to 1; with 2 they do not.
 const UNCONSTRAINED_ANGLE_MAX: Real = 0.25;
 
-/// Does a joint leave rotations free and lock others between bodies whose inertia turns with them?
+/// Returns whether a joint has both free and locked rotations, between bodies whose world-space inertia
+/// changes with their rotation.
 fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
     let locked = (member.form.locked >> DIM).count_ones() as usize;
     let inertias = &blocks[member.block as usize].inertias;
@@ -97,8 +99,8 @@ pub(super) struct GeometricStiffness {
     evaluations: u32,
 }
 
-/// Where all bodies are, by solver index, and how they move before any impulse of the substep. (Those of the last one
-/// point where its beginning was, and would count as turning.)
+/// Poses of all bodies, by solver index, and their motion before any impulse of the substep. (Those of the
+/// last one point where its beginning was, and would count as turning.)
 #[derive(Copy, Clone)]
 pub(super) struct Moving<'a> {
     pub poses: &'a [BodyPose],

@@ -1,4 +1,4 @@
-//! How the joints of a block stand at a moment of the step.
+//! Current geometry of the joints of a block.
 
 use super::block::{AxisRow, JointBlock};
 use super::rows::Row;
@@ -21,7 +21,7 @@ pub(super) struct Geometry<W> {
     pub separation: [W; DIM],
     /// Both frames.
     frames: [WideRotation<W>; 2],
-    /// By how much the second body has turned more than the first since the step began.
+    /// Relative rotation of the second body since the step began.
     rotvec: WideAngVector<W>,
 }
 
@@ -156,7 +156,7 @@ impl<W: Wide> Geometry<W> {
         let coupled = W::splat(1.0e-30).lt(squares);
         let length = W::select(coupled, squares, W::splat(1.0)).sqrt();
         let unit = towards * (W::splat(1.0) / length);
-        // Where the anchors coincide, every direction is as good: the first axis.
+        // If the anchors coincide, the first axis is the direction.
         (WideVector::select(coupled, unit, single), W::select(coupled, length, position))
     }
 

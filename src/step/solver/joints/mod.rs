@@ -13,11 +13,11 @@
 //!
 //! ## Where the bodies will be
 //! A joint's directions rotate with its bodies, and considerably within a step. Each pass therefore computes
-//! moment arms, axes and errors at the current poses. That is not sufficient. A velocity with `Ċ = 0` moves
-//! along a tangent and leaves the circle. The correction costs energy, a fraction `ω² h` of it per second.
-//! The solve pass therefore solves for the velocity that leads to `C = 0` at the *end* of the substep. With
-//! the present velocities the substep would end at `C' = C(x + h v)`. Of that, `h Ċ` changes with the
-//! velocity, and the rest, `C' - C - h Ċ`, is the curvature of the constraint.
+//! moment arms, axes and errors at the current poses. That alone is insufficient. A velocity with `Ċ = 0`
+//! moves along a tangent and leaves the circle. The correction costs energy, a fraction `ω² h` of it per
+//! second. The solve pass therefore solves for the velocity that leads to `C = 0` at the *end* of the
+//! substep. With the present velocities the substep would end at `C' = C(x + h v)`. Of that, `h Ċ` changes
+//! with the velocity, and the rest, `C' - C - h Ċ`, is the curvature of the constraint.
 //!
 //! ```text
 //! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
@@ -122,18 +122,18 @@ pub(super) struct SolverJoints {
 struct LaneSlot {
     /// Its slot in the islands' list.
     slot: u32,
-    /// How many rows of free axes it has.
+    /// Number of its rows of free axes.
     driven: u8,
 }
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
 
-/// How a round of an impact has changed velocities.
+/// Velocity changes of a round of an impact.
 pub(super) struct Changes<'a> {
     /// The [bodies](SolverJoints::held) that joints can change, each once.
     pub held: &'a [u32],
-    /// How they moved when the round began, and move now.
+    /// Velocities when the round began, and now.
     pub start: &'a [BodyState],
     pub states: &'a mut [BodyState],
     pub poses: &'a [BodyPose],

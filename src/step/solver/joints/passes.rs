@@ -62,7 +62,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         Self { rows: geometry.rows(), locked }
     }
 
-    /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
+    /// The reaction of the locked axes to an impulse along a row: `K_ll⁻¹ K_lf`.
     #[inline(always)]
     fn shares_of(&self, row: &Row<W>, masses: &Masses<W>, matrix: &Factored<W, N>) -> [W; N] {
         let mut coupled = masses.couplings(&self.rows, row);

@@ -102,7 +102,7 @@ impl<W: Wide> Masses<W> {
         k
     }
 
-    /// By how much a wrench changes the angular velocities.
+    /// Change of the angular velocities by a wrench.
     #[inline(always)]
     pub fn turned(&self, wrench: &Wrench<W>) -> [WideAngVector<W>; 2] {
         [

@@ -1,4 +1,4 @@
-//! Where joints would be by the end of the substep: see the head of this folder.
+//! Joint positions at the end of the substep: see the head of this folder.
 
 use super::block::{AxisRow, JointBlock};
 use super::geometry::Geometry;
@@ -11,11 +11,12 @@ use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
 
-/// How much of its speed a free axis may bend in a substep. A chord deviates from a circle by half of the arc
-/// angle. This is half a radian, up to which one step towards the end of the substep converges.
+/// Largest curvature of a free axis in a substep, as a fraction of its speed. A chord deviates from a circle
+/// by half of the arc angle. This is half a radian, up to which one step towards the end of the substep
+/// converges.
 pub(in crate::step::solver) const CURVATURE_ANGLE_MAX: Real = 0.25;
 
-/// Where the joints of a block would be by the end of the substep.
+/// Joint positions of a block at the end of the substep.
 pub(super) struct SubstepEnd<W> {
     pub then: Geometry<W>,
     /// With these velocities.

@@ -52,7 +52,7 @@ pub struct Point {
 pub struct LinkContact {
     at: ManifoldRef,
     normal: Vector,
-    /// Where the numbers of its rows begin.
+    /// First Jacobian of its rows.
     first_number: usize,
     pub friction: Real,
     pub restitution: Real,
@@ -79,7 +79,7 @@ pub(super) struct Side<'a> {
     gives_way: bool,
 }
 
-/// Where a manifold is in the world, now.
+/// Current world-space geometry of a manifold.
 struct Geometry {
     normal: Vector,
     /// By point: where it is, how far apart the surfaces are.
@@ -340,7 +340,7 @@ impl Side<'_> {
         self.link.filter(|place| place.is_moved)
     }
 
-    /// How far its centre of mass has gone since the step began.
+    /// Displacement of its centre of mass since the step began.
     fn displacement_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
         let start = world.at_slot(slot).map(|(_, body)| body.mprops.world_com);
         self.center.zip(start).map_or(Vector::ZERO, |(now, start)| now - start)

@@ -374,7 +374,7 @@ impl LinkContact {
 }
 
 impl Point {
-    /// Where it is for all passes but those of impacts.
+    /// Its separation for all passes except impacts.
     pub fn shown_separation(&self) -> Real {
         if self.is_aside { COORDINATE_MODERATE_MAX } else { self.separation }
     }

@@ -34,7 +34,7 @@ pub enum Owner {
         multibody: usize,
         link: usize,
     },
-    /// With what an impulse of 1 does to the second body, at its anchor, in world space.
+    /// Response of the second body to a unit impulse, at its anchor, in world space.
     Loop {
         joint: ImpulseJointHandle,
         wrench: SpatialVector,
@@ -51,7 +51,7 @@ struct Limit {
     owner: Owner,
     axis: JointAxis,
     row: Row,
-    /// How far the coordinate is from the lower and from the upper end.
+    /// Distances of the coordinate from the lower and from the upper limit.
     room: [Real; 2],
     impulses: [Real; 2],
     /// Sum of the impulses of the substeps, those of the upper end negative.
@@ -445,7 +445,7 @@ fn unit(axis: JointAxis) -> [Real; JointAxis::ALL.len()] {
     all
 }
 
-/// Which of a link's degrees of freedom an axis is.
+/// The degree of freedom of an axis of a link.
 fn position(link: &MultibodyLink, axis: JointAxis) -> usize {
     (link.free.bits() & (mask_of(axis).bits() - 1)).count_ones() as usize
 }

@@ -204,7 +204,7 @@ impl Moving {
         if motor.model == MotorModel::ForceBased {
             return 1.0;
         }
-        // Nothing has been pushed yet, so there is a list for an impulse of one.
+        // No impulse has been applied yet, so the list is free for a unit impulse.
         let Self { pushed: unit, motion, .. } = self;
         unit.clear();
         unit.resize(motion.rates.len(), 0.0);

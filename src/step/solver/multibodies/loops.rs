@@ -69,7 +69,7 @@ struct Loop {
 #[derive(Debug, Default)]
 pub struct Loops {
     loops: Vec<Loop>,
-    /// Where the numbers of their locked axes begin.
+    /// First Jacobian of their locked axes.
     first_number: usize,
 }
 
@@ -84,7 +84,7 @@ struct Frames {
     anchor: Vector,
 }
 
-/// Which body slots a joint joins, and which joint it is.
+/// The body slots of a joint, and its index.
 type Joined = ([u32; 2], ImpulseJointHandle);
 
 impl SolverMultibodies {

@@ -57,7 +57,7 @@ pub(super) struct Moving {
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
     root_pushed: Vec<Real>,
-    /// How far the degrees of freedom moved since the step began.
+    /// Displacement of the degrees of freedom since the step began.
     shift: Vec<Real>,
     /// By link: the path length of its centre of mass, and the angle that it rotated (rad).
     travel: Vec<[Real; 2]>,
@@ -243,7 +243,7 @@ impl SolverMultibodies {
         self.warm_loops(bodies, 1.0);
     }
 
-    /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
+    /// Applies gravity, forces, springs and dampers for `h` seconds, and warm-starts the substep.
     pub fn integrate_velocities(
         &mut self,
         h: Real,

@@ -21,7 +21,7 @@ pub enum Part {
     /// Something that stands still.
     Nothing,
     /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They are
-    /// movable or immovable. Of `J` only the numbers of the degrees of freedom in `span` are not zero.
+    /// movable or immovable. Only the numbers of `J` for the degrees of freedom in `span` are not zero.
     Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
@@ -64,7 +64,7 @@ impl Row {
 }
 
 impl Part {
-    /// Where its numbers begin, if it has any.
+    /// First of its numbers, if it has any.
     fn start(&self) -> Option<usize> {
         match self {
             Self::Links { start, .. } => Some(*start),
@@ -78,14 +78,14 @@ impl Part {
 pub struct JacobianPool {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
-    /// Where the next ones go; beyond the last, if they are not to be written anew.
+    /// Position of the next numbers; at the end, unless they are overwritten.
     next: usize,
-    /// Of the part that is being added: how large each number could be.
+    /// Largest possible size of each number of the current part.
     sizes: Vec<Real>,
 }
 
-/// Values below this fraction of their largest possible size are rounding. Where the joints leave a row
-/// nothing to move, all of `J` is, and `1/K` would be of any size.
+/// Values below this fraction of their largest possible size are rounding. If the joints leave a row nothing
+/// to move, all of `J` is rounding, and `1/K` would be arbitrary.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Everything that rows act on.
@@ -100,7 +100,7 @@ impl JacobianPool {
         self.truncate(0);
     }
 
-    /// How many there are.
+    /// The number of entries.
     pub fn len(&self) -> usize {
         self.jacobians.len()
     }
@@ -112,7 +112,7 @@ impl JacobianPool {
         self.next = len;
     }
 
-    /// Lets the next numbers be written over those from a place on, which must be as many.
+    /// Overwrites the next numbers from a position on, with the same count.
     pub fn rewrite_from(&mut self, start: usize) {
         self.next = start;
     }
@@ -122,7 +122,8 @@ impl JacobianPool {
         self.next = self.jacobians.len();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. It is immovable
+    /// unless it `gives_way`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],
@@ -230,7 +231,7 @@ impl JacobianPool {
         }
     }
 
-    /// How far `C` has changed since the step began.
+    /// Change of `C` since the step began.
     pub fn displacement(&self, row: &Row, states: &ConstrainedStates<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,

@@ -1,4 +1,4 @@
-//! From what the solver moved back to multibodies and their bodies.
+//! Stores the solver's results in multibodies and their bodies.
 
 use super::{Moving, NOT_SOLVED, SolverMultibodies};
 use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX, is_coordinate};

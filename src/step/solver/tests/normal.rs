@@ -229,8 +229,7 @@ fn a_near_miss_does_not_bounce() {
     assert_eq!(scene.velocity(1).0, -Vector::Y);
 }
 
-/// How far apart the kernel takes a point to be, after the bodies have moved for `time`; and how far
-/// apart it is.
+/// Separation of a point in the kernel after the bodies have moved for `time`, and the exact separation.
 fn separations(bodies: [Body; 2], contact: &Contact, time: Real) -> (Real, Real) {
     let (point, gap) = contact.points[0];
     let mut scene = Scene::new(bodies.map(Some), contact);

@@ -22,7 +22,7 @@ pub const LANE: usize = LANES - 2;
 pub const SUBSTEP: Real = 1.0 / 240.0;
 /// Approach slower than this does not bounce (length/s).
 pub const THRESHOLD: Real = 0.5;
-/// How far apart contact points may be.
+/// Prediction distance.
 pub const PREDICTION: Real = 0.02;
 
 /// A body, as the solver sees it.
@@ -109,7 +109,7 @@ pub struct Contact {
     pub friction: Real,
     pub restitution: Real,
     pub tangent_velocity: Vector,
-    /// How far (rad) bodies may have turned since.
+    /// Rotation (rad) of the bodies since.
     pub frozen_angle: Real,
 }
 
@@ -148,7 +148,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Nothing but the world.
+    /// An empty world.
     pub fn empty() -> Self {
         Self {
             poses: vec![BodyPose::WORLD],

@@ -66,7 +66,7 @@ const ROUGH: f64 = 1.0e-3;
 /// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
 const ASTRAY: f64 = 100.0;
 
-/// How far the rounds of a solution have come.
+/// Progress of the rounds of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
     Done,
@@ -99,7 +99,7 @@ pub(super) struct Matrix<const N: usize> {
     x: Vec<Column<N>>,
     /// By member: right-hand side of the second turn.
     again: Vec<Column<N>>,
-    /// How much the first solution of a substep had to do, the one before the last, and the last one.
+    /// Input of the first solution of a substep, of the one before the last, and of the last one.
     first_size: f64,
     sizes: [f64; 2],
     /// The sum of the compliances with which the matrix was made; `None` if the bodies have moved since.
@@ -186,8 +186,8 @@ impl<const N: usize> Matrix<N> {
         unsafe { self.push_bodies(component, states) };
     }
 
-    /// How far the rounds have come, the last of which is at least the second one. The ratio of its residual
-    /// to its input equals the ratio of that input to the previous one.
+    /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
+    /// ratio of that input to the previous one.
     pub fn progress(
         &self,
         component: Component<'_>,

@@ -31,7 +31,7 @@ pub(in super::super) struct JacobianBlock {
     pub are_there: Lane,
     /// One where the solve pass looks ahead.
     pub look_ahead: Lane,
-    /// Of its bodies as they stand now.
+    /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// Out: by how much the impulses change.

@@ -69,7 +69,7 @@ pub(super) struct Direct {
     solve_states: Vec<SolveState>,
 }
 
-/// How a component is solved in a substep: see `../geometric_stiffness.rs`.
+/// Method for a component in a substep: see `../geometric_stiffness.rs`.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Linearization {
     /// Looking ahead, along the rows where the bodies are.
@@ -80,7 +80,7 @@ enum Linearization {
     Here,
 }
 
-/// How the solution of a component goes.
+/// State of the solution of a component.
 #[derive(Copy, Clone, Debug)]
 struct SolveState {
     linearization: Linearization,

@@ -1,4 +1,4 @@
-//! Which joints are connected, in which order they are eliminated, and where blocks stand.
+//! Connected joints, their elimination order, and the places of blocks.
 
 use super::order::{Ordering, products};
 use crate::dim::math::Real;
@@ -29,12 +29,12 @@ const MASS_RATIO_MAX: Real = 32.0;
 pub(in super::super) struct DirectJoint {
     /// The joint's slot in its set: the order of members must not depend on other islands.
     pub slot: u32,
-    /// Where its rows are.
+    /// Block and lane of its rows.
     pub block: u32,
     pub lane: u32,
     /// Solver indices of its bodies.
     pub bodies: [u32; 2],
-    /// Of its bodies; none of those that cannot move.
+    /// Inverse masses of its bodies; zero for immovable ones.
     pub inv_masses: [Real; 2],
     pub form: JointForm,
 }
@@ -83,7 +83,7 @@ pub(super) struct Pattern {
     ordering: Ordering,
 }
 
-/// Where a component's members stand, and what is known of it.
+/// Range of a component's joints, and data of the component.
 struct Part {
     members: Range<usize>,
     has_loops: bool,
@@ -107,7 +107,7 @@ struct Search {
     of_body: Vec<u32>,
     visited: Vec<bool>,
     order: Vec<u32>,
-    /// How many bodies these joints hold.
+    /// Number of bodies of these joints.
     body_count: usize,
     /// By body: whether it has been counted.
     seen: Vec<bool>,
@@ -145,7 +145,7 @@ impl Pattern {
         }
     }
 
-    /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
+    /// Orders all members that are worth it. An unchanged component is kept.
     pub fn build(&mut self, given: &[DirectJoint], body_count: usize) {
         if self.given == given {
             return;
